@@ -1,0 +1,49 @@
+# make walk    from a fresh clone to a walking robot and its report
+# make test    lint, types, layer contract and the default tests
+# make help    everything else
+
+PYTHON ?= python3
+VENV ?= .venv
+BIN := $(VENV)/bin
+INSTALLED := $(VENV)/.installed
+
+.DEFAULT_GOAL := help
+.PHONY: help install walk test test-all check format bench clean
+
+help:  ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+
+install: $(INSTALLED)  ## create .venv with everything pinned in constraints.txt
+
+# torch goes first and pinned: asked for by another package it could bring gigabytes of CUDA.
+$(INSTALLED): pyproject.toml constraints.txt
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt torch
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+	@touch $@
+
+walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write report.html
+	$(BIN)/python train/ppo.py
+	$(BIN)/python evaluate/policy.py
+
+check: $(INSTALLED)  ## lint, format, types, layer contract
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+test: check  ## the checks and the default tests
+	$(BIN)/python -m pytest -n 2
+
+test-all: check  ## the checks and every test, the slow ones too
+	$(BIN)/python -m pytest -n 2 -m ""
+
+format: $(INSTALLED)  ## let ruff format and mend
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+bench: $(INSTALLED)  ## measure speed and memory
+	$(BIN)/python evaluate/throughput.py
+
+clean:  ## remove .venv and caches; runs/ and results/ stay
+	rm -rf $(VENV) build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

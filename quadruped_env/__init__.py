@@ -1,0 +1,37 @@
+"""MiniQuadruped: a Gymnasium environment around a MuJoCo model of an eight-joint quadruped.
+
+import gymnasium
+import quadruped_env
+
+env = gymnasium.make("MiniQuadruped-v0")
+"""
+
+from quadruped_env._opengl import choose_opengl
+
+choose_opengl()  # before anything imports MuJoCo, which reads the choice when it is imported
+
+from quadruped_env import envs, policies  # noqa: E402
+from quadruped_env._version import __version__  # noqa: E402
+from quadruped_env.errors import MissingExtraError, QuadrupedError  # noqa: E402
+from quadruped_env.gait import CommandedGait, SinusoidalGait  # noqa: E402
+from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics, load_model  # noqa: E402
+from quadruped_env.trajectory import JointState, JointTrajectory  # noqa: E402
+
+__all__ = [
+    "JOINT_NAMES",
+    "LEG_NAMES",
+    "CommandedGait",
+    "JointState",
+    "JointTrajectory",
+    "MissingExtraError",
+    "QuadrupedError",
+    "SinusoidalGait",
+    "__version__",
+    "asset_path",
+    "envs",
+    "forward_kinematics",
+    "load_model",
+    "policies",
+]
+
+envs.register()

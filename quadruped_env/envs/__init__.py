@@ -1,0 +1,50 @@
+"""How a learner sees the task: a Gymnasium environment, its native vectorized form, and Stable-Baselines3's."""
+
+from typing import TYPE_CHECKING, Any
+
+import gymnasium
+
+from quadruped_env.envs.single import MiniQuadrupedEnv
+from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
+
+if TYPE_CHECKING:
+    from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
+
+__all__ = ["ENV_ID", "MiniQuadrupedEnv", "MiniQuadrupedVectorEnv", "make_sb3_vec_env", "register"]
+
+ENV_ID = "MiniQuadruped-v0"
+EPISODE_SECONDS = 20.0
+MAX_EPISODE_STEPS = 1000
+"""`EPISODE_SECONDS` at 50 Hz."""
+
+
+def register() -> None:
+    """Make `gymnasium.make("MiniQuadruped-v0")` and `make_vec` work; `import quadruped_env` calls it."""
+    if ENV_ID not in gymnasium.registry:
+        gymnasium.register(
+            id=ENV_ID,
+            entry_point="quadruped_env.envs.single:MiniQuadrupedEnv",
+            vector_entry_point="quadruped_env.envs.vector:MiniQuadrupedVectorEnv",
+            max_episode_steps=MAX_EPISODE_STEPS,
+        )
+
+
+def make_sb3_vec_env(
+    num_envs: int, seed: int | None = None, max_episode_steps: int = MAX_EPISODE_STEPS, **env_kwargs: Any
+) -> "MiniQuadrupedSB3VecEnv":
+    """A Stable-Baselines3 `VecEnv` straight over the native vector environment.
+
+    Args:
+        num_envs: number of robots.
+        seed: seed of row 0; row i gets seed + i.
+        max_episode_steps: control steps after which an episode is truncated.
+        env_kwargs: as for `gymnasium.make("MiniQuadruped-v0", ...)`.
+
+    Raises:
+        MissingExtraError: if stable-baselines3 is not installed.
+    """
+    from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
+
+    env = MiniQuadrupedSB3VecEnv(MiniQuadrupedVectorEnv(num_envs, max_episode_steps=max_episode_steps, **env_kwargs))
+    env.seed(seed)
+    return env

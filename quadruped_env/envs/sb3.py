@@ -1,0 +1,102 @@
+"""Stable-Baselines3's `VecEnv` over the native vector environment, without a loop over rows."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.task import ACTION_WIDTH
+
+try:
+    from stable_baselines3.common.vec_env import VecEnv
+    from stable_baselines3.common.vec_env.base_vec_env import VecEnvIndices
+except ImportError as error:  # pragma: no cover
+    raise MissingExtraError("training", "train") from error
+
+
+class MiniQuadrupedSB3VecEnv(VecEnv):
+    """The native vector environment as Stable-Baselines3 wants it.
+
+    `infos` is empty but for rows that finished: their `terminal_observation`, whether the time limit ended them
+    (`TimeLimit.truncated`, from which PPO bootstraps), and `episode` with return `r`, length `l` and the summed
+    reward terms, as SB3's VecMonitor reports. What an algorithm needs of the others is in the arrays of `self.task`.
+    """
+
+    def __init__(self, env: MiniQuadrupedVectorEnv) -> None:
+        self.env = env
+        self.task = env.task
+        self.render_mode = env.render_mode
+        self.metadata = env.metadata
+        super().__init__(env.num_envs, env.single_observation_space, env.single_action_space)
+        self._actions = np.zeros((env.num_envs, ACTION_WIDTH), dtype=np.float32)
+        self._episode_terms = np.zeros((env.num_envs, len(self.task.term_names)))
+        self._no_infos: list[dict[str, Any]] = [{} for _ in range(env.num_envs)]
+
+    def reset(self) -> NDArray[np.float32]:
+        """Begin new episodes everywhere, with the seeds given to `seed` the first time."""
+        seeds = None if all(seed is None for seed in self._seeds) else self._seeds
+        observations, _ = self.env.reset(seed=seeds)
+        self._episode_terms[:] = 0.0
+        self._reset_seeds()
+        self._reset_options()
+        return observations
+
+    def step_async(self, actions: NDArray[np.float32]) -> None:
+        """Remember the actions for `step_wait`."""
+        self._actions = actions
+
+    def step_wait(self) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
+        """Advance every row, and reset those that finished."""
+        transition = self.task.step(self._actions)
+        self._episode_terms += transition.terms
+        done = transition.terminated | transition.truncated
+        observations, infos = transition.observation, self._no_infos
+        if done.any():
+            rows = np.flatnonzero(done)
+            infos = infos.copy()
+            for row in rows:
+                terms = self._episode_terms[row]
+                infos[row] = {
+                    "terminal_observation": observations[row],
+                    "TimeLimit.truncated": bool(transition.truncated[row] and not transition.terminated[row]),
+                    "episode": {
+                        "r": float(np.add.accumulate(terms)[-1]),
+                        "l": int(self.task.steps[row]),
+                        "terms": terms.copy(),
+                    },
+                }
+            self._episode_terms[rows] = 0.0
+            self.task.reset(rows)
+            observations = self.task.observe()
+        return observations, transition.reward.astype(np.float32), done, infos
+
+    def close(self) -> None:
+        """Free what the environment holds."""
+        self.env.close()
+
+    def get_images(self) -> Sequence[NDArray[np.uint8] | None]:
+        """One picture a row."""
+        return self.env.render() or [None] * self.num_envs
+
+    def get_attr(self, attr_name: str, indices: VecEnvIndices = None) -> list[Any]:
+        """An attribute of the vector environment, once a row."""
+        return [getattr(self.env, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name: str, value: Any, indices: VecEnvIndices = None) -> None:
+        """Refused: rows are not environments of their own."""
+        raise NotImplementedError(
+            f"set_attr({attr_name!r}): the rows of a native vector environment share their attributes"
+        )
+
+    def env_method(self, method_name: str, *args: Any, indices: VecEnvIndices = None, **kwargs: Any) -> list[Any]:
+        """Refused: rows are not environments of their own."""
+        raise NotImplementedError(
+            f"env_method({method_name!r}): the rows of a native vector environment have no methods"
+        )
+
+    def env_is_wrapped(self, wrapper_class: type[Any], indices: VecEnvIndices = None) -> list[bool]:
+        """Never wrapped, once a row."""
+        return [False] * len(list(self._get_indices(indices)))

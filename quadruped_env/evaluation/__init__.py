@@ -1,0 +1,1 @@
+"""How good was it: rollouts, metrics, statistics, plots and reports."""

@@ -1,0 +1,43 @@
+"""Where the model files are, and the model compiled from them."""
+
+import importlib.util
+from pathlib import Path
+
+import mujoco
+
+from quadruped_env.errors import QuadrupedError
+
+ASSETS = ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml")
+
+
+def _asset_directory() -> Path:
+    """The directory of the model files: inside an installed package, beside it in a checkout."""
+    # An editable install maps the package `quadruped_env.assets` to the checkout's folder, and a wheel holds a
+    # copy inside the package: both answer to find_spec. A bare checkout on sys.path has only the folder.
+    spec = importlib.util.find_spec("quadruped_env.assets")
+    if spec is not None and spec.submodule_search_locations:
+        return Path(next(iter(spec.submodule_search_locations))) / "mini_quadruped"
+    return Path(__file__).parents[2] / "assets" / "mini_quadruped"
+
+
+def asset_path(name: str) -> Path:
+    """The path of one of the robot's files: its URDF, its MJCF, or the MJCF scene around it.
+
+    Raises:
+        QuadrupedError: if there is no such asset.
+    """
+    if name not in ASSETS:
+        raise QuadrupedError(f"asset_path: unknown asset {name!r}; valid names are {', '.join(ASSETS)}")
+    return _asset_directory() / name
+
+
+def load_model(timestep: float | None = None) -> mujoco.MjModel:
+    """The robot on its ground, compiled.
+
+    Args:
+        timestep: physics step in s, or None for the one that the model file states.
+    """
+    spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
+    if timestep is not None:
+        spec.option.timestep = timestep
+    return spec.compile()

@@ -1,0 +1,8 @@
+"""How the robot moves: one interface, and two drivers that give the same numbers to the last bit."""
+
+from quadruped_env.simulation.batch import BatchSimulation
+from quadruped_env.simulation.interface import Simulation
+from quadruped_env.simulation.single import SingleSimulation
+from quadruped_env.simulation.state import State
+
+__all__ = ["BatchSimulation", "Simulation", "SingleSimulation", "State"]

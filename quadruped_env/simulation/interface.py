@@ -1,0 +1,64 @@
+"""What a task may ask of a simulation, whichever driver runs it."""
+
+from typing import Protocol
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.simulation.state import State
+
+SETTLED = mujoco.mjtStage.mjSTAGE_VEL
+"""Every control step ends with positions and velocities computed at the new state, ready for the next substep."""
+
+DIVERGENCE_WARNINGS = slice(mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQACC + 1)
+"""MuJoCo's warnings that say that a state was not a number or too large, and that it was put back to the start."""
+
+STATE_SPEC = mujoco.mjtState.mjSTATE_INTEGRATION
+"""Everything that the next step depends on."""
+
+SimulationState = tuple[NDArray[np.float64], NDArray[np.float64]]
+"""MuJoCo's integration state of one row, and its sensor readings: forces are not a function of the state alone."""
+
+
+class Simulation(Protocol):
+    """N copies of the robot on its ground.
+
+    Both drivers give the same bits for the same calls, at any number of rows and threads.
+    """
+
+    model: mujoco.MjModel
+    num_rows: int
+    state: State
+    """Live readings; see `State` for what is current when."""
+
+    def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
+        """Advance every row by `substeps` physics steps with joint targets (N, 8) in rad."""
+        ...
+
+    def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+        """Put some rows (R,) at qpos (R, 15) and qvel (R, 14), at rest otherwise; the others do not change.
+
+        Derives anew what depends on model fields that were written since.
+        """
+        ...
+
+    def diverged(self) -> NDArray[np.bool_]:
+        """Which rows (N,) MuJoCo reported as diverged, or could not step, since their last reset."""
+        ...
+
+    def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+        """Add world-frame velocity (R, 3) in m/s to the base of some rows (R,)."""
+        ...
+
+    def model_field(self, name: str) -> NDArray[np.float64]:
+        """A field of the model with a value per row, (N, ...), to write to before `reset`."""
+        ...
+
+    def get_state(self, row: int) -> SimulationState:
+        """All that the future of a row depends on, and its readings."""
+        ...
+
+    def set_state(self, row: int, state: SimulationState) -> None:
+        """Restore what `get_state` gave."""
+        ...

@@ -1,0 +1,91 @@
+"""One robot, on `MjData`: it can be pickled, copied, rendered and taken apart."""
+
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
+from quadruped_env.simulation.state import State
+
+
+class SingleSimulation:
+    """`Simulation` with one row."""
+
+    num_rows = 1
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        self.model = model
+        self.data = mujoco.MjData(model)
+        self._failed = False
+        self._model_varies = False
+        self._bind()
+
+    def _bind(self) -> None:
+        self.state = State.from_sensordata(self.model, self.data.sensordata[None])
+        self._ctrl = self.data.ctrl
+
+    def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
+        """See `Simulation.step`."""
+        self._ctrl[:] = joint_target[0]
+        model, data = self.model, self.data
+        try:
+            # The last call left off after the first half of a step (mj_step1), so only the second half is due.
+            mujoco.mj_step2(model, data)
+            if substeps > 1:
+                mujoco.mj_step(model, data, substeps - 1)
+            mujoco.mj_step1(model, data)
+        except mujoco.FatalError:
+            self._failed = True
+
+    def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+        """See `Simulation.reset`."""
+        data = self.data
+        if self._model_varies:
+            mujoco.mj_setConst(self.model, data)
+        mujoco.mj_resetData(self.model, data)
+        data.qpos = qpos[0]
+        data.qvel = qvel[0]
+        self._ctrl[:] = qpos[0, 7:]
+        mujoco.mj_forward(self.model, data)
+        self._failed = False
+
+    def diverged(self) -> NDArray[np.bool_]:
+        """See `Simulation.diverged`."""
+        failed = self._failed or any(warning.number for warning in self.data.warning[DIVERGENCE_WARNINGS])
+        return np.array([failed])
+
+    def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+        """See `Simulation.push`."""
+        self.data.qvel[:3] += velocity[0]
+        mujoco.mj_step1(self.model, self.data)
+
+    def model_field(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.model_field`."""
+        self._model_varies = True
+        return getattr(self.model, name)[None]
+
+    def get_state(self, row: int) -> SimulationState:
+        """See `Simulation.get_state`."""
+        state = np.empty(mujoco.mj_stateSize(self.model, STATE_SPEC))
+        mujoco.mj_getState(self.model, self.data, state, STATE_SPEC)
+        return state, self.data.sensordata.copy()
+
+    def set_state(self, row: int, state: SimulationState) -> None:
+        """See `Simulation.set_state`."""
+        mujoco.mj_setState(self.model, self.data, state[0], STATE_SPEC)
+        mujoco.mj_step1(self.model, self.data)
+        self.data.sensordata = state[1]
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The readings are views of the data: they are made anew, or they would come back as copies.
+        attributes = self.__dict__.copy()
+        del attributes["state"], attributes["_ctrl"]
+        return attributes
+
+    def __setstate__(self, attributes: dict[str, Any]) -> None:
+        self.__dict__.update(attributes)
+        self._bind()
+        # What the first half of a step leaves in the engine's own memory does not travel with the data.
+        mujoco.mj_step1(self.model, self.data)

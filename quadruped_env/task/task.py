@@ -1,0 +1,306 @@
+"""The task: from actions to observations, rewards and the ends of episodes, for any number of rows.
+
+Written once, it drives the single and the vectorized environment. A row's numbers do not depend on how many rows
+there are: see the rules in CONTRIBUTING.md before changing an expression here.
+"""
+
+import copy
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from gymnasium.utils import seeding
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import CommandedGait
+from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.simulation import Simulation
+from quadruped_env.task import commands, observations, randomization, rewards, terminations
+from quadruped_env.task.config import TaskConfig
+
+ACTION_WIDTH: Final = len(JOINT_NAMES)
+
+_LEG_TURNS: Final = np.array(CommandedGait.tuned().turns) * math.tau
+_EPISODE_ARRAYS: Final = (
+    "_last_action",
+    "_command",
+    "_moving",
+    "_fixed",
+    "_phase",
+    "_steps",
+    "_resample_at",
+    "_push_at",
+    "_noise_key",
+    "_gait_amplitude",
+    "_gait_offset",
+)
+
+
+@dataclass(slots=True)
+class Transition:
+    """What one control step gave, before any reset."""
+
+    observation: NDArray[np.float32]
+    """(N, OBSERVATION_WIDTH)"""
+    reward: NDArray[np.float64]
+    """(N,): the weighted terms, added in their order"""
+    terms: NDArray[np.float64]
+    """Weighted reward terms (N, T), in the order of `Task.term_names`"""
+    terminated: NDArray[np.bool_]
+    """(N,): fallen or diverged"""
+    truncated: NDArray[np.bool_]
+    """(N,): out of time"""
+    diverged: NDArray[np.bool_]
+    """(N,): MuJoCo gave up on the row"""
+
+
+class Task:
+    """The episodes of N rows.
+
+    Args:
+        simulation: N robots.
+        config: the task in numbers.
+        max_episode_steps: control steps after which an episode is truncated; None leaves that to the caller.
+    """
+
+    def __init__(self, simulation: Simulation, config: TaskConfig, max_episode_steps: int | None = None) -> None:
+        if max_episode_steps is not None and max_episode_steps < 1:
+            raise QuadrupedError(f"max_episode_steps: expected 1 or more, or None; found {max_episode_steps}")
+        self.simulation = simulation
+        self.config = config
+        self.max_episode_steps = max_episode_steps
+        n = self.num_rows = simulation.num_rows
+        self._residual = config.action.mode == "residual"
+        self._action_scale = config.action.residual_scale if self._residual else config.action.position_scale
+        self._phase_step = math.tau * config.clock_frequency * config.control_timestep
+        self._noise = config.randomization.observation_noise * observations.OBSERVATION_NOISE
+        self._pushes = config.randomization.push_velocity > 0.0
+        self._weights = np.array(list(config.reward.weights.values()))
+        self.term_names = tuple(config.reward.weights)
+        self._model_randomizer = randomization.ModelRandomizer(simulation, config.randomization)
+        self._gait = CommandedGait.tuned()
+        self._gait_phases = self._gait.joint_phases()
+
+        self.generators: list[np.random.Generator] = [seeding.np_random()[0] for _ in range(n)]
+        self._last_action = np.zeros((n, ACTION_WIDTH))
+        self._command = np.zeros((n, 2))
+        self._moving = np.zeros(n)
+        self._fixed = np.zeros(n, dtype=np.bool_)
+        self._phase = np.zeros(n)
+        self._steps = np.zeros(n, dtype=np.int64)
+        self._resample_at = np.zeros(n, dtype=np.int64)
+        self._push_at = np.zeros(n, dtype=np.int64)
+        self._noise_key = np.zeros(n, dtype=np.uint64)
+        self._gait_amplitude = np.zeros((n, ACTION_WIDTH))
+        self._gait_offset = np.tile(STANCE, (n, 1))
+        self._clock = np.zeros((n, 2))
+        self._raw = np.zeros((n, observations.OBSERVATION_WIDTH))
+        self._terms = np.zeros((n, len(self.term_names)))
+
+    @property
+    def command(self) -> NDArray[np.float64]:
+        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2); live."""
+        return self._command
+
+    @property
+    def phase(self) -> NDArray[np.float64]:
+        """Phase of the gait clock in [0, 2 pi), (N,); live."""
+        return self._phase
+
+    @property
+    def steps(self) -> NDArray[np.int64]:
+        """Control steps since each row's reset, (N,); live."""
+        return self._steps
+
+    def reset(
+        self,
+        rows: NDArray[np.intp],
+        seeds: Sequence[int | None] | None = None,
+        command: Sequence[float] | NDArray[np.float64] | None = None,
+    ) -> None:
+        """Begin new episodes in some rows (R,); the others do not change.
+
+        Args:
+            rows: which rows.
+            seeds: seeds of the rows' generators (R,); None lets a generator run on.
+            command: forward velocity and yaw rate that stay fixed for the episode; None samples them.
+        """
+        if seeds is not None:
+            for row, seed in zip(rows, seeds, strict=True):
+                if seed is not None:
+                    self.generators[row] = seeding.np_random(seed)[0]
+        config = self.config.randomization
+        # One call a row for all that an episode draws.
+        count = randomization.START_DRAWS + commands.DRAWS + 3
+        draws = np.array([self.generators[row].random(count) for row in rows])
+        start, draws = draws[:, : randomization.START_DRAWS], draws[:, randomization.START_DRAWS :]
+        qpos, qvel = randomization.start_states(start, config)
+        self._model_randomizer.apply(rows, start)
+        self.simulation.reset(rows, qpos, qvel)
+
+        self._last_action[rows] = 0.0
+        self._steps[rows] = 0
+        self._phase[rows] = math.tau * draws[:, commands.DRAWS]
+        self._noise_key[rows] = (draws[:, commands.DRAWS + 1] * 2.0**53).astype(np.uint64)
+        self._push_at[rows] = self._in_steps(commands.between(config.push_interval, draws[:, commands.DRAWS + 2]))
+        self._fixed[rows] = command is not None
+        if command is None:
+            self._set_sampled_command(rows, draws[:, : commands.DRAWS])
+        else:
+            self._set_command(
+                rows, np.broadcast_to(commands.check_command(command, self.config.command), (len(rows), 2))
+            )
+
+    def step(self, action: ArrayLike) -> Transition:
+        """Advance every row by one control step. Resets nothing.
+
+        Args:
+            action: (N, 8), clipped to [-1, 1].
+
+        Raises:
+            QuadrupedError: if the action's shape is wrong or a value is not finite; no row has moved then.
+        """
+        action = self._checked(action, "action")
+        np.minimum(action, 1.0, out=action)
+        np.maximum(action, -1.0, out=action)
+        self._advance_phase()
+        return self._advance(action, self._nominal() + action * self._action_scale)
+
+    def step_joint_target(self, target: ArrayLike) -> Transition:
+        """Advance every row by one control step with joint targets (N, 8) in rad: what a scripted controller does.
+
+        The policy's last action counts as zero.
+
+        Raises:
+            QuadrupedError: as `step`.
+        """
+        target = self._checked(target, "joint target")
+        self._advance_phase()
+        return self._advance(np.zeros_like(target), target)
+
+    def _advance_phase(self) -> None:
+        self._phase += self._phase_step
+        self._phase[self._phase >= math.tau] -= math.tau
+
+    def _advance(self, action: NDArray[np.float64], target: NDArray[np.float64]) -> Transition:
+        np.minimum(target, JOINT_POSITION_HIGH, out=target)
+        np.maximum(target, JOINT_POSITION_LOW, out=target)
+        self.simulation.step(target, self.config.decimation)
+        self._steps += 1
+
+        state, config = self.simulation.state, self.config
+        diverged = self.simulation.diverged()
+        terminated = (
+            terminations.tilted(state.up_b, config.termination.max_tilt)
+            | terminations.trunk_contact(state.trunk_force, config.termination.max_trunk_force)
+            | diverged
+        )
+        if self.max_episode_steps is None:
+            truncated = np.zeros(self.num_rows, dtype=np.bool_)
+        else:
+            truncated = self._steps >= self.max_episode_steps
+        self._update_terms(action, terminated)
+        # Added one by one in declared order: a pairwise sum would depend on the shape of the array.
+        terms = self._terms * self._weights
+        reward = np.add.accumulate(terms, axis=1)[:, -1]
+
+        self._last_action[:] = action
+        self._resample_commands()
+        if self._pushes:
+            self._push()
+        return Transition(self.observe(), reward, terms, terminated, truncated, diverged)
+
+    def observe(self) -> NDArray[np.float32]:
+        """The observations (N, OBSERVATION_WIDTH) of all rows, a new array."""
+        np.sin(self._phase, out=self._clock[:, 0])
+        np.cos(self._phase, out=self._clock[:, 1])
+        self._clock *= self._moving[:, None]
+        observations.raw_observation(self.simulation.state, self._last_action, self._command, self._clock, self._raw)
+        if self.config.randomization.observation_noise:
+            noise = randomization.counter_noise(self._noise_key, self._steps, observations.OBSERVATION_WIDTH)
+            self._raw += noise * self._noise
+        return observations.scale_observation(self._raw)
+
+    def get_state(self, row: int) -> dict[str, Any]:
+        """All that the future of a row depends on: physics, episode, noise and random generator."""
+        state: dict[str, Any] = {name: copy.copy(getattr(self, name)[row]) for name in _EPISODE_ARRAYS}
+        state["generator"] = self.generators[row].bit_generator.state
+        state["simulation"] = self.simulation.get_state(row)
+        return state
+
+    def set_state(self, row: int, state: dict[str, Any]) -> None:
+        """Restore what `get_state` gave: the row then goes on as it did from there."""
+        for name in _EPISODE_ARRAYS:
+            getattr(self, name)[row] = state[name]
+        self.generators[row].bit_generator.state = state["generator"]
+        self.simulation.set_state(row, state["simulation"])
+
+    def _checked(self, action: ArrayLike, what: str) -> NDArray[np.float64]:
+        values = np.array(action, dtype=np.float64)
+        if values.shape != self._last_action.shape:
+            raise QuadrupedError(
+                f"{what}: expected shape {self._last_action.shape}, one value a joint; found {values.shape}"
+            )
+        # A sum is finite if and only if its terms are, at these sizes, and one pass is enough for it.
+        if not math.isfinite(values.sum()) and not np.isfinite(values).all():
+            row, column = np.argwhere(~np.isfinite(values))[0]
+            raise QuadrupedError(
+                f"{what}: value {values[row, column]} for {JOINT_NAMES[column]} in row {row} is not finite"
+            )
+        return values
+
+    def _nominal(self) -> NDArray[np.float64]:
+        """Joint positions that a zero action asks for, rad: (8,), or (N, 8) in residual mode."""
+        if not self._residual:
+            return STANCE
+        return self._gait_amplitude * np.sin(self._phase[:, None] + self._gait_phases) + self._gait_offset
+
+    def _update_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> None:
+        memory = rewards.Memory(
+            action=action,
+            last_action=self._last_action,
+            joint_offset=self.simulation.state.joint_position - STANCE,
+            command=self._command,
+            moving=self._moving,
+            clock_sine=np.sin(self._phase[:, None] + _LEG_TURNS),
+            fallen=terminated * 1.0,
+        )
+        terms = rewards.reward_terms(self.simulation.state, memory, self.config.reward)
+        for column, name in enumerate(self.term_names):
+            self._terms[:, column] = terms[name]
+        self._terms *= self.config.control_timestep
+
+    def _resample_commands(self) -> None:
+        due = self._steps >= self._resample_at
+        if due.any():
+            rows = np.flatnonzero(due & ~self._fixed)
+            if len(rows):
+                draws = np.array([self.generators[row].random(commands.DRAWS) for row in rows])
+                self._set_sampled_command(rows, draws)
+
+    def _set_sampled_command(self, rows: NDArray[np.intp], draws: NDArray[np.float64]) -> None:
+        command, interval = commands.sample_command(draws, self.config.command)
+        self._resample_at[rows] = self._steps[rows] + self._in_steps(interval)
+        self._set_command(rows, command)
+
+    def _set_command(self, rows: NDArray[np.intp], command: NDArray[np.float64]) -> None:
+        self._command[rows] = command
+        self._moving[rows] = (abs(command) > commands.MOVING_THRESHOLD).any(axis=1)
+        if self._residual:
+            self._gait_amplitude[rows], self._gait_offset[rows] = self._gait.parameters(command)
+
+    def _push(self) -> None:
+        rows = np.flatnonzero(self._steps >= self._push_at)
+        if len(rows):
+            config = self.config.randomization
+            draws = np.array([self.generators[row].random(3) for row in rows])
+            velocity = np.zeros((len(rows), 3))
+            velocity[:, :2] = commands.between((-config.push_velocity, config.push_velocity), draws[:, :2])
+            self._push_at[rows] += self._in_steps(commands.between(config.push_interval, draws[:, 2]))
+            self.simulation.push(rows, velocity)
+
+    def _in_steps(self, seconds: NDArray[np.float64]) -> NDArray[np.int64]:
+        return np.maximum(np.round(seconds / self.config.control_timestep).astype(np.int64), 1)
