@@ -1,0 +1,329 @@
+"""How good a walk was, in numbers: pure functions from readings over time to one number an episode.
+
+Arrays run over time first: (T, N, ...). `valid` (T, N) masks what counts; a row without a valid sample gets NaN.
+`measure` gives every metric of a rollout, over the time after the first `START_UP` seconds and before a fall; only
+the fall itself counts from the beginning.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.rollout import Rollout
+from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, TOTAL_MASS, VELOCITY_LIMIT
+from quadruped_env.task.commands import MOVING_THRESHOLD
+from quadruped_env.task.rewards import mechanical_power
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+GRAVITY: Final = 9.81
+START_UP: Final = 1.0
+"""s at the beginning of an episode that no metric but the fall rate counts: the robot drops 1 cm and sets off"""
+WINDOW: Final = 1.0
+"""s of the moving mean that takes the oscillation within a stride out of a velocity"""
+STANDING_SPEED: Final = 0.05
+"""m/s; a robot slower than this travels nowhere, and what is counted per metre has no value"""
+LIMIT_MARGIN: Final = 0.01
+"""rad from a position limit within which a joint counts as being at it"""
+STANDING_SWING: Final = 0.01
+"""rad RMS; hips that swing less than this do not step"""
+
+
+@dataclass(frozen=True)
+class Metric:
+    """What a metric is called and how to read it."""
+
+    label: str
+    unit: str
+    meaning: str
+    digits: int = 2
+    less_is_better: bool = False
+    limit: float | None = None
+    """The robot's own limit, in the unit"""
+    percent: bool = False
+    """Whether people read it as a percentage; the value itself is a share"""
+
+    def show(self, value: float) -> str:
+        """The value as text without its unit, a dash for NaN."""
+        if math.isnan(value):
+            return "-"
+        return f"{100.0 * value:.{self.digits}f} %" if self.percent else f"{value:.{self.digits}f}"
+
+
+METRICS: Final[dict[str, Metric]] = {
+    "fall_rate": Metric("Falls", "", "share of episodes that end in a fall", 0, True, percent=True),
+    "forward_velocity_error": Metric(
+        "Forward velocity error",
+        "m/s",
+        "RMS over time of the 1 s mean of the forward velocity minus its command",
+        3,
+        True,
+    ),
+    "yaw_rate_error": Metric(
+        "Yaw rate error", "rad/s", "RMS over time of the 1 s mean of the yaw rate minus its command", 3, True
+    ),
+    "forward_velocity": Metric("Forward velocity", "m/s", "mean, in the robot's own frame", 3),
+    "yaw_rate": Metric("Yaw rate", "rad/s", "mean; positive turns left", 3),
+    "distance": Metric("Distance", "m", "travelled forwards by the end of the episode, or by the fall"),
+    "lateral_drift": Metric("Lateral drift", "m/m", "metres sideways per metre ahead, on straight commands", 3, True),
+    "heading_drift": Metric("Heading drift", "rad/s", "change of heading over time, on straight commands", 3, True),
+    "cost_of_transport": Metric(
+        "Cost of transport", "", "motor power / (weight x speed); has no value for a robot that stands", 2, True
+    ),
+    "mean_power": Metric("Motor power", "W", "mean mechanical power put in; braking gives nothing back", 1, True),
+    "peak_torque": Metric("Peak torque", "N m", "largest of any joint", 1, True, EFFORT_LIMIT),
+    "peak_joint_speed": Metric("Peak joint speed", "rad/s", "largest of any joint", 1, True, VELOCITY_LIMIT),
+    "joint_acceleration": Metric(
+        "Joint acceleration", "rad/s²", "RMS over joints and time; smooth motion has little", 0, True
+    ),
+    "joints_at_limit": Metric(
+        "Joints at a limit", "", "share of time with any joint at a position limit", 1, True, percent=True
+    ),
+    "foot_slip": Metric("Foot slip", "m/s", "mean sliding speed of the soles that are on the ground", 3, True),
+    "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
+    "stride_frequency": Metric("Stride frequency", "Hz", "strongest frequency of the hips' swing"),
+}
+"""Every metric, in the order of tables."""
+
+
+def measure(rollout: Rollout) -> dict[str, Floats]:
+    """Every metric of `METRICS`, in SI units, one number an episode: name -> (N,), NaN where it has no value."""
+    r, dt = rollout, rollout.timestep
+    counted = r.valid.copy()
+    counted[: round(START_UP / dt)] = False
+    forward, command = r.linear_velocity_b[..., 0], r.command
+    straight = np.abs(command[:, 1]) <= MOVING_THRESHOLD
+    heading = heading_of(r.orientation)
+    speed = masked_mean(forward, counted)
+    power = masked_mean(mechanical_power(r.joint_torque, r.joint_velocity), counted)
+    return {
+        "fall_rate": r.fallen * 1.0,
+        "forward_velocity_error": tracking_error(forward, command[:, 0], counted, dt),
+        "yaw_rate_error": tracking_error(r.yaw_rate, command[:, 1], counted, dt),
+        "forward_velocity": speed,
+        "yaw_rate": masked_mean(r.yaw_rate, counted),
+        "distance": distance(forward, r.valid, dt),
+        "lateral_drift": np.where(straight, lateral_drift(r.base_position, heading, counted, dt), np.nan),
+        "heading_drift": np.where(straight, heading_drift(heading, counted, dt), np.nan),
+        "cost_of_transport": cost_of_transport(power, speed),
+        "mean_power": power,
+        "peak_torque": peak(r.joint_torque, counted),
+        "peak_joint_speed": peak(r.joint_velocity, counted),
+        "joint_acceleration": joint_acceleration(r.joint_velocity, counted, dt),
+        "joints_at_limit": joints_at_limit(r.joint_position, counted),
+        "foot_slip": stance_slip(r.slip_speed, r.contact, counted),
+        "duty_factor": duty_factor(r.contact, counted).mean(axis=-1),
+        "stride_frequency": stride_frequency(r.joint_position, counted, dt),
+    }
+
+
+def masked_mean(values: NDArray[Any], mask: Mask) -> Floats:
+    """Mean over time of values (T, N, ...) where mask (T, N) is True, shape (N, ...)."""
+    mask = mask.reshape(mask.shape + (1,) * (values.ndim - mask.ndim))
+    return _ratio(np.where(mask, values, 0).sum(axis=0, dtype=np.float64), mask.sum(axis=0))
+
+
+def _ratio(numerator: NDArray[Any], denominator: NDArray[Any]) -> Floats:
+    """The quotient, NaN where the denominator is 0."""
+    shape = np.broadcast_shapes(np.shape(numerator), np.shape(denominator))
+    return np.divide(numerator, denominator, out=np.full(shape, np.nan), where=np.asarray(denominator) != 0)
+
+
+def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Mask]:
+    """Means over every `WINDOW` seconds.
+
+    Args:
+        values: (T, N, ...).
+        counted: (T, N); True from one sample to another, without a gap.
+        dt: time between samples, s.
+
+    Returns:
+        Means (M, N, ...), element i over samples i to i + window, and whether all of those count (M, N). M is 0 for
+        a rollout shorter than a window.
+    """
+    window = round(WINDOW / dt)
+    if len(values) < window:
+        return np.empty((0, *values.shape[1:])), np.empty((0, *counted.shape[1:]), np.bool_)
+    total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0, dtype=np.float64)])
+    return (total[window:] - total[:-window]) / window, counted[: len(counted) - window + 1] & counted[window - 1 :]
+
+
+def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: float) -> Floats:
+    """How far a velocity is from its command, in its unit, (N,).
+
+    sqrt(mean over windows of (mean of the velocity over `WINDOW` - command)^2): a robot with legs swings about its
+    mean within each stride, and that is no error.
+
+    Args:
+        velocity: m/s or rad/s (T, N).
+        command: (N,).
+        counted: (T, N).
+        dt: s.
+    """
+    means, whole = window_means(velocity, counted, dt)
+    return np.sqrt(masked_mean((means - command) ** 2, whole))
+
+
+def distance(forward_velocity: NDArray[Any], valid: Mask, dt: float) -> Floats:
+    """Integral of the forward velocity (T, N) in m/s until the end or the fall, m, (N,); negative backwards."""
+    return np.where(valid, forward_velocity, 0).sum(axis=0, dtype=np.float64) * dt
+
+
+def heading_of(orientation: NDArray[Any]) -> Floats:
+    """Direction of the robot's nose in the ground plane over time, rad, without jumps (T, N).
+
+    Args:
+        orientation: quaternions wxyz (T, N, 4).
+    """
+    w, x, y, z = np.moveaxis(orientation.astype(np.float64), -1, 0)
+    return np.unwrap(np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)), axis=0)
+
+
+def _first_and_last(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Floats, Floats]:
+    """Means over the first and the last whole window (N, ...) each, and the s between the two (N,).
+
+    NaN for a row where those windows overlap.
+    """
+    means, whole = window_means(values, counted, dt)
+    if not len(means):
+        nothing = np.full(values.shape[1:], np.nan)
+        return nothing, nothing, np.full(counted.shape[1:], np.nan)
+    first = whole.argmax(axis=0)
+    last = len(whole) - 1 - whole[::-1].argmax(axis=0)
+    rows = np.arange(len(first))
+    elapsed = (last - first) * dt
+    return means[first, rows], means[last, rows], np.where(whole.any(axis=0) & (elapsed >= WINDOW), elapsed, np.nan)
+
+
+def lateral_drift(base_position: NDArray[Any], heading: Floats, counted: Mask, dt: float) -> Floats:
+    """|displacement across the heading at the beginning| / |displacement along it|, m/m, (N,).
+
+    Beginning and end are means over `WINDOW`. NaN for a robot that does not travel (`STANDING_SPEED`).
+
+    Args:
+        base_position: m (T, N, 3).
+        heading: rad (T, N).
+        counted: (T, N).
+        dt: s.
+    """
+    start, end, elapsed = _first_and_last(base_position[..., :2], counted, dt)
+    direction, _, _ = _first_and_last(heading, counted, dt)
+    x, y = np.moveaxis(end - start, -1, 0)
+    along = np.abs(x * np.cos(direction) + y * np.sin(direction))
+    across = np.abs(y * np.cos(direction) - x * np.sin(direction))
+    travels = along > STANDING_SPEED * elapsed
+    return _ratio(across, np.where(travels, along, 0.0))
+
+
+def heading_drift(heading: Floats, counted: Mask, dt: float) -> Floats:
+    """|heading at the end - heading at the beginning| / time, both means over `WINDOW`, rad/s, (N,).
+
+    Args:
+        heading: rad, without jumps (T, N).
+        counted: (T, N).
+        dt: s.
+    """
+    start, end, elapsed = _first_and_last(heading, counted, dt)
+    return np.abs(end - start) / elapsed
+
+
+def cost_of_transport(power: Floats, speed: Floats) -> Floats:
+    """Mean positive mechanical power / (m g |mean forward speed|), no unit, (N,).
+
+    As Collins et al. 2005 (https://doi.org/10.1126/science.1107799) count it: mechanical work only, without what
+    the electronics and the motors' heat take. NaN below `STANDING_SPEED`.
+
+    Args:
+        power: W (N,).
+        speed: m/s (N,).
+    """
+    travels = np.abs(speed) > STANDING_SPEED
+    return _ratio(power, np.where(travels, TOTAL_MASS * GRAVITY * np.abs(speed), 0.0))
+
+
+def peak(values: NDArray[Any], counted: Mask) -> Floats:
+    """Largest absolute value over time and joints, in the unit of values (T, N, 8), (N,)."""
+    largest = np.where(counted, np.abs(values).max(axis=-1), 0.0).max(axis=0).astype(np.float64)
+    return np.where(counted.any(axis=0), largest, np.nan)
+
+
+def joint_acceleration(joint_velocity: NDArray[Any], counted: Mask, dt: float) -> Floats:
+    """RMS over time and joints of (velocity now - velocity before) / dt, rad/s^2, (N,).
+
+    The quantity that the `dof_acc` term of legged_gym penalizes. Targets and actions would not do: a scripted gait
+    has no action, and a joint follows a rough target smoothly.
+
+    Args:
+        joint_velocity: rad/s (T, N, 8).
+        counted: (T, N).
+        dt: s.
+    """
+    acceleration = np.diff(joint_velocity.astype(np.float64), axis=0) / dt
+    return np.sqrt(masked_mean((acceleration**2).mean(axis=-1), counted[1:] & counted[:-1]))
+
+
+def joints_at_limit(joint_position: NDArray[Any], counted: Mask) -> Floats:
+    """Share of time with any joint within `LIMIT_MARGIN` of its limits, in [0, 1], (N,).
+
+    Args:
+        joint_position: rad (T, N, 8).
+        counted: (T, N).
+    """
+    low, high = JOINT_POSITION_LOW + LIMIT_MARGIN, JOINT_POSITION_HIGH - LIMIT_MARGIN
+    at_limit = (joint_position < low) | (joint_position > high)
+    return masked_mean(np.any(at_limit, axis=-1) * 1.0, counted)
+
+
+def stance_slip(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floats:
+    """Mean sliding speed over all feet and samples with the foot on the ground, m/s, (N,).
+
+    Args:
+        slip_speed: speed of each sole's lowest point (T, N, 4).
+        contact: (T, N, 4).
+        counted: (T, N).
+    """
+    stance = contact & counted[..., None]
+    return _ratio(np.where(stance, slip_speed, 0).sum(axis=(0, 2), dtype=np.float64), stance.sum(axis=(0, 2)))
+
+
+def duty_factor(contact: Mask, counted: Mask) -> Floats:
+    """Share of time that each foot is on the ground, in [0, 1], (N, 4).
+
+    Args:
+        contact: (T, N, 4).
+        counted: (T, N).
+    """
+    return masked_mean(contact, counted)
+
+
+def stride_frequency(joint_position: NDArray[Any], counted: Mask, dt: float) -> Floats:
+    """Strides per second, Hz, (N,): the strongest frequency of the hips' swing.
+
+    The peak of the power spectrum (Hann window, summed over the hips), refined by a parabola through its neighbours.
+    Not from touch-downs: a foot that bounces touches down more than once a stride. NaN where the hips swing less
+    than `STANDING_SWING`, or for fewer than two strides.
+
+    Args:
+        joint_position: rad (T, N, 8).
+        counted: (T, N); True from one sample to another, without a gap.
+        dt: s.
+    """
+    hips = joint_position[..., 0::2].astype(np.float64)
+    swing = np.where(counted[..., None], hips - masked_mean(hips, counted), 0.0)
+    length = counted.sum(axis=0)
+    place = (np.arange(len(counted))[:, None] - counted.argmax(axis=0) + 0.5) / np.maximum(length, 1)
+    window = np.where(counted, np.sin(np.pi * place) ** 2, 0.0)
+    # Padding with zeros only makes the grid of frequencies finer.
+    padded = 4 * 2 ** math.ceil(math.log2(len(counted)))
+    power = (np.abs(np.fft.rfft(swing * window[..., None], padded, axis=0)) ** 2).sum(axis=-1)
+    top = np.clip(power.argmax(axis=0), 1, len(power) - 2)
+    rows = np.arange(power.shape[1])
+    before, here, after = (np.log(np.maximum(power[top + step, rows], 1e-300)) for step in (-1, 0, 1))
+    shift = _ratio(0.5 * (before - after), before - 2.0 * here + after)
+    moving = np.sqrt(_ratio((swing**2).sum(axis=0), length[:, None]).mean(axis=-1)) > STANDING_SWING
+    frequency = (top + shift) / (padded * dt)
+    return np.where(moving & (frequency * length * dt >= 2.0), frequency, np.nan)

@@ -1,0 +1,220 @@
+import math
+
+import numpy as np
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.evaluation import metrics
+from quadruped_env.evaluation.metrics import METRICS, measure
+from quadruped_env.evaluation.rollout import grid, roll_out
+from quadruped_env.policies import CommandedGaitController, ZeroController
+from quadruped_env.robot import STANCE
+
+DT = 0.02
+STEPS = 500  # 10 s
+
+
+def all_counted(steps=STEPS, rows=1):
+    return np.ones((steps, rows), dtype=bool)
+
+
+def columns(*series):
+    """Series of length T as an array (T, N)."""
+    return np.stack(series, axis=1)
+
+
+def test_masked_mean_is_the_mean_of_what_counts_and_nan_of_nothing():
+    values = np.array([[1.0, 5.0], [3.0, 7.0], [100.0, 9.0]])
+    mask = np.array([[True, False], [True, False], [False, False]])
+    np.testing.assert_equal(metrics.masked_mean(values, mask), [2.0, np.nan])
+    np.testing.assert_equal(metrics.masked_mean(np.stack([values, 2 * values], -1), mask)[0], [2.0, 4.0])
+
+
+def test_window_means_of_a_ramp():
+    means, whole = metrics.window_means(np.arange(60.0)[:, None], all_counted(60), DT)
+    np.testing.assert_allclose(means[:, 0], 24.5 + np.arange(11))
+    assert whole.all()
+
+
+def test_tracking_error_is_the_offset_of_the_mean_and_ignores_the_swing_of_a_stride():
+    t = np.arange(STEPS) * DT
+    constant = np.full(STEPS, 0.25)
+    swinging = 0.25 + 0.3 * np.sin(2 * np.pi * 2.0 * t)  # two whole strides in a window
+    # Half the time 0.1 too slow, half 0.1 too fast: the windows in between average less.
+    errors = metrics.tracking_error(columns(constant, swinging), np.array([0.4, 0.4]), all_counted(rows=2), DT)
+    np.testing.assert_allclose(errors, 0.15, atol=1e-12)
+    # Off by 3 in the windows that see only the first half, by 4 in those of the second, none in between counted.
+    step = np.where(np.arange(100) < 50, 3.0, 4.0)[:, None]
+    counted = all_counted(100)
+    means, _ = metrics.window_means(step, counted, DT)
+    assert metrics.tracking_error(step, np.zeros(1), counted, DT) == pytest.approx(math.sqrt((means**2).mean()))
+
+
+def test_nothing_after_a_fall_counts():
+    velocity = np.full((STEPS, 2), 0.5)
+    velocity[300:] = 1e9
+    counted = all_counted(rows=2)
+    counted[300:, 0] = False
+    counted[20:, 1] = False  # falls before a whole window was seen
+    errors = metrics.tracking_error(velocity, np.full(2, 0.3), counted, DT)
+    np.testing.assert_allclose(errors, [0.2, np.nan])
+    np.testing.assert_allclose(metrics.distance(velocity, counted, DT), [0.5 * 300 * DT, 0.5 * 20 * DT])
+
+
+def test_heading_has_no_jump_and_drift_is_its_change_over_time():
+    t = np.arange(STEPS) * DT
+    yaw = 3.0 + 0.05 * t  # crosses pi
+    orientation = np.stack([np.cos(yaw / 2), 0 * t, 0 * t, np.sin(yaw / 2)], axis=-1)[:, None]
+    heading = metrics.heading_of(orientation)
+    np.testing.assert_allclose(heading[:, 0], yaw)
+    np.testing.assert_allclose(metrics.heading_drift(heading, all_counted(), DT), 0.05)
+    np.testing.assert_allclose(metrics.heading_drift(-heading, all_counted(), DT), 0.05)
+
+
+def test_lateral_drift_is_measured_across_the_heading_at_the_beginning():
+    t = np.arange(STEPS) * DT
+    direction = math.radians(30)
+    ahead, left = 0.4 * t, 0.1 * t
+    x = ahead * math.cos(direction) - left * math.sin(direction)
+    y = ahead * math.sin(direction) + left * math.cos(direction)
+    walking = np.stack([x, y, 0 * t], axis=-1)
+    position = np.stack([walking, 0.01 * walking], axis=1)  # the second travels too slowly to say
+    drift = metrics.lateral_drift(position, np.full((STEPS, 2), direction), all_counted(rows=2), DT)
+    np.testing.assert_allclose(drift, [0.25, np.nan])
+
+
+def test_cost_of_transport_by_hand():
+    # 19.62 W / (4 kg * 9.81 m/s^2 * 0.5 m/s) = 1
+    cost = metrics.cost_of_transport(np.array([19.62, 19.62, 1.0]), np.array([0.5, -0.5, 0.01]))
+    np.testing.assert_allclose(cost, [1.0, 1.0, np.nan])
+
+
+def test_peak_is_the_largest_absolute_value_that_counts():
+    values = np.zeros((STEPS, 2, 8))
+    values[10, 0, 3] = -7.0
+    values[11, 0, 0] = 5.0
+    values[400, 0, 0] = 99.0
+    counted = all_counted(rows=2)
+    counted[300:] = False
+    counted[:, 1] = False
+    np.testing.assert_equal(metrics.peak(values, counted), [7.0, np.nan])
+
+
+def test_joint_acceleration_of_a_ramp_and_of_a_sine():
+    t = np.arange(STEPS) * DT
+    ramp = np.repeat(3.0 * t[:, None], 8, axis=1)
+    omega = 2 * np.pi  # slow against the sampling, so that the difference quotient is the derivative
+    sine = np.repeat(np.sin(omega * t)[:, None], 8, axis=1)
+    rms = metrics.joint_acceleration(np.stack([ramp, sine], axis=1), all_counted(rows=2), DT)
+    assert rms[0] == pytest.approx(3.0)
+    assert rms[1] == pytest.approx(omega / math.sqrt(2), rel=2e-3)
+
+
+def test_joints_at_limit_is_the_share_of_time():
+    position = np.tile(STANCE, (STEPS, 1, 1))
+    position[:100, 0, 1] = -0.005  # a knee all but straight
+    position[50:125, 0, 0] = 1.5
+    assert metrics.joints_at_limit(position, all_counted()) == pytest.approx(0.25)
+
+
+def trot(frequency, duty, rows=1):
+    """Contacts (T, rows, 4) of a trot and the joint positions (T, rows, 8) that go with it."""
+    t = np.arange(STEPS) * DT
+    phase = (frequency * t[:, None] + [0.0, 0.5, 0.5, 0.0]) % 1.0
+    contact = phase < duty
+    position = np.tile(STANCE, (STEPS, 1))
+    position[:, 0::2] += 0.3 * np.sin(2 * np.pi * phase)
+    return np.repeat(contact[:, None], rows, axis=1), np.repeat(position[:, None], rows, axis=1)
+
+
+@pytest.mark.parametrize(("frequency", "duty"), [(1.27, 0.6), (2.2, 0.5), (3.9, 0.36)])
+def test_a_synthetic_trot_has_its_duty_factor_and_stride_frequency(frequency, duty):
+    contact, position = trot(frequency, duty, rows=2)
+    counted = all_counted(rows=2)
+    counted[350:, 1] = False  # falls after 7 s
+    np.testing.assert_allclose(metrics.duty_factor(contact, counted), duty, atol=0.02)
+    np.testing.assert_allclose(metrics.stride_frequency(position, counted, DT), frequency, rtol=5e-3)
+
+
+def test_standing_has_no_stride_frequency():
+    position = np.tile(STANCE, (STEPS, 2, 1))
+    counted = all_counted(rows=2)
+    counted[:, 1] = False
+    np.testing.assert_equal(metrics.stride_frequency(position, counted, DT), np.nan)
+
+
+def test_stance_slip_counts_feet_on_the_ground_only():
+    contact = np.zeros((4, 1, 4), dtype=bool)
+    contact[:, 0, 0] = True
+    contact[:2, 0, 1] = True
+    speed = np.full((4, 1, 4), 9.0)
+    speed[:, 0, 0] = [0.1, 0.2, 0.3, 0.4]
+    speed[:2, 0, 1] = 0.0
+    np.testing.assert_allclose(metrics.stance_slip(speed, contact, all_counted(4)), 1.0 / 6.0)
+
+
+def test_values_are_shown_in_their_own_way():
+    assert METRICS["fall_rate"].show(0.125) == "12 %"
+    assert METRICS["distance"].show(9.876) == "9.88"
+    assert METRICS["distance"].show(math.nan) == "-"
+
+
+def test_grid_is_command_by_command():
+    command, seeds = grid([(0.1, 0.0), (0.2, 0.5)], [7, 8, 9])
+    np.testing.assert_equal(command[:, 0], [0.1] * 3 + [0.2] * 3)
+    np.testing.assert_equal(seeds, [7, 8, 9, 7, 8, 9])
+
+
+def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
+    def run(seeds):
+        return roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.0)], seeds, seconds=4.0)
+
+    rollout = run([1, 2])
+    values = measure(rollout)
+    assert list(values) == list(METRICS)
+    assert all(value.shape == (4,) for value in values.values())
+    np.testing.assert_equal(values["fall_rate"], 0.0)
+    assert (values["forward_velocity"][:2] < 0.02).all()
+    assert (values["forward_velocity"][2:] > 0.1).all()
+    np.testing.assert_allclose(values["distance"][2:], values["forward_velocity"][2:] * 4.0, rtol=0.2)
+    assert np.isnan(values["cost_of_transport"][:2]).all()
+    assert values["peak_torque"].max() <= METRICS["peak_torque"].limit + 1e-3
+    assert not np.array_equal(rollout.base_position[:, 2], rollout.base_position[:, 3])
+
+    # A row's numbers depend on its own seed and command only, and a selection is the rows themselves.
+    again = run([2])
+    selected = rollout.select([1, 3])
+    np.testing.assert_array_equal(again.base_position, selected.base_position)
+    np.testing.assert_equal(measure(again)["distance"], values["distance"][[1, 3]])
+
+
+class Collapse:
+    """Swings every leg back until the base lies on the ground."""
+
+    name = "collapse"
+    action_mode = "position"
+
+    def step(self, task, observation):
+        return task.step_joint_target(np.tile([1.5, 0.0], (task.num_rows, 4)))
+
+
+def test_a_fall_is_counted_once_and_for_good():
+    rollout = roll_out(Collapse(), [(0.0, 0.0)], [0, 1], seconds=2.0)
+    assert rollout.fallen.all()
+    assert (np.diff(rollout.valid.astype(int), axis=0) <= 0).all()
+    values = measure(rollout)
+    np.testing.assert_equal(values["fall_rate"], 1.0)
+
+
+@pytest.mark.parametrize(
+    ("commands", "seeds", "seconds", "message"),
+    [
+        ([(2.0, 0.0)], [0], 1.0, "forward_velocity = 2 is outside"),
+        ([(0.0, 0.0)], [], 1.0, "0 seeds"),
+        ([(0.0, 0.0)], [0], 0.0, "0 s"),
+        ([0.0, 0.0], [0], 1.0, r"shape \(K, 2\)"),
+    ],
+)
+def test_what_cannot_be_rolled_out_says_why(commands, seeds, seconds, message):
+    with pytest.raises(QuadrupedError, match=message):
+        roll_out(ZeroController(), commands, seeds, seconds)
