@@ -1,0 +1,165 @@
+"""A trained policy beside the scripted gaits and the zero action, on the same commands and starts."""
+
+import dataclasses
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.metrics import METRICS, measure
+from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
+from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
+from quadruped_env.gait import SinusoidalGait
+from quadruped_env.policies import CommandedGaitController, Controller, GaitController, PolicyController, ZeroController
+from quadruped_env.policies.policy import Policy
+from quadruped_env.task import RandomizationConfig, TaskConfig
+from quadruped_env.task.commands import MOVING_THRESHOLD
+
+Command = tuple[float, float]
+
+COMMANDS: Final[tuple[Command, ...]] = (
+    (0.1, 0.0),
+    (0.2, 0.0),
+    (0.3, 0.0),
+    (0.4, 0.0),
+    (0.5, 0.0),
+    (0.0, 0.0),
+    (-0.2, 0.0),
+    (0.0, 0.5),
+    (0.0, -0.5),
+    (0.3, 0.5),
+    (0.3, -0.5),
+)
+"""Forward velocity in m/s and yaw rate in rad/s of every episode of the default evaluation."""
+
+NUM_SEEDS: Final = 8
+
+MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
+
+CONTROLLERS: Final = {
+    "policy": "Trained policy",
+    "tuned": "Tuned gait",
+    "article": "Article's gait",
+    "zero": "Zero action",
+}
+"""Name -> what people read, in the order of tables."""
+
+
+def motion_of(command: Command) -> str:
+    """Which of `MOTIONS` a command (m/s, rad/s) asks for; a curve is turning."""
+    forward, yaw_rate = command
+    if abs(yaw_rate) > MOVING_THRESHOLD:
+        return "turning"
+    if abs(forward) <= MOVING_THRESHOLD:
+        return "standing"
+    return "forwards" if forward > 0 else "backwards"
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What every controller did on K commands with S seeds each, measured."""
+
+    commands: tuple[Command, ...]
+    seeds: tuple[int, ...]
+    seconds: float
+    config: TaskConfig
+    """The task of the episodes; the action mode is each controller's own"""
+    rollouts: dict[str, Rollout]
+    """Controller -> K * S episodes, command by command"""
+    values: dict[str, dict[str, NDArray[np.float64]]]
+    """Controller -> metric -> (K, S)"""
+
+    def conditions(self, motion: str | None) -> list[int]:
+        """Indices of the commands of one of `MOTIONS`, or of all."""
+        return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command))]
+
+    def estimate(self, controller: str, metric: str, motion: str | None = None) -> Estimate:
+        """Mean of a metric over a motion's commands and the seeds, with its interval."""
+        return self._estimate(metric, self.values[controller][metric][self.conditions(motion)])
+
+    def estimate_at(self, controller: str, metric: str, command: int) -> Estimate:
+        """Mean of a metric over the seeds of one command, by index."""
+        return self._estimate(metric, self.values[controller][metric][command])
+
+    def difference(self, metric: str, controller: str, other: str, motion: str | None = None) -> Estimate:
+        """Mean of controller - other over pairs of episodes with the same command and start."""
+        rows = self.conditions(motion)
+        return bootstrap_mean(self.values[controller][metric][rows] - self.values[other][metric][rows])
+
+    @staticmethod
+    def _estimate(metric: str, values: NDArray[np.float64]) -> Estimate:
+        return proportion(values) if metric == "fall_rate" else bootstrap_mean(values)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All numbers as plain values that are valid JSON: no NaN, but None where there is no value."""
+        return {
+            "metrics": {
+                name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit}
+                for name, metric in METRICS.items()
+            },
+            "commands": [{"forward_velocity": v, "yaw_rate": w, "motion": motion_of((v, w))} for v, w in self.commands],
+            "seeds": list(self.seeds),
+            "seconds": self.seconds,
+            "controllers": {
+                controller: {
+                    "all": {m: _plain(self.estimate(controller, m)) for m in METRICS},
+                    "by_motion": {
+                        motion: {m: _plain(self.estimate(controller, m, motion)) for m in METRICS}
+                        for motion in MOTIONS
+                        if self.conditions(motion)
+                    },
+                    "by_command": [
+                        {m: _plain(self.estimate_at(controller, m, i)) for m in METRICS}
+                        for i in range(len(self.commands))
+                    ],
+                }
+                for controller in self.values
+            },
+        }
+
+
+def _plain(estimate: Estimate) -> dict[str, float | int | None]:
+    return {name: None if math.isnan(value) else value for name, value in estimate._asdict().items()}
+
+
+def compare(
+    policy: Policy,
+    num_seeds: int = NUM_SEEDS,
+    seconds: float = DEFAULT_SECONDS,
+    commands: Sequence[Command] = COMMANDS,
+    progress: Callable[[str, float], None] | None = None,
+) -> Comparison:
+    """Run a policy, the tuned gait, the article's gait and the zero action on the same episodes.
+
+    The task is the one that the policy was trained for, with the robot as modelled: the start of an episode is
+    random, but neither friction, payload, pushes nor sensor noise are.
+
+    Args:
+        policy: the trained policy.
+        num_seeds: episodes a command.
+        seconds: length of an episode.
+        commands: forward velocity in m/s and yaw rate in rad/s.
+        progress: is told which controller runs and the share of its work that is done.
+
+    Raises:
+        QuadrupedError: if a command is outside the ranges of the policy's task, or there is nothing to do.
+    """
+    config = dataclasses.replace(policy.config, randomization=RandomizationConfig())
+    controllers: tuple[Controller, ...] = (
+        PolicyController(policy),
+        CommandedGaitController(),
+        GaitController(SinusoidalGait.preset("article"), "article"),
+        ZeroController(),
+    )
+    seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
+    rollouts, values = {}, {}
+    for controller in controllers:
+        name = controller.name
+        tell = None if progress is None else lambda share, name=name: progress(name, share)
+        rollout = roll_out(controller, commands, seeds, seconds, config, tell)
+        rollouts[name] = rollout
+        values[name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
+    return Comparison(tuple(commands), tuple(seeds), rollouts["policy"].seconds, config, rollouts, values)
