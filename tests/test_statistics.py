@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from quadruped_env.evaluation.statistics import bootstrap_mean, proportion
+from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
 
 
 @pytest.fixture
@@ -17,7 +17,7 @@ def test_bootstrap_agrees_with_scipy(sample):
     scipy = stats.bootstrap((sample,), np.mean, n_resamples=20_000, method="percentile", rng=1).confidence_interval
     width = scipy.high - scipy.low
     assert ours.mean == pytest.approx(sample.mean())
-    assert ours.samples == 30
+    assert ours.count == 30
     assert ours.low == pytest.approx(scipy.low, abs=0.03 * width)
     assert ours.high == pytest.approx(scipy.high, abs=0.03 * width)
 
@@ -44,10 +44,10 @@ def test_interval_covers_the_true_mean_as_often_as_it_says():
 def test_nan_is_no_value(sample):
     holed = np.concatenate([sample, [math.nan] * 3])
     assert bootstrap_mean(holed).mean == pytest.approx(sample.mean())
-    assert bootstrap_mean(holed).samples == 30
-    assert np.isfinite(bootstrap_mean([math.nan, math.nan, 1.0])).all()
+    assert bootstrap_mean(holed).count == 30
+    assert bootstrap_mean([math.nan, math.nan, 1.0]) == Estimate(1.0, 1.0, 1.0, 1)
     for nothing in ([], [math.nan]):
-        assert bootstrap_mean(nothing).samples == 0
+        assert bootstrap_mean(nothing).count == 0
         assert math.isnan(bootstrap_mean(nothing).mean)
 
 
@@ -55,7 +55,9 @@ def test_nan_is_no_value(sample):
 def test_proportion_agrees_with_scipy(events, trials):
     estimate = proportion([True] * events + [False] * (trials - events))
     expected = stats.binomtest(events, trials).proportion_ci(method="wilson")
-    assert estimate[:3] == pytest.approx((events / trials, expected.low, expected.high), abs=1e-12)
+    assert (estimate.mean, estimate.low, estimate.high) == pytest.approx(
+        (events / trials, expected.low, expected.high), abs=1e-12
+    )
 
 
 def test_proportion_of_nothing_is_nan():

@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.metrics import METRICS, measure
-from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
+from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Progress, Rollout, roll_out
 from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController, Controller, GaitController, PolicyController, ZeroController
@@ -122,7 +122,7 @@ class Comparison:
 
 
 def _plain(estimate: Estimate) -> dict[str, float | int | None]:
-    return {name: None if math.isnan(value) else value for name, value in estimate._asdict().items()}
+    return {name: None if math.isnan(value) else value for name, value in dataclasses.asdict(estimate).items()}
 
 
 def compare(
@@ -130,7 +130,7 @@ def compare(
     num_seeds: int = NUM_SEEDS,
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
-    progress: Callable[[str, float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Comparison:
     """Run a policy, the tuned gait, the article's gait and the zero action on the same episodes.
 
@@ -142,7 +142,7 @@ def compare(
         num_seeds: episodes a command.
         seconds: length of an episode.
         commands: forward velocity in m/s and yaw rate in rad/s.
-        progress: is told which controller runs and the share of its work that is done.
+        progress: is told how far it is.
 
     Raises:
         QuadrupedError: if a command is outside the ranges of the policy's task, or there is nothing to do.
@@ -156,10 +156,13 @@ def compare(
     )
     seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
     rollouts, values = {}, {}
-    for controller in controllers:
-        name = controller.name
-        tell = None if progress is None else lambda share, name=name: progress(name, share)
-        rollout = roll_out(controller, commands, seeds, seconds, config, tell)
-        rollouts[name] = rollout
-        values[name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
+    for i, controller in enumerate(controllers):
+        part = _part(progress, i, len(controllers))
+        rollout = rollouts[controller.name] = roll_out(controller, commands, seeds, seconds, config, part)
+        values[controller.name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
     return Comparison(tuple(commands), tuple(seeds), rollouts["policy"].seconds, config, rollouts, values)
+
+
+def _part(progress: Progress | None, index: int, parts: int) -> Progress | None:
+    """Progress of one of several equal parts of the work."""
+    return None if progress is None else lambda share: progress((index + share) / parts)

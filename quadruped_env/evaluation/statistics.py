@@ -4,8 +4,9 @@ Written out in NumPy so that a report needs no SciPy; the tests hold it against 
 """
 
 import math
+from dataclasses import dataclass
 from functools import cache
-from typing import Final, NamedTuple
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,13 +18,14 @@ _NORMAL_QUANTILE: Final = 1.959963984540054
 """Of the standard normal distribution at (1 + CONFIDENCE) / 2"""
 
 
-class Estimate(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Estimate:
     """A mean and the ends of its 95 % confidence interval; NaN without data."""
 
     mean: float
     low: float
     high: float
-    samples: int
+    count: int
     """How many values it rests on"""
 
 
