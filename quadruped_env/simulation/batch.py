@@ -5,7 +5,7 @@ import numpy as np
 from mujoco.batch import Batch, SimulationError
 from numpy.typing import NDArray
 
-from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState
+from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState, force_columns
 from quadruped_env.simulation.state import State
 
 _WARNING_COUNT = 1
@@ -33,7 +33,8 @@ class BatchSimulation:
         self._ctrl = self.batch.bind("ctrl")
         self._warnings = self.batch.warning[:, DIVERGENCE_WARNINGS, _WARNING_COUNT]
         self._failed = np.zeros(num_rows, dtype=np.bool_)
-        self._model_varies = False
+        self._varied_fields: set[str] = set()
+        self._force_columns = force_columns(model)
 
     def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
         """See `Simulation.step`."""
@@ -45,13 +46,18 @@ class BatchSimulation:
 
     def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
         """See `Simulation.reset`."""
-        if self._model_varies:
-            self.batch.set_const(rows)
-        self.batch.reset(rows, stage=mujoco.mjtStage.mjSTAGE_NONE)
+        self._clear(rows)
         self._qpos[rows] = qpos
         self._qvel[rows] = qvel
         self._ctrl[rows] = qpos[:, 7:]
+        self.batch.forward(rows, stage=SETTLED)  # checks the start for numbers that are none; the next line does not
         self.batch.forward(rows)
+
+    def _clear(self, rows: NDArray[np.intp]) -> None:
+        """Back to the model's defaults, with the constants that follow from its fields; no divergence on record."""
+        if self._varied_fields:
+            self.batch.set_const(rows)
+        self.batch.reset(rows, stage=mujoco.mjtStage.mjSTAGE_NONE)
         self._failed[rows] = False
 
     def diverged(self) -> NDArray[np.bool_]:
@@ -61,24 +67,38 @@ class BatchSimulation:
     def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""
         self._qvel[rows, :3] += velocity
+        before = self._sensordata[rows]
         self.batch.forward(rows, stage=SETTLED)
+        # For a row whose state was just set, the batch still remembers the forces of another past.
+        self._write_readings(rows, np.where(self._force_columns, before, self._sensordata[rows]))
 
     def model_field(self, name: str) -> NDArray[np.float64]:
         """See `Simulation.model_field`."""
-        self._model_varies = True
+        self._varied_fields.add(name)
         return self.batch.expand(name)
 
     def get_state(self, row: int) -> SimulationState:
         """See `Simulation.get_state`."""
-        return self.batch.state[row].copy(), self._sensordata[row].copy()
+        fields = {name: self.batch.expand(name)[row].copy() for name in sorted(self._varied_fields)}
+        return SimulationState(
+            self.batch.state[row].copy(), self._sensordata[row].copy(), bool(self.diverged()[row]), fields
+        )
 
     def set_state(self, row: int, state: SimulationState) -> None:
         """See `Simulation.set_state`."""
-        self.batch.state[row] = state[0]
-        self.batch.forward(np.array([row]), stage=SETTLED)
+        rows = np.array([row])
+        for name, values in state.model_fields.items():
+            self.model_field(name)[row] = values
+        self._clear(rows)
+        self.batch.state[row] = state.integration
+        self.batch.forward(rows, stage=SETTLED)
+        self._write_readings(rows, state.readings[None])
+        self._failed[row] = state.diverged
+
+    def _write_readings(self, rows: NDArray[np.intp], readings: NDArray[np.float64]) -> None:
         # The batch hands its outputs out read-only because the next call overwrites them: until then, these are due.
         self._sensordata.flags.writeable = True
-        self._sensordata[row] = state[1]
+        self._sensordata[rows] = readings
         self._sensordata.flags.writeable = False
 
     def row_data(self, row: int) -> mujoco.MjData:

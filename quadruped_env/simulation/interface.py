@@ -1,6 +1,6 @@
 """What a task may ask of a simulation, whichever driver runs it."""
 
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import mujoco
 import numpy as np
@@ -17,8 +17,22 @@ DIVERGENCE_WARNINGS = slice(mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.
 STATE_SPEC = mujoco.mjtState.mjSTATE_INTEGRATION
 """Everything that the next step depends on."""
 
-SimulationState = tuple[NDArray[np.float64], NDArray[np.float64]]
-"""MuJoCo's integration state of one row, and its sensor readings: forces are not a function of the state alone."""
+
+class SimulationState(NamedTuple):
+    """All that the future of one row depends on, and its readings."""
+
+    integration: NDArray[np.float64]
+    """MuJoCo's `STATE_SPEC`, (S,)"""
+    readings: NDArray[np.float64]
+    """Sensor data (model.nsensordata,): forces are not a function of the state alone"""
+    diverged: bool
+    model_fields: dict[str, NDArray[np.float64]]
+    """The row's own value of every field that was asked for with `Simulation.model_field`"""
+
+
+def force_columns(model: mujoco.MjModel) -> NDArray[np.bool_]:
+    """Which columns of the sensor data (model.nsensordata,) are forces or accelerations: a push leaves them alone."""
+    return np.repeat(model.sensor_needstage == mujoco.mjtStage.mjSTAGE_ACC, model.sensor_dim)
 
 
 class Simulation(Protocol):
@@ -48,17 +62,23 @@ class Simulation(Protocol):
         ...
 
     def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
-        """Add world-frame velocity (R, 3) in m/s to the base of some rows (R,)."""
+        """Add world-frame velocity (R, 3) in m/s to the base of some rows (R,).
+
+        The readings of velocities follow at once, those of forces and accelerations stay the last substep's.
+        """
         ...
 
     def model_field(self, name: str) -> NDArray[np.float64]:
-        """A field of the model with a value per row, (N, ...), to write to before `reset`."""
+        """A field of the model with a value per row, (N, ...), to write to before `reset`.
+
+        With one row it is the model's own field: a model that others use as well changes for them too.
+        """
         ...
 
     def get_state(self, row: int) -> SimulationState:
-        """All that the future of a row depends on, and its readings."""
+        """Take a copy of all that the future of a row depends on, and of its readings."""
         ...
 
     def set_state(self, row: int, state: SimulationState) -> None:
-        """Restore what `get_state` gave."""
+        """Restore what `get_state` gave, here or in another simulation of the same model."""
         ...

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
+from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState, force_columns
 from quadruped_env.simulation.state import State
 
 
@@ -19,7 +19,8 @@ class SingleSimulation:
         self.model = model
         self.data = mujoco.MjData(model)
         self._failed = False
-        self._model_varies = False
+        self._varied_fields: set[str] = set()
+        self._force_columns = force_columns(model)
         self._bind()
 
     def _bind(self) -> None:
@@ -41,14 +42,21 @@ class SingleSimulation:
 
     def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
         """See `Simulation.reset`."""
+        if not len(rows):
+            return
         data = self.data
-        if self._model_varies:
-            mujoco.mj_setConst(self.model, data)
-        mujoco.mj_resetData(self.model, data)
+        self._clear()
         data.qpos = qpos[0]
         data.qvel = qvel[0]
         self._ctrl[:] = qpos[0, 7:]
+        mujoco.mj_step1(self.model, data)  # checks the start for numbers that are none; mj_forward does not
         mujoco.mj_forward(self.model, data)
+
+    def _clear(self) -> None:
+        """Back to the model's defaults, with the constants that follow from its fields; no divergence on record."""
+        if self._varied_fields:
+            mujoco.mj_setConst(self.model, self.data)
+        mujoco.mj_resetData(self.model, self.data)
         self._failed = False
 
     def diverged(self) -> NDArray[np.bool_]:
@@ -58,25 +66,35 @@ class SingleSimulation:
 
     def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""
+        if not len(rows):
+            return
+        forces = self.data.sensordata[self._force_columns]
         self.data.qvel[:3] += velocity[0]
         mujoco.mj_step1(self.model, self.data)
+        # A velocity that makes the row diverge clears them.
+        self.data.sensordata[self._force_columns] = forces
 
     def model_field(self, name: str) -> NDArray[np.float64]:
         """See `Simulation.model_field`."""
-        self._model_varies = True
+        self._varied_fields.add(name)
         return getattr(self.model, name)[None]
 
     def get_state(self, row: int) -> SimulationState:
         """See `Simulation.get_state`."""
-        state = np.empty(mujoco.mj_stateSize(self.model, STATE_SPEC))
-        mujoco.mj_getState(self.model, self.data, state, STATE_SPEC)
-        return state, self.data.sensordata.copy()
+        integration = np.empty(mujoco.mj_stateSize(self.model, STATE_SPEC))
+        mujoco.mj_getState(self.model, self.data, integration, STATE_SPEC)
+        fields = {name: getattr(self.model, name).copy() for name in sorted(self._varied_fields)}
+        return SimulationState(integration, self.data.sensordata.copy(), bool(self.diverged()[0]), fields)
 
     def set_state(self, row: int, state: SimulationState) -> None:
         """See `Simulation.set_state`."""
-        mujoco.mj_setState(self.model, self.data, state[0], STATE_SPEC)
+        for name, values in state.model_fields.items():
+            self.model_field(name)[0] = values
+        self._clear()
+        mujoco.mj_setState(self.model, self.data, state.integration, STATE_SPEC)
         mujoco.mj_step1(self.model, self.data)
-        self.data.sensordata = state[1]
+        self.data.sensordata = state.readings
+        self._failed = state.diverged
 
     def __getstate__(self) -> dict[str, Any]:
         # The readings are views of the data: they are made anew, or they would come back as copies.
