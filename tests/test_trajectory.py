@@ -209,7 +209,7 @@ class TestCsv:
     def test_says_where_it_cannot_write(self, tmp_path):
         write(tmp_path / "file", "")
         for name, message in {
-            "a.bag": r"cannot write a '\.bag' file; end the name in \.csv",
+            "a.bag": r"a\.bag: end the name in \.csv; found '\.bag'",
             "file/a.csv": r"a\.csv: cannot be written \(.+\); name another",
         }.items():
             with pytest.raises(QuadrupedError, match=message):

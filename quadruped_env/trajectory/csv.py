@@ -67,14 +67,19 @@ def write(
     overwrite: bool,
 ) -> None:
     """Write stamps (T,) and the arrays (T, J) that are not None; see `JointTrajectory.save`."""
-    if path.suffix.lower() != ".csv":
-        raise QuadrupedError(f"{path}: cannot write a {path.suffix or 'nameless'!r} file; end the name in .csv")
+    check_name(path)
     for name in names:
         if name.splitlines() != [name] or not {",", '"'}.isdisjoint(name):
             raise QuadrupedError(f"{path}: joint name {name!r} cannot stand in a CSV header; rename the joint")
     present = {kind: array for kind, array in values.items() if array is not None}
     titles = [f"{kind}.{name}" for kind in present for name in names]
     write_table(path, stamps, titles, np.concatenate(list(present.values()), axis=1), overwrite)
+
+
+def check_name(path: Path) -> None:
+    """Raise a QuadrupedError if a file of this name would not be a CSV."""
+    if path.suffix.lower() != ".csv":
+        raise QuadrupedError(f"{path}: end the name in .csv; found {path.suffix!r}")
 
 
 def write_table(

@@ -1,0 +1,70 @@
+"""Measure a scripted gait, and record the joints of a robot that walks with it.
+
+The gait's metrics come from several episodes with random starts. The recorded episode begins with the robot at rest
+in its stance and has nothing random in it, so evaluate/replay.py can repeat it to the last bit:
+
+    python evaluate/baseline.py --preset tuned --commands --out results/tuned.csv
+    python evaluate/replay.py results/tuned.csv --mode dynamic
+
+The result is a CSV of joint states (stamp in ns; position in rad, velocity in rad/s, effort in N m of each joint) and
+a JSON file of the metrics beside it.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.baseline import baseline_files, run_baseline
+from quadruped_env.evaluation.progress import ProgressLine
+from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.gait import PRESETS
+
+
+def main() -> None:
+    """Run the program."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--preset", choices=PRESETS, default="tuned", help="the gait; default: tuned")
+    parser.add_argument(
+        "--commands",
+        action="store_true",
+        help="write the joint targets that the gait asks for, instead of the joints as measured",
+    )
+    parser.add_argument(
+        "--rate",
+        type=float,
+        default=50.0,
+        metavar="HZ",
+        help="commands a second: 50 is the robot's control rate (the default), 20 that of the ROS 2 tutorial's "
+        "publisher. Measured joints always come at 50 Hz",
+    )
+    parser.add_argument("--seconds", type=float, default=10.0, help="length of an episode; default: 10")
+    parser.add_argument("--episodes", type=int, default=20, help="random starts that the metrics rest on; default: 20")
+    parser.add_argument(
+        "--seed", type=int, default=FIRST_SEED, help=f"of the first random start; default: {FIRST_SEED}"
+    )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE.csv",
+        help="where to write; default: results/baseline-PRESET.csv, or the next free number behind that name",
+    )
+    parser.add_argument("--overwrite", action="store_true", help="replace the files of --out if they exist")
+    args = parser.parse_args()
+
+    name = f"baseline-{args.preset}{'-commands' if args.commands else ''}.csv"
+    out = args.out or free_path(Path("results") / name)
+    try:
+        check_free(baseline_files(out), args.overwrite)
+        progress = ProgressLine("measuring")
+        baseline = run_baseline(args.preset, args.seconds, args.rate, args.episodes, args.seed, progress)
+        baseline.save(out, args.commands, args.overwrite)
+    except QuadrupedError as error:
+        sys.exit(f"baseline.py: {error}")
+    print(baseline.table())
+    print(f"\n{'commands' if args.commands else 'measured joints'}: {out}\nmetrics: {out.with_suffix('.json')}")
+
+
+if __name__ == "__main__":
+    main()

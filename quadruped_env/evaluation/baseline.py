@@ -1,0 +1,179 @@
+"""What a scripted gait achieves: the bar that learning has to clear."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env._version import __version__
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.metrics import METRICS, measure
+from quadruped_env.evaluation.recording import Recording, play, publish
+from quadruped_env.evaluation.results import check_free, write_json
+from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
+from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
+from quadruped_env.gait import SinusoidalGait
+from quadruped_env.policies import TrajectoryController
+from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.trajectory.csv import check_name
+
+SHOWN: Final = (
+    "fall_rate",
+    "forward_velocity",
+    "yaw_rate",
+    "distance",
+    "cost_of_transport",
+    "mean_power",
+    "stride_frequency",
+    "foot_slip",
+    "peak_torque",
+    "peak_joint_speed",
+)
+"""The metrics of a gait that follows no command."""
+
+
+@dataclass(frozen=True)
+class Baseline:
+    """A scripted gait, measured and recorded."""
+
+    preset: str
+    gait: SinusoidalGait
+    rate: float
+    """Hz of the commands"""
+    seeds: Sequence[int]
+    commands: JointTrajectory
+    """What the gait's publisher sends"""
+    recording: Recording
+    """What one robot made of it, from a start with nothing random in it"""
+    metrics: dict[str, NDArray[np.float64]]
+    """Of random starts, one number an episode, by the names of `METRICS`"""
+
+    def estimate(self, name: str) -> Estimate:
+        """Mean over the episodes and its 95 % confidence interval, in the metric's unit."""
+        values = self.metrics[name]
+        return proportion(values) if name == "fall_rate" else bootstrap_mean(values)
+
+    def table(self) -> str:
+        """The metrics for people."""
+        lines = [
+            f"{self.preset}: {self.rate:g} commands a second for {self.commands.duration:g} s, "
+            f"{len(self.seeds)} random starts",
+            f"{'':<20}{'mean':>10}  {'95 % interval':<20}{'limit'}",
+        ]
+        for name in SHOWN:
+            metric, estimate = METRICS[name], self.estimate(name)
+            interval = (
+                f"{metric.show(estimate.low)} to {metric.show(estimate.high)}" if math.isfinite(estimate.low) else ""
+            )
+            limit = "" if metric.limit is None else f"{metric.limit:g} {metric.unit}"
+            if metric.limit is not None and estimate.mean > metric.limit:
+                limit += ", exceeded"
+            lines.append(
+                f"{metric.label:<20}{metric.show(estimate.mean):>10}  {f'{interval} {metric.unit}':<20}{limit}".rstrip()
+            )
+        violations = self.gait.violations()
+        lines.append("Asks for no more than the joints' limits." if not violations else "Asks for more than it can do:")
+        lines += [f"  {violation}" for violation in violations]
+        return "\n".join([*lines, f"Recorded: {self.recording.outcome()}"])
+
+    def report(self) -> dict[str, Any]:
+        """The baseline in numbers, as JSON takes them; no value is None."""
+        metrics = {}
+        for name in SHOWN:
+            estimate = self.estimate(name)
+            metrics[name] = {
+                "unit": METRICS[name].unit,
+                "mean": _number(estimate.mean),
+                "interval": [_number(estimate.low), _number(estimate.high)],
+                "episodes": [_number(value) for value in self.metrics[name].tolist()],
+            }
+        return {
+            "preset": self.preset,
+            "gait": {key: value for key, value in asdict(self.gait).items() if not key.startswith("_")},
+            "violations": self.gait.violations(),
+            "rate_hz": self.rate,
+            "seconds": self.commands.duration,
+            "seeds": list(self.seeds),
+            "metrics": metrics,
+            "recorded": {
+                "fell_at": self.recording.fell_at,
+                "base_pose_start": self.recording.base_pose[0].tolist(),
+                "base_pose_end": self.recording.base_pose[-1].tolist(),
+            },
+            "version": __version__,
+        }
+
+    def save(self, path: Path, commands: bool = False, overwrite: bool = False) -> None:
+        """Write a trajectory to a file, and the report beside it, with the suffix `.json`.
+
+        Args:
+            path: ends in `.csv`.
+            commands: whether to write the joint targets rather than the measured joints.
+            overwrite: whether to replace files that are already there.
+
+        Raises:
+            QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
+        """
+        check_free(baseline_files(path), overwrite)
+        (self.commands if commands else self.recording.joints).save(path, overwrite)
+        write_json(path.with_suffix(".json"), self.report())
+
+
+def baseline_files(path: Path) -> tuple[Path, Path]:
+    """What `Baseline.save` writes for a path: the trajectory and the report.
+
+    Raises:
+        QuadrupedError: if the path does not end in `.csv`.
+    """
+    check_name(path)
+    return path, path.with_suffix(".json")
+
+
+def run_baseline(
+    preset: str = "tuned",
+    seconds: float = 10.0,
+    rate: float = 50.0,
+    episodes: int = 20,
+    seed: int = FIRST_SEED,
+    progress: Progress | None = None,
+) -> Baseline:
+    """Measure a preset over random starts, and record it once.
+
+    The robot hears only what the publisher says, straight lines in between: at the control rate of 50 Hz that is
+    the gait itself, at the 20 Hz of the ROS 2 tutorial it is a little less.
+
+    Args:
+        preset: a name in `quadruped_env.gait.PRESETS`.
+        seconds: of every episode.
+        rate: Hz of the commands.
+        episodes: how many starts to measure.
+        seed: of the first of them; the next one has the next.
+        progress: is told how far the measurement is.
+
+    Raises:
+        QuadrupedError: if there is no such preset, or a number makes no sense.
+    """
+    if episodes < 1:
+        raise QuadrupedError(f"episodes: expected 1 or more; found {episodes}")
+    if seed < 0:
+        raise QuadrupedError(f"seed: expected 0 or more; found {seed}")
+    gait = SinusoidalGait.preset(preset)
+    commands = publish(gait, seconds, rate)
+    seeds = range(seed, seed + episodes)
+    controller = TrajectoryController(commands, preset)
+    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, progress=_part(progress, 0.0))
+    recording = play(commands, preset, progress=_part(progress, 0.5))
+    return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
+
+
+def _part(progress: Progress | None, begin: float) -> Progress | None:
+    """Progress of one half of the work that begins at a share of the whole."""
+    return None if progress is None else lambda share: progress(begin + 0.5 * share)
+
+
+def _number(value: float) -> float | None:
+    return None if math.isnan(value) else value
