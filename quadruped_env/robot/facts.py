@@ -52,7 +52,7 @@ JOINT_POSITION_HIGH: Final = _read_only([HIP_RANGE[1], KNEE_RANGE[1]] * len(LEG_
 STANCE: Final = _read_only([0.6, -0.72] * len(LEG_NAMES))
 """Joint positions (8,) with each foot under its hip, near the middle of the knee's range."""
 
-STANCE_HEIGHT: Final = 0.1837597
+STANCE_HEIGHT: Final = 0.1837533
 """Height of the base's centre in the stance, soles touching the ground."""
 
 
