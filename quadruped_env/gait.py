@@ -17,18 +17,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, STANCE, VELOCITY_LIMIT
+from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
 
 PRESETS: Final = ("article", "trot", "walk", "bound", "pace", "tuned")
 
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
 
-# Phase of each leg's cycle, in turns, in the order LF, RF, LH, RH.
-_TROT: Final = (0.0, 0.5, 0.5, 0.0)
-_WALK: Final = (0.0, 0.5, 0.75, 0.25)
-_BOUND: Final = (0.0, 0.0, 0.5, 0.5)
-_PACE: Final = (0.0, 0.5, 0.0, 0.5)
+TURNS: Final = {
+    "trot": (0.0, 0.5, 0.5, 0.0),
+    "walk": (0.0, 0.5, 0.75, 0.25),
+    "bound": (0.0, 0.0, 0.5, 0.5),
+    "pace": (0.0, 0.5, 0.0, 0.5),
+}
+"""Phase of each leg's cycle, in cycles, in the order LF, RF, LH, RH."""
 
 
 @dataclass(frozen=True)
@@ -130,27 +132,26 @@ class SinusoidalGait:
         return found
 
 
-def _leg_phases(turns: tuple[float, ...], knee_lag: float) -> tuple[float, ...]:
-    return tuple(math.tau * turn + lag for turn in turns for lag in (0.0, knee_lag))
-
-
 def _preset(
     turns: tuple[float, ...],
-    frequency: float,
+    angular_frequency: float,
     hip: tuple[float, float],
-    knee: tuple[float, float],
-    knee_lag: float = 0.0,
+    knee: tuple[float, float, float],
 ) -> SinusoidalGait:
-    return SinusoidalGait(hip[0], hip[1], knee[0], knee[1], frequency, _leg_phases(turns, knee_lag))
+    """A gait with every leg alike: hip (amplitude, offset), knee (cosine part, sine part, offset)."""
+    cosine, sine, offset = knee
+    lag = math.atan2(-sine, cosine)
+    phases = tuple(math.tau * turn + joint for turn in turns for joint in (0.0, lag))
+    return SinusoidalGait(hip[0], hip[1], math.hypot(cosine, sine), offset, angular_frequency, phases)
 
 
 _PRESETS: Final = {
     "article": SinusoidalGait(0.4, 0.0, 0.3, -0.3, 2.0, (0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21)),
-    # Amplitude times frequency stays under 5 rad/s for both joints.
-    "trot": _preset(_TROT, 14.0, (0.3, 0.5), (0.3, -0.72)),
-    "walk": _preset(_WALK, 10.0, (0.35, 0.5), (0.35, -0.72)),
-    "bound": _preset(_BOUND, 14.0, (0.3, 0.5), (0.3, -0.72)),
-    "pace": _preset(_PACE, 14.0, (0.3, 0.5), (0.3, -0.72)),
+    # The others: train/tune_gait.py.
+    "trot": _preset(TURNS["trot"], 14.0, (0.115, 0.652), (0.266, -0.2, -0.639)),
+    "walk": _preset(TURNS["walk"], 12.0, (0.127, 0.648), (0.269, -0.185, -0.658)),
+    "bound": _preset(TURNS["bound"], 14.0, (0.033, 0.492), (0.257, -0.161, -0.732)),
+    "pace": _preset(TURNS["pace"], 14.0, (0.167, 0.447), (0.247, -0.258, -0.814)),
 }
 
 
@@ -158,79 +159,82 @@ _PRESETS: Final = {
 class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
-    Each side of the robot has a ground speed, v -+ w * half_track (left slower than right when it turns left), and
-    each parameter of that side's legs is interpolated in a table over that speed.
+    Each side of the robot has a ground speed, v - w * half_track on the left and v + w * half_track on the right, and
+    each parameter of that side's legs is interpolated in a table over that speed. The knee's wave is kept as a cosine
+    and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p), because walking backwards is walking
+    forwards with time reversed: only the sine part changes its sign, and the table stays smooth through zero.
 
     Args:
         angular_frequency: rad/s.
-        knee_lag: phase of each knee ahead of its hip, rad.
         half_track: m; half the track for a robot that did not slip, tuned for one that does.
         speeds: the table's ground speeds, m/s, rising (K,).
-        hip_amplitude, hip_offset, knee_amplitude, knee_offset: the table's columns, rad (K,).
-        turns: phase of each leg in cycles.
+        hip_amplitude, hip_offset, knee_cosine, knee_sine, knee_offset: the table's columns, rad (K,).
     """
 
     angular_frequency: float
-    knee_lag: float
     half_track: float
     speeds: tuple[float, ...]
     hip_amplitude: tuple[float, ...]
     hip_offset: tuple[float, ...]
-    knee_amplitude: tuple[float, ...]
+    knee_cosine: tuple[float, ...]
+    knee_sine: tuple[float, ...]
     knee_offset: tuple[float, ...]
-    turns: tuple[float, ...] = _TROT
 
     @classmethod
     def tuned(cls) -> "CommandedGait":
         """The table that `train/tune_gait.py` found."""
         return _TUNED
 
-    def parameters(self, command: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Amplitude and offset of every joint, rad (N, 8) each, for commands (N, 2) in m/s and rad/s."""
+    def waves(self, command: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Sine part, cosine part and offset of every joint, rad (N, 8) each, for commands (N, 2) in m/s and rad/s."""
         command = np.asarray(command, dtype=np.float64)
         turn = command[:, 1] * self.half_track
-        amplitude = np.empty((len(command), len(JOINT_NAMES)))
-        offset = np.empty_like(amplitude)
+        sine, cosine, offset = (np.zeros((len(command), len(JOINT_NAMES))) for _ in range(3))
         for side, speed in enumerate((command[:, 0] - turn, command[:, 0] + turn)):
-            # Joints of one side: hips at `side` legs apart by two legs, knees next to them.
+            # Joints go LF, RF, LH, RH with a hip and a knee each: a side's hips are four columns apart.
             hips, knees = slice(2 * side, None, 4), slice(2 * side + 1, None, 4)
-            amplitude[:, hips] = np.interp(speed, self.speeds, self.hip_amplitude)[:, None]
-            amplitude[:, knees] = np.interp(speed, self.speeds, self.knee_amplitude)[:, None]
-            offset[:, hips] = np.interp(speed, self.speeds, self.hip_offset)[:, None]
-            offset[:, knees] = np.interp(speed, self.speeds, self.knee_offset)[:, None]
-        return amplitude, offset
-
-    def joint_phases(self) -> NDArray[np.float64]:
-        """Phase (8,) in rad to add to the gait's phase so that a sine gives every joint's wave."""
-        phases = np.array(_leg_phases(self.turns, self.knee_lag))
-        phases[_KNEES] += math.pi / 2
-        return phases
+            for target, columns, values in (
+                (sine, hips, self.hip_amplitude),
+                (offset, hips, self.hip_offset),
+                (cosine, knees, self.knee_cosine),
+                (sine, knees, self.knee_sine),
+                (offset, knees, self.knee_offset),
+            ):
+                target[:, columns] = np.interp(speed, self.speeds, values)[:, None]
+        return sine, cosine, offset
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
         """Joint positions (N, 8) in rad at gait phases (N,) in rad, for commands (N, 2)."""
-        amplitude, offset = self.parameters(command)
-        return amplitude * np.sin(np.asarray(phase)[:, None] + self.joint_phases()) + offset
+        sine, cosine, offset = self.waves(command)
+        angle = np.asarray(phase, dtype=np.float64)[:, None] + JOINT_PHASES
+        return sine * np.sin(angle) + cosine * np.cos(angle) + offset
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
         """The plain gait for one command."""
-        amplitude, offset = (values[0] for values in self.parameters([command]))
+        sine, cosine, offset = (values[0] for values in self.waves([command]))
+        lag = np.arctan2(-sine[_KNEES], cosine[_KNEES])
+        phases = JOINT_PHASES.copy()
+        phases[_KNEES] += lag
         return SinusoidalGait(
-            hip_amplitude=tuple(amplitude[_HIPS]),
-            hip_offset=tuple(offset[_HIPS]),
-            knee_amplitude=tuple(amplitude[_KNEES]),
-            knee_offset=tuple(offset[_KNEES]),
+            hip_amplitude=tuple(sine[_HIPS].tolist()),
+            hip_offset=tuple(offset[_HIPS].tolist()),
+            knee_amplitude=tuple(np.hypot(cosine, sine)[_KNEES].tolist()),
+            knee_offset=tuple(offset[_KNEES].tolist()),
             angular_frequency=self.angular_frequency,
-            phases=_leg_phases(self.turns, self.knee_lag),
+            phases=tuple(phases.tolist()),
         )
 
 
+JOINT_PHASES: Final = np.repeat(np.array(TURNS["trot"]) * math.tau, 2)
+"""Phase (8,) of each joint's leg in the trot, rad."""
+
 _TUNED: Final = CommandedGait(
-    angular_frequency=14.0,
-    knee_lag=0.0,
-    half_track=0.1,
-    speeds=(-0.4, 0.0, 0.5),
-    hip_amplitude=(-0.3, 0.0, 0.35),
-    hip_offset=(0.6, STANCE[0], 0.6),
-    knee_amplitude=(0.3, 0.0, 0.35),
-    knee_offset=(-0.72, STANCE[1], -0.72),
+    angular_frequency=math.tau * 2.2,
+    half_track=0.58,
+    speeds=(-0.444, -0.35, -0.2, -0.1, 0.0, 0.1, 0.2, 0.35, 0.431),
+    hip_amplitude=(0.3614, 0.2518, 0.1717, 0.1429, 0.0, 0.0933, 0.078, 0.1011, 0.056),
+    hip_offset=(0.4895, 0.4981, 0.513, 0.55, 0.6, 0.5769, 0.5804, 0.6267, 0.6377),
+    knee_cosine=(-0.0569, -0.0884, -0.0806, -0.072, 0.0, 0.049, 0.1238, 0.2231, 0.2735),
+    knee_sine=(-0.0434, -0.0586, -0.0969, -0.1371, 0.0, -0.1318, -0.1149, -0.1956, -0.2348),
+    knee_offset=(-0.5671, -0.5713, -0.5945, -0.6127, -0.72, -0.5857, -0.5886, -0.6088, -0.662),
 )

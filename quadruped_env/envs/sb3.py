@@ -32,6 +32,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.metadata = env.metadata
         super().__init__(env.num_envs, env.single_observation_space, env.single_action_space)
         self._actions = np.zeros((env.num_envs, ACTION_WIDTH), dtype=np.float32)
+        self.last_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._episode_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._no_infos: list[dict[str, Any]] = [{} for _ in range(env.num_envs)]
 
@@ -51,6 +52,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
     def step_wait(self) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
         """Advance every row, and reset those that finished."""
         transition = self.task.step(self._actions)
+        self.last_terms = transition.terms
         self._episode_terms += transition.terms
         done = transition.terminated | transition.truncated
         observations, infos = transition.observation, self._no_infos

@@ -76,7 +76,8 @@ class RewardConfig:
             "track_forward_velocity": 2.0,
             "track_yaw_rate": 1.0,
             "forward_progress": 1.0,
-            "gait_clock": 1.0,
+            "turn_progress": 0.5,
+            "gait_clock": 2.0,
             "upright": -2.0,
             "base_height": -20.0,
             "vertical_velocity": -1.0,
@@ -94,15 +95,19 @@ class RewardConfig:
     """m/s; width of the tracking kernel exp(-(error / std)^2)"""
     yaw_rate_std: float = 0.3
     """rad/s; likewise"""
+    velocity_time_constant: float = 0.2
+    """s; the tracking terms see velocities through a first-order filter, because every gait sways within its cycle"""
     base_height: float = 0.175
     """m; the height that `base_height` asks for"""
+    foot_lift: float = 0.02
+    """m; the sole's height in the swing at which `gait_clock` is satisfied"""
     joint_limit_margin: float = 0.1
     """rad from a joint's limit at which `joint_limits` begins"""
     contact_threshold: float = 1.0
     """N; a foot that presses harder than this is in contact"""
 
     def __post_init__(self) -> None:
-        for name in ("forward_velocity_std", "yaw_rate_std", "base_height"):
+        for name in ("forward_velocity_std", "yaw_rate_std", "velocity_time_constant", "base_height", "foot_lift"):
             _check(getattr(self, name) > 0, f"reward.{name}", getattr(self, name), "positive")
         for name, weight in self.weights.items():
             _check(math.isfinite(weight), f"reward.weights[{name!r}]", weight, "finite")

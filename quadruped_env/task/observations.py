@@ -38,7 +38,7 @@ OBSERVATION_LAYOUT: Final = (
     # Impacts can drive a joint faster than its motor can.
     ObservationField("joint_velocity", 8, "rad/s", 1.0 / VELOCITY_LIMIT, -3.0, 3.0, noise=0.3),
     ObservationField("last_action", 8, "1", 1.0, -1.0, 1.0),
-    ObservationField("command", 2, "m/s, rad/s", 2.0, -4.0, 4.0),
+    ObservationField("command", 2, "m/s, rad/s", 4.0, -4.0, 4.0),
     ObservationField("gait_clock", 2, "1", 1.0, -1.0, 1.0),
 )
 """The columns of an observation, in order. The gait clock is (sin, cos) of the phase, and 0 at a zero command."""

@@ -28,25 +28,33 @@ def tracking_kernel(value: Any, target: Any, std: float) -> Any:
     return _exp(-(error * error))
 
 
-def forward_progress(forward_velocity: Any, command: Any) -> Any:
-    """Share of the commanded velocity that is reached, in [-1, 1], shape (N,); 0 where none is commanded.
+def progress(value: Any, target: Any, smallest: float) -> Any:
+    """Share of a commanded velocity that is reached, in [-1, 1], shape (N,); 0 where none is commanded.
 
-    Linear, so it shows the way from standing, where a tracking kernel is flat.
+    Linear, so it shows the way from standing, where a tracking kernel is flat. Commands under `smallest` count
+    in proportion.
     """
-    target = command[:, 0]
-    size = abs(target).clip(0.1, None)
-    return (forward_velocity / size).clip(-1.0, 1.0) * (target / size)
+    size = abs(target).clip(smallest, None)
+    return (value / size).clip(-1.0, 1.0) * (target / size)
 
 
-def gait_clock(contact: Any, clock_sine: Any, moving: Any) -> Any:
+def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
     """Agreement of the feet with the trot's clock, in [-1, 1], shape (N,).
 
     Args:
-        contact: 1.0 for a foot on the ground, 0.0 in the air (N, 4).
+        lift: 1.0 for a foot in the air, 0.0 on the ground, or anything between (N, 4).
         clock_sine: positive while the foot should swing (N, 4).
         moving: 1.0 where a motion is commanded (N,).
     """
-    return (clock_sine * (1.0 - 2.0 * contact)).sum(axis=-1) * moving * 0.25
+    return (clock_sine * (2.0 * lift - 1.0)).sum(axis=-1) * moving * 0.25
+
+
+def foot_lift(foot_height: Any, full: float) -> Any:
+    """Height of each foot's sole over flat ground as a share of a full lift (m), in [0, 1], shape (N, 4).
+
+    Smooth where contact is a switch, so that a little more lift already pays.
+    """
+    return ((foot_height - FOOT_RADIUS) * (1.0 / full)).clip(0.0, 1.0)
 
 
 def sum_of_squares(x: Any) -> Any:
@@ -93,6 +101,8 @@ class Memory:
     """Joint positions relative to the stance, rad (N, 8)"""
     command: Any
     """m/s and rad/s (N, 2)"""
+    smooth_velocity: Any
+    """Forward velocity and yaw rate, averaged over about a gait cycle, m/s and rad/s (N, 2)"""
     moving: Any
     """1.0 where a motion is commanded (N,)"""
     clock_sine: Any
@@ -105,12 +115,16 @@ def reward_terms(state: State, memory: Memory, config: RewardConfig) -> dict[str
     """Every term, unweighted, shape (N,) each, in the order in which they are added."""
     contact = (state.foot_force > config.contact_threshold) * 1.0
     velocity = state.linear_velocity_b
+    smooth, command = memory.smooth_velocity, memory.command
     standing = 1.0 - memory.moving
     return {
-        "track_forward_velocity": tracking_kernel(velocity[:, 0], memory.command[:, 0], config.forward_velocity_std),
-        "track_yaw_rate": tracking_kernel(state.angular_velocity_b[:, 2], memory.command[:, 1], config.yaw_rate_std),
-        "forward_progress": forward_progress(velocity[:, 0], memory.command),
-        "gait_clock": gait_clock(contact, memory.clock_sine, memory.moving),
+        "track_forward_velocity": tracking_kernel(smooth[:, 0], command[:, 0], config.forward_velocity_std),
+        "track_yaw_rate": tracking_kernel(smooth[:, 1], command[:, 1], config.yaw_rate_std),
+        "forward_progress": progress(velocity[:, 0], command[:, 0], 0.1),
+        "turn_progress": progress(state.angular_velocity_b[:, 2], command[:, 1], 0.2),
+        "gait_clock": gait_clock(
+            foot_lift(state.foot_position[..., 2], config.foot_lift), memory.clock_sine, memory.moving
+        ),
         "upright": sum_of_squares(state.up_b[:, :2]),
         "base_height": base_height_error(state.base_position[:, 2], config.base_height),
         "vertical_velocity": velocity[:, 2] * velocity[:, 2],

@@ -15,7 +15,7 @@ from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import CommandedGait
+from quadruped_env.gait import JOINT_PHASES, CommandedGait
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from quadruped_env.simulation import Simulation
 from quadruped_env.task import commands, observations, randomization, rewards, terminations
@@ -23,9 +23,10 @@ from quadruped_env.task.config import TaskConfig
 
 ACTION_WIDTH: Final = len(JOINT_NAMES)
 
-_LEG_TURNS: Final = np.array(CommandedGait.tuned().turns) * math.tau
+_LEG_PHASES: Final = JOINT_PHASES[::2]
 _EPISODE_ARRAYS: Final = (
     "_last_action",
+    "_smooth_velocity",
     "_command",
     "_moving",
     "_fixed",
@@ -34,7 +35,8 @@ _EPISODE_ARRAYS: Final = (
     "_resample_at",
     "_push_at",
     "_noise_key",
-    "_gait_amplitude",
+    "_gait_sine",
+    "_gait_cosine",
     "_gait_offset",
 )
 
@@ -76,17 +78,18 @@ class Task:
         self._residual = config.action.mode == "residual"
         self._action_scale = config.action.residual_scale if self._residual else config.action.position_scale
         self._phase_step = math.tau * config.clock_frequency * config.control_timestep
+        self._smoothing = 1.0 - math.exp(-config.control_timestep / config.reward.velocity_time_constant)
         self._noise = config.randomization.observation_noise * observations.OBSERVATION_NOISE
         self._pushes = config.randomization.push_velocity > 0.0
         self._weights = np.array(list(config.reward.weights.values()))
         self.term_names = tuple(config.reward.weights)
         self._model_randomizer = randomization.ModelRandomizer(simulation, config.randomization)
         self._gait = CommandedGait.tuned()
-        self._gait_phases = self._gait.joint_phases()
 
         self.generators: list[np.random.Generator] = [seeding.np_random()[0] for _ in range(n)]
         self._last_action = np.zeros((n, ACTION_WIDTH))
         self._command = np.zeros((n, 2))
+        self._smooth_velocity = np.zeros((n, 2))
         self._moving = np.zeros(n)
         self._fixed = np.zeros(n, dtype=np.bool_)
         self._phase = np.zeros(n)
@@ -94,7 +97,8 @@ class Task:
         self._resample_at = np.zeros(n, dtype=np.int64)
         self._push_at = np.zeros(n, dtype=np.int64)
         self._noise_key = np.zeros(n, dtype=np.uint64)
-        self._gait_amplitude = np.zeros((n, ACTION_WIDTH))
+        self._gait_sine = np.zeros((n, ACTION_WIDTH))
+        self._gait_cosine = np.zeros((n, ACTION_WIDTH))
         self._gait_offset = np.tile(STANCE, (n, 1))
         self._clock = np.zeros((n, 2))
         self._raw = np.zeros((n, observations.OBSERVATION_WIDTH))
@@ -104,6 +108,11 @@ class Task:
     def command(self) -> NDArray[np.float64]:
         """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2); live."""
         return self._command
+
+    @property
+    def smooth_velocity(self) -> NDArray[np.float64]:
+        """Forward velocity (m/s) and yaw rate (rad/s) averaged over about a gait cycle, (N, 2); live."""
+        return self._smooth_velocity
 
     @property
     def phase(self) -> NDArray[np.float64]:
@@ -142,6 +151,7 @@ class Task:
         self.simulation.reset(rows, qpos, qvel)
 
         self._last_action[rows] = 0.0
+        self._smooth_velocity[rows] = 0.0
         self._steps[rows] = 0
         self._phase[rows] = math.tau * draws[:, commands.DRAWS]
         self._noise_key[rows] = (draws[:, commands.DRAWS + 1] * 2.0**53).astype(np.uint64)
@@ -256,16 +266,21 @@ class Task:
         """Joint positions that a zero action asks for, rad: (8,), or (N, 8) in residual mode."""
         if not self._residual:
             return STANCE
-        return self._gait_amplitude * np.sin(self._phase[:, None] + self._gait_phases) + self._gait_offset
+        angle = self._phase[:, None] + JOINT_PHASES
+        return self._gait_sine * np.sin(angle) + self._gait_cosine * np.cos(angle) + self._gait_offset
 
     def _update_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> None:
+        state = self.simulation.state
+        self._smooth_velocity[:, 0] += self._smoothing * (state.linear_velocity_b[:, 0] - self._smooth_velocity[:, 0])
+        self._smooth_velocity[:, 1] += self._smoothing * (state.angular_velocity_b[:, 2] - self._smooth_velocity[:, 1])
         memory = rewards.Memory(
             action=action,
             last_action=self._last_action,
             joint_offset=self.simulation.state.joint_position - STANCE,
             command=self._command,
+            smooth_velocity=self._smooth_velocity,
             moving=self._moving,
-            clock_sine=np.sin(self._phase[:, None] + _LEG_TURNS),
+            clock_sine=np.sin(self._phase[:, None] + _LEG_PHASES),
             fallen=terminated * 1.0,
         )
         terms = rewards.reward_terms(self.simulation.state, memory, self.config.reward)
@@ -290,7 +305,7 @@ class Task:
         self._command[rows] = command
         self._moving[rows] = (abs(command) > commands.MOVING_THRESHOLD).any(axis=1)
         if self._residual:
-            self._gait_amplitude[rows], self._gait_offset[rows] = self._gait.parameters(command)
+            self._gait_sine[rows], self._gait_cosine[rows], self._gait_offset[rows] = self._gait.waves(command)
 
     def _push(self) -> None:
         rows = np.flatnonzero(self._steps >= self._push_at)

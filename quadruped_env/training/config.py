@@ -1,0 +1,80 @@
+"""A training in numbers."""
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.task.config import ACTION_MODES
+
+
+@dataclass(frozen=True)
+class TrainConfig:
+    """What `train/ppo.py` is asked for. PPO's own names are Stable-Baselines3's."""
+
+    action_mode: Literal["position", "residual"] = "residual"
+    """`position`: learn from nothing; `residual`: learn on top of the scripted gait"""
+    timesteps: int = 2_500_000
+    """Budget in environment steps, all robots together"""
+    seconds: float | None = None
+    """Budget in seconds of wall clock instead; such a run cannot be repeated bit for bit"""
+    seed: int = 0
+    """Seed of the robots, the network and the exploration"""
+    num_envs: int = 256
+    """Robots that walk at once"""
+    name: str = "ppo"
+    """Last part of the run directory's name"""
+    checkpoint_seconds: float = 20.0
+    """Wall clock between checkpoints"""
+    task: dict[str, Any] = field(default_factory=dict)
+    """Changes to the task's config, as nested values"""
+    n_steps: int = 16
+    """Steps of each robot between updates"""
+    batch_size: int = 1024
+    """Samples in a gradient step"""
+    n_epochs: int = 4
+    """Passes over the samples of an update"""
+    learning_rate: float = 2e-3
+    """Adam's step size at the start; it falls linearly to a tenth"""
+    gamma: float = 0.97
+    """Discount a step of 0.02 s"""
+    gae_lambda: float = 0.95
+    """Decay of the advantage estimate"""
+    clip_range: float = 0.2
+    """PPO's clip"""
+    ent_coef: float = 0.0
+    """Weight of the entropy bonus"""
+    max_grad_norm: float = 1.0
+    """Gradients longer than this are shortened"""
+    hidden: tuple[int, ...] = (64, 64)
+    """Widths of the hidden layers, of the policy and of the value function"""
+    activation: Literal["elu", "relu", "tanh"] = "elu"
+    """Between layers"""
+    log_std_init: float | None = None
+    """Logarithm of the exploration's first standard deviation; by default -1, and -2 where a gait walks already"""
+
+    @property
+    def first_log_std(self) -> float:
+        """`log_std_init`, or its default for the action mode."""
+        if self.log_std_init is not None:
+            return self.log_std_init
+        return -2.0 if self.action_mode == "residual" else -1.0
+
+    def __post_init__(self) -> None:
+        if self.action_mode not in ACTION_MODES:
+            raise QuadrupedError(
+                f"--action-mode: {self.action_mode!r} is unknown; valid modes are {', '.join(ACTION_MODES)}"
+            )
+        for name in ("timesteps", "num_envs", "n_steps", "batch_size", "n_epochs"):
+            if getattr(self, name) < 1:
+                raise QuadrupedError(f"--{name.replace('_', '-')}: expected 1 or more; found {getattr(self, name)}")
+        if self.seconds is not None and self.seconds <= 0:
+            raise QuadrupedError(f"--seconds: expected more than 0; found {self.seconds}")
+        if self.checkpoint_seconds <= 0:
+            raise QuadrupedError(f"--checkpoint-seconds: expected more than 0; found {self.checkpoint_seconds}")
+        if "/" in self.name or self.name in {"", ".", ".."}:
+            raise QuadrupedError(f"--name: {self.name!r} cannot be part of a directory's name")
+        if self.num_envs * self.n_steps < self.batch_size:
+            raise QuadrupedError(
+                f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
+                f"(num_envs * n_steps); lower it or take more robots"
+            )

@@ -1,0 +1,259 @@
+"""Finds the numbers of the scripted gaits by simulating many candidates at once (cross-entropy method).
+
+A candidate is one leg's sinusoids: hip amplitude and offset, the knee's cosine and sine parts and its offset. It is
+scored on flat ground from rest: distance from the wanted speed, sideways drift, tilt, motor power and sliding feet;
+joint limits and the 5 rad/s limit are hard bounds of the search. Method: Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.gait import TURNS, CommandedGait
+from quadruped_env.robot import STANCE, STANCE_HEIGHT, VELOCITY_LIMIT, load_model
+from quadruped_env.simulation import BatchSimulation
+from quadruped_env.task.rewards import foot_slip, gait_clock, mechanical_power
+
+CONTROL_TIMESTEP: Final = 0.02
+SUBSTEPS: Final = 4
+CANDIDATES: Final = 192
+ELITE: Final = 20
+WARM_UP: Final = 1.0
+"""s before anything is measured"""
+SECONDS: Final = 4.0
+_RAMP: Final = 0.5
+"""s over which a candidate's amplitude grows from the stance"""
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Achieved:
+    """What gaits did on flat ground, one value a candidate."""
+
+    forward_velocity: NDArray[np.float64]
+    """m/s along the heading, mean after the warm-up"""
+    yaw_rate: NDArray[np.float64]
+    """rad/s, likewise"""
+    lateral_velocity: NDArray[np.float64]
+    """m/s, likewise"""
+    tilt: NDArray[np.float64]
+    """Root mean square of the horizontal part of the base's up axis"""
+    power: NDArray[np.float64]
+    """Positive mechanical power, W"""
+    slip: NDArray[np.float64]
+    """Mean sliding velocity of feet on the ground, root mean square, m/s"""
+    clock: NDArray[np.float64]
+    """Agreement of the feet with a clock that swings each foot while the sine of its phase is positive, in [-1, 1]"""
+    fallen: NDArray[np.bool_]
+
+
+def measure(
+    joint_targets: Callable[[float], NDArray[np.float64]],
+    simulation: BatchSimulation,
+    angular_frequency: float,
+    turns: tuple[float, ...],
+) -> Achieved:
+    """Run joint targets, a function of time in s that gives (N, 8) in rad, from the stance.
+
+    Frequency (rad/s) and turns (cycles, one a leg) are the clock's.
+    """
+    n = simulation.num_rows
+    qpos = np.zeros((n, 15))
+    qpos[:, 2], qpos[:, 3], qpos[:, 7:] = STANCE_HEIGHT, 1.0, STANCE
+    simulation.reset(np.arange(n), qpos, np.zeros((n, 14)))
+    state = simulation.state
+    fallen, moving = np.zeros(n, dtype=np.bool_), np.ones(n)
+    phases = np.array(turns) * 2.0 * np.pi
+    sums = np.zeros((7, n))
+    steps = 0
+    for k in range(1, round(SECONDS / CONTROL_TIMESTEP) + 1):
+        t = k * CONTROL_TIMESTEP
+        ramp = min(1.0, t / _RAMP)
+        simulation.step(STANCE + ramp * (joint_targets(t) - STANCE), SUBSTEPS)
+        fallen |= (state.up_b[:, 2] < 0.5) | (state.trunk_force > 1.0).any(axis=1) | simulation.diverged()
+        if t > WARM_UP:
+            steps += 1
+            sums[0] += state.linear_velocity_b[:, 0]
+            sums[1] += state.angular_velocity_b[:, 2]
+            sums[2] += state.linear_velocity_b[:, 1]
+            sums[3] += (state.up_b[:, :2] ** 2).sum(axis=1)
+            sums[4] += mechanical_power(state.joint_torque, state.joint_velocity)
+            contact = (state.foot_force > 1.0) * 1.0
+            sums[5] += foot_slip(contact, state.foot_velocity, state.foot_angular_velocity)
+            sums[6] += gait_clock(1.0 - contact, np.sin(angular_frequency * t + phases), moving)
+    vx, wz, vy, tilt, power, slip, clock = sums / steps
+    return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), clock, fallen)
+
+
+# Columns of a candidate: hip amplitude, hip offset, knee cosine, knee sine, knee offset.
+_LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3])
+_HIGH: Final = np.array([0.5, 1.1, 0.5, 0.5, -0.4])
+
+
+def leg_targets(
+    candidates: NDArray[np.float64], angular_frequency: float, turns: tuple[float, ...]
+) -> Callable[[float], NDArray[np.float64]]:
+    """Joint targets over time for candidates (N, 5), every leg alike but for its phase."""
+    phases = np.array(turns) * 2.0 * np.pi
+    hip, hip_offset, knee_cosine, knee_sine, knee_offset = candidates.T[:, :, None]
+
+    def targets(t: float) -> NDArray[np.float64]:
+        angle = angular_frequency * t + phases
+        sine, cosine = np.sin(angle), np.cos(angle)
+        target = np.empty((len(candidates), 8))
+        target[:, 0::2] = hip * sine + hip_offset
+        target[:, 1::2] = knee_cosine * cosine + knee_sine * sine + knee_offset
+        return target
+
+    return targets
+
+
+def _within_limits(candidates: NDArray[np.float64], angular_frequency: float) -> NDArray[np.float64]:
+    """Candidates shrunk until no joint asks for more than its speed limit; the offsets' bounds keep the ranges."""
+    candidates = np.clip(candidates, _LOW, _HIGH)
+    largest = 0.999 * VELOCITY_LIMIT / angular_frequency
+    candidates[:, 0] = np.clip(candidates[:, 0], -largest, largest)
+    knee = np.hypot(candidates[:, 2], candidates[:, 3])
+    candidates[:, 2:4] *= np.minimum(1.0, largest / np.maximum(knee, 1e-9))[:, None]
+    return candidates
+
+
+def tune_leg(
+    speed: float,
+    angular_frequency: float,
+    turns: tuple[float, ...],
+    start: NDArray[np.float64],
+    spread: float,
+    generations: int,
+    seed: int = 0,
+) -> tuple[NDArray[np.float64], float]:
+    """The best leg (5,) for a forward speed (m/s), and the speed that it reached.
+
+    Args:
+        speed: wanted, m/s.
+        angular_frequency: rad/s.
+        turns: phase of each leg in cycles.
+        start: where the search begins (5,).
+        spread: standard deviation of the first generation, as a share of each column's range.
+        generations: how many generations to search.
+        seed: of the search.
+    """
+    rng = np.random.default_rng(seed)
+    simulation = BatchSimulation(load_model(), CANDIDATES)
+    mean, deviation = start.copy(), spread * (_HIGH - _LOW)
+    best, best_score, best_speed = start, -np.inf, 0.0
+    for _ in range(generations):
+        candidates = mean + deviation * rng.standard_normal((CANDIDATES, 5))
+        candidates[0] = mean
+        candidates = _within_limits(candidates, angular_frequency)
+        got = measure(leg_targets(candidates, angular_frequency, turns), simulation, angular_frequency, turns)
+        score = (
+            -10.0 * np.abs(got.forward_velocity - speed)
+            - 2.0 * np.abs(got.lateral_velocity)
+            - 1.0 * np.abs(got.yaw_rate)
+            - 5.0 * got.tilt
+            - 0.01 * got.power
+            - 2.0 * got.slip
+            # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
+            + 2.0 * got.clock
+            - 10.0 * got.fallen
+        )
+        order = np.argsort(-score)
+        elite = candidates[order[:ELITE]]
+        mean, deviation = elite.mean(axis=0), elite.std(axis=0) + 0.002
+        if score[order[0]] > best_score:
+            best, best_score = candidates[order[0]], float(score[order[0]])
+            best_speed = float(got.forward_velocity[order[0]])
+    return best, best_speed
+
+
+def tune_commanded_gait(
+    angular_frequency: float, forward: tuple[float, ...], backward: tuple[float, ...], generations: int, say: Progress
+) -> CommandedGait:
+    """The table of `CommandedGait` for the given speeds, m/s, each tuple from slow to fast.
+
+    Each speed's search starts from its slower neighbour's result, so that the table is smooth.
+    """
+    found = {0.0: np.array([0.0, STANCE[0], 0.0, 0.0, STANCE[1]])}
+    for speeds, direction in ((forward, 1.0), (backward, -1.0)):
+        # A small step the right way round: the leg folds in its swing, and the shank swings in the walking direction.
+        start = np.array([0.1, STANCE[0], 0.15 * direction, -0.1, STANCE[1]])
+        spread = 0.15
+        for speed in speeds:
+            leg, reached = tune_leg(speed, angular_frequency, TURNS["trot"], start, spread, generations)
+            say(f"{speed:+.2f} m/s: reached {reached:+.3f} m/s with {np.round(leg, 3).tolist()}")
+            # Where the wanted speed is out of reach the table ends with the speed that was reached.
+            found[round(reached, 3) if abs(reached) < 0.97 * abs(speed) else speed] = np.round(leg, 4)
+            start, spread = leg, 0.08
+    speeds = tuple(sorted(found))
+    columns = np.array([found[speed] for speed in speeds]).T
+    table = [tuple(column.tolist()) for column in columns]
+    gait = CommandedGait(angular_frequency, 0.1, speeds, *table)
+    return _with_tuned_track(gait, say)
+
+
+def _with_tuned_track(gait: CommandedGait, say: Progress) -> CommandedGait:
+    """The gait with the half track that turns closest to the commanded yaw rates."""
+    commands = np.array([(v, w) for v in (0.0, 0.2, 0.3) for w in (-0.6, -0.3, 0.3, 0.6)])
+    best, best_error = gait, np.inf
+    for half_track in np.arange(0.10, 0.62, 0.04):
+        candidate = CommandedGait(
+            gait.angular_frequency, round(float(half_track), 3), gait.speeds, gait.hip_amplitude, gait.hip_offset,
+            gait.knee_cosine, gait.knee_sine, gait.knee_offset,
+        )  # fmt: skip
+        got = measure_commands(candidate, commands)
+        error = float(
+            np.abs(got.yaw_rate - commands[:, 1]).mean() + np.abs(got.forward_velocity - commands[:, 0]).mean()
+        )
+        if error < best_error:
+            best, best_error = candidate, error
+    say(f"half track {best.half_track} m: mean error {best_error:.3f} (rad/s + m/s)")
+    return best
+
+
+def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
+    """What the gait does for commands (N, 2) in m/s and rad/s."""
+    simulation = BatchSimulation(load_model(), len(commands))
+    return measure(
+        lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
+        simulation,
+        gait.angular_frequency,
+        TURNS["trot"],
+    )
+
+
+def achieved_table(gait: CommandedGait) -> str:
+    """A Markdown table of commanded and achieved velocities."""
+    forward = [(v, 0.0) for v in (-0.4, -0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]
+    turning = [(v, w) for v in (0.0, 0.3) for w in (-0.6, -0.3, 0.3, 0.6)]
+    commands = np.array(forward + turning)
+    got = measure_commands(gait, commands)
+    lines = [
+        "| commanded m/s, rad/s | forward m/s | yaw rate rad/s | sideways m/s | power W | fell |",
+        "|---|---|---|---|---|---|",
+    ]
+    for i, (v, w) in enumerate(commands):
+        lines.append(
+            f"| {v:+.1f}, {w:+.1f} | {got.forward_velocity[i]:+.3f} | {got.yaw_rate[i]:+.3f} | "
+            f"{got.lateral_velocity[i]:+.3f} | {got.power[i]:.1f} | {'yes' if got.fallen[i] else 'no'} |"
+        )
+    return "\n".join(lines)
+
+
+def tune_presets(generations: int, say: Progress) -> dict[str, list[float]]:
+    """The leg (5,) of every preset that is not the article's, each for the highest speed it walks at steadily."""
+    found = {}
+    start = np.array([0.1, STANCE[0], 0.15, -0.1, STANCE[1]])
+    for name, angular_frequency, speed in PRESET_SPEEDS:
+        leg, reached = tune_leg(speed, angular_frequency, TURNS[name], start, 0.15, generations)
+        say(f"{name}: reached {reached:+.3f} m/s with {np.round(leg, 3).tolist()} at {angular_frequency} rad/s")
+        found[name] = np.round(leg, 3).tolist()
+    return found
+
+
+PRESET_SPEEDS: Final = (("trot", 14.0, 0.4), ("walk", 12.0, 0.25), ("bound", 14.0, 0.35), ("pace", 14.0, 0.3))
+"""Name, angular frequency (rad/s) and wanted speed (m/s) of the presets."""

@@ -1,0 +1,287 @@
+"""PPO by Stable-Baselines3, on the native vector environment.
+
+Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively parallel setting follows Rudin et al. 2021,
+https://arxiv.org/abs/2109.11978.
+"""
+
+import os
+import signal
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from types import FrameType
+from typing import Any, cast
+
+# Torch's idle threads would spin on the cores that the physics needs. Read once, when torch is loaded.
+os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
+
+import numpy as np
+
+from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.policies import Policy
+from quadruped_env.task import TaskConfig
+from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.run import RESUME_FILE, Run, load_run_config
+
+try:
+    import torch
+    from stable_baselines3 import PPO
+    from stable_baselines3.common.callbacks import BaseCallback
+    from stable_baselines3.common.logger import configure
+    from tqdm import tqdm
+except ImportError as error:  # pragma: no cover
+    raise MissingExtraError("training", "train") from error
+
+_ACTIVATIONS = {"elu": torch.nn.ELU, "relu": torch.nn.ReLU, "tanh": torch.nn.Tanh}
+_FINAL_LEARNING_RATE = 0.1
+"""Share of the first learning rate that is left at the end."""
+_LOG_INTERVAL = 1.0
+"""s between rows of the progress bar, progress.csv and TensorBoard."""
+
+
+class NativePPO(PPO):
+    """SB3's PPO with threads where they help, and a learning rate that can follow the wall clock.
+
+    A policy step on a few hundred rows is faster on one thread; an update is faster on all of them.
+    """
+
+    budget_seconds: float | None = None
+    _started: float = 0.0
+
+    def collect_rollouts(self, *args: Any, **kwargs: Any) -> bool:
+        """See SB3."""
+        torch.set_num_threads(1)
+        return super().collect_rollouts(*args, **kwargs)
+
+    def train(self) -> None:
+        """See SB3."""
+        torch.set_num_threads(os.cpu_count() or 1)
+        super().train()
+
+    def _setup_learn(self, *args: Any, **kwargs: Any) -> Any:
+        self._started = time.perf_counter()
+        return super()._setup_learn(*args, **kwargs)
+
+    def _update_current_progress_remaining(self, num_timesteps: int, total_timesteps: int) -> None:
+        super()._update_current_progress_remaining(num_timesteps, total_timesteps)
+        if self.budget_seconds is not None:
+            elapsed = time.perf_counter() - self._started
+            self._current_progress_remaining = max(0.0, 1.0 - elapsed / self.budget_seconds)
+
+
+class LinearSchedule:
+    """A learning rate that falls linearly with the share of the budget that is left."""
+
+    def __init__(self, start: float) -> None:
+        self.start = start
+
+    def __call__(self, progress_remaining: float) -> float:
+        """The rate when this share of the budget is left."""
+        return self.start * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * progress_remaining)
+
+
+def make_model(config: TrainConfig, env: Any) -> NativePPO:
+    """A fresh PPO for a training."""
+    torch.distributions.Distribution.set_default_validate_args(False)
+    return NativePPO(
+        "MlpPolicy",
+        env,
+        seed=config.seed,
+        device="cpu",
+        verbose=0,
+        n_steps=config.n_steps,
+        batch_size=config.batch_size,
+        n_epochs=config.n_epochs,
+        learning_rate=LinearSchedule(config.learning_rate),
+        gamma=config.gamma,
+        gae_lambda=config.gae_lambda,
+        clip_range=config.clip_range,
+        ent_coef=config.ent_coef,
+        max_grad_norm=config.max_grad_norm,
+        policy_kwargs={
+            "net_arch": {"pi": list(config.hidden), "vf": list(config.hidden)},
+            "activation_fn": _ACTIVATIONS[config.activation],
+            "log_std_init": config.first_log_std,
+        },
+    )
+
+
+def export_policy(model: PPO, task: TaskConfig, activation: str, card: dict[str, Any]) -> Policy:
+    """The deterministic part of SB3's policy as plain arrays."""
+    network = model.policy.mlp_extractor.policy_net
+    layers = [layer for layer in network if isinstance(layer, torch.nn.Linear)] + [model.policy.action_net]
+    return Policy(
+        weights=tuple(layer.weight.detach().numpy().T.copy() for layer in layers),
+        biases=tuple(layer.bias.detach().numpy().copy() for layer in layers),
+        activation=activation,
+        config=task,
+        card=card,
+    )
+
+
+def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = None) -> tuple[Path, bool]:
+    """Train a policy and leave a run directory.
+
+    Args:
+        config: the training in numbers.
+        runs: parent of the run directory.
+        command: what the user typed, for the record.
+        resume: a run or checkpoint to go on from, with its task and network.
+
+    Returns:
+        The run directory, and whether the whole budget was used.
+
+    Raises:
+        QuadrupedError: if something asked for is not possible, or the run to resume is not complete.
+    """
+    if resume is not None:
+        document = load_run_config(resume)
+        config = replace(
+            config, task=document["task"], action_mode=document["task"]["action"]["mode"],
+            hidden=tuple(document["training"]["hidden"]), activation=document["training"]["activation"],
+        )  # fmt: skip
+    env = make_sb3_vec_env(config.num_envs, seed=config.seed, action_mode=config.action_mode, config=config.task)
+    task = env.task.config
+    model = make_model(config, env)
+    if resume is not None:
+        try:
+            model.set_parameters(str(resume / RESUME_FILE), device="cpu")
+        except Exception as error:
+            # The zip reader, torch and SB3 each fail in their own way on a damaged file.
+            raise QuadrupedError(f"{resume / RESUME_FILE}: cannot be read ({error}); train anew") from error
+    model.budget_seconds = config.seconds
+
+    run = Run(runs, config, task.to_dict(), command)
+    model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+    recorder = Recorder(run, config, task)
+    try:
+        with _stop_on_signal(recorder):
+            timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
+            model.learn(timesteps, callback=recorder)
+    finally:
+        recorder.save(run.directory)
+        recorder.finish()
+        run.close()
+        env.close()
+    return run.directory, not recorder.stopped
+
+
+class _stop_on_signal:  # noqa: N801
+    """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
+
+    def __init__(self, recorder: "Recorder") -> None:
+        self._recorder = recorder
+        self._previous: dict[int, Any] = {}
+
+    def __enter__(self) -> None:
+        try:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                self._previous[number] = signal.signal(number, self._stop)
+        except ValueError:
+            pass  # not in the main thread, where no signals arrive
+
+    def __exit__(self, *exception: object) -> None:
+        for number, handler in self._previous.items():
+            signal.signal(number, handler)
+
+    def _stop(self, number: int, frame: FrameType | None) -> None:
+        self._recorder.stopped = True
+        signal.signal(number, self._previous[number])
+
+
+class Recorder(BaseCallback):
+    """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget."""
+
+    def __init__(self, run: Run, config: TrainConfig, task: TaskConfig) -> None:
+        super().__init__()
+        self._run, self._config, self._task_config = run, config, task
+        self.stopped = False
+        self.elapsed = 0.0
+
+    def _on_training_start(self) -> None:
+        self._start = time.perf_counter()
+        self._env = cast(MiniQuadrupedSB3VecEnv, self.training_env)
+        self._task = self._env.task
+        self._next_log = _LOG_INTERVAL
+        self._next_checkpoint = self._config.checkpoint_seconds
+        total = self._config.timesteps if self._config.seconds is None else None
+        self._bar = tqdm(total=total, unit=" steps", unit_scale=True, mininterval=0.0, disable=None, dynamic_ncols=True)
+        self._clear()
+
+    def _clear(self) -> None:
+        self._squares = np.zeros(2)
+        self._terms = np.zeros(len(self._task.term_names))
+        self._steps = 0
+        self._episodes: list[tuple[float, int, bool]] = []
+
+    def _on_step(self) -> bool:
+        error = self._task.smooth_velocity - self._task.command
+        self._squares += (error * error).mean(axis=0)
+        self._terms += self._env.last_terms.mean(axis=0)
+        self._steps += 1
+        for row in np.flatnonzero(self.locals["dones"]):
+            info = self.locals["infos"][row]
+            self._episodes.append((info["episode"]["r"], info["episode"]["l"], not info["TimeLimit.truncated"]))
+        self.elapsed = time.perf_counter() - self._start
+        return not (self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds))
+
+    def _on_rollout_end(self) -> None:
+        self._bar.update(self.num_timesteps - self._bar.n)
+        if self.elapsed >= self._next_log:
+            self._next_log = self.elapsed + _LOG_INTERVAL
+            self._log()
+        if self.elapsed >= self._next_checkpoint:
+            self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
+            self.save(self._run.directory / "checkpoints" / f"{round(self.elapsed):05d}s")
+
+    def _log(self) -> None:
+        returns, lengths, falls = zip(*self._episodes, strict=True) if self._episodes else ((), (), ())
+        errors = np.sqrt(self._squares / max(self._steps, 1))
+        row = {
+            "timesteps": self.num_timesteps,
+            "seconds": round(self.elapsed, 3),
+            "return": float(np.mean(returns)) if returns else float("nan"),
+            "episode_length": float(np.mean(lengths)) if lengths else float("nan"),
+            "fall_rate": float(np.mean(falls)) if falls else 0.0,
+            "forward_velocity_error": float(errors[0]),
+            "yaw_rate_error": float(errors[1]),
+        }
+        self._run.log(row)
+        for name, value in row.items():
+            if name != "timesteps":
+                self.logger.record(f"progress/{name}", value)
+        rate = 1.0 / self._task_config.control_timestep
+        for name, value in zip(self._task.term_names, self._terms / max(self._steps, 1) * rate, strict=True):
+            self.logger.record(f"reward_per_second/{name}", float(value))
+        self.logger.dump(self.num_timesteps)
+        self._bar.set_postfix_str(
+            f"return {row['return']:.1f}, falls {row['fall_rate']:.0%}, "
+            f"errors {errors[0]:.2f} m/s {errors[1]:.2f} rad/s{self._remaining()}"
+        )
+        self._clear()
+
+    def _remaining(self) -> str:
+        """What is left of a budget in seconds; the bar itself shows what is left of one in steps."""
+        return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
+
+    def save(self, directory: Path) -> None:
+        """Write the policy as data, and what resuming needs beside it."""
+        card = {
+            **self._run.facts,
+            "seed": self._config.seed,
+            "timesteps": int(self.model.num_timesteps),
+            "seconds": round(self.elapsed, 1),
+        }
+        export_policy(self.model, self._task_config, self._config.activation, card).save(directory)
+        self.model.save(directory / RESUME_FILE)
+        if directory != self._run.directory:
+            config = self._run.directory / "config.json"
+            (directory / config.name).write_bytes(config.read_bytes())
+
+    def finish(self) -> None:
+        """End the progress bar."""
+        if hasattr(self, "_bar"):
+            self._bar.close()

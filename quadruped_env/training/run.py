@@ -1,0 +1,131 @@
+"""The directory that a training leaves: what it was asked for, how it went, and the policy."""
+
+import csv
+import json
+import os
+import platform
+import subprocess
+import time
+from dataclasses import asdict
+from importlib import metadata
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.training.config import TrainConfig
+
+CONFIG_FILE: Final = "config.json"
+PROGRESS_FILE: Final = "progress.csv"
+RESUME_FILE: Final = "sb3_model.zip"
+PROGRESS_COLUMNS: Final = (
+    "timesteps",
+    "seconds",
+    "return",
+    "episode_length",
+    "fall_rate",
+    "forward_velocity_error",
+    "yaw_rate_error",
+)
+"""Of progress.csv: s, reward, control steps, share of finished episodes, m/s and rad/s root mean square"""
+
+_LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
+
+
+class Run:
+    """A run directory `<parent>/<time>-<name>/`, and `<parent>/latest` that points to it."""
+
+    def __init__(self, parent: Path, config: TrainConfig, task: dict[str, Any], command: str) -> None:
+        stamp = time.strftime("%Y%m%d-%H%M%S")
+        self.directory = _new_directory(parent, f"{stamp}-{config.name}")
+        self.facts = {"command": command, "git_commit": _git_commit(), "versions": versions(), "machine": machine()}
+        document = {"training": asdict(config), "task": task, **self.facts}
+        (self.directory / CONFIG_FILE).write_text(json.dumps(document, indent=2) + "\n")
+        self._progress = (self.directory / PROGRESS_FILE).open("w", newline="")
+        self._writer = csv.DictWriter(self._progress, PROGRESS_COLUMNS)
+        self._writer.writeheader()
+        _point_latest(parent / "latest", self.directory)
+
+    def log(self, row: dict[str, float]) -> None:
+        """Add a row to progress.csv."""
+        self._writer.writerow(row)
+        self._progress.flush()
+
+    def close(self) -> None:
+        """Finish the files."""
+        self._progress.close()
+
+
+def load_run_config(directory: Path) -> dict[str, Any]:
+    """The config.json of a run that can be resumed.
+
+    Raises:
+        QuadrupedError: if the directory is not a complete run; the message names the missing file and the cure.
+    """
+    if not directory.is_dir():
+        raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
+    for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE):
+        if not (directory / name).is_file():
+            raise QuadrupedError(
+                f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its checkpoints/, "
+                f"or train anew"
+            )
+    try:
+        document = json.loads((directory / CONFIG_FILE).read_text())
+    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+        raise QuadrupedError(f"{directory / CONFIG_FILE}: not valid JSON ({error}); train anew") from error
+    missing = {"training", "task"} - set(document)
+    if missing:
+        raise QuadrupedError(f"{directory / CONFIG_FILE}: field {sorted(missing)[0]!r} is missing; train anew")
+    return document
+
+
+def _new_directory(parent: Path, name: str) -> Path:
+    # Two runs that start within one second must not share a directory.
+    for suffix in ("", *(f"-{i}" for i in range(2, 1000))):
+        directory = parent / f"{name}{suffix}"
+        try:
+            directory.mkdir(parents=True)
+        except FileExistsError:
+            continue
+        return directory
+    raise QuadrupedError(f"{parent / name}: exists a thousand times; clear {parent}")
+
+
+def _point_latest(link: Path, directory: Path) -> None:
+    temporary = link.with_name(f".latest-{os.getpid()}")
+    temporary.symlink_to(directory.name)
+    temporary.replace(link)
+
+
+def versions() -> dict[str, str]:
+    """Versions of Python and of the libraries that the numbers depend on."""
+    found = {"python": platform.python_version()}
+    for library in _LIBRARIES:
+        try:
+            found[library] = metadata.version(library)
+        except metadata.PackageNotFoundError:
+            found[library] = "not installed"
+    return found
+
+
+def machine() -> str:
+    """The processor, and how many cores this process may use."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return f"{platform.machine()}, {cores} cores, {platform.system()}"
+
+
+def _git_commit() -> str:
+    """The checkout's commit, with a mark where files differ from it, or 'unknown' outside a checkout."""
+    here = Path(__file__).parent
+    try:
+        commit = subprocess.run(  # noqa: S603
+            ["git", "-C", str(here), "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"],  # noqa: S607
+            capture_output=True,
+            text=True,
+            check=True,
+            timeout=10,
+        )
+    except (OSError, subprocess.SubprocessError):
+        return "unknown"
+    return commit.stdout.strip()
