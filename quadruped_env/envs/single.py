@@ -65,12 +65,14 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self.task.reset(_ROW, command=command)
         if self.render_mode == "human":
             self.render()
-        return self.task.observe()[0], {name: _item(value) for name, value in spaces.readings(self.task).items()}
+        return self.task.observe()[0], self._readings()
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step; see the class."""
         transition = self.task.step(np.asarray(action)[None])
-        info = {name: _item(value) for name, value in spaces.step_info(self.task, transition).items()}
+        info = self._readings()
+        info["diverged"] = bool(transition.diverged[0])
+        info.update(zip(self.task.reward_keys, transition.terms[0].tolist(), strict=True))
         if self.render_mode == "human":
             self.render()
         terminated = bool(transition.terminated[0])
@@ -86,6 +88,9 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         if self._renderer is None:
             self._renderer = self._make_renderer()
         return self._renderer.render(self.data)
+
+    def _readings(self) -> dict[str, Any]:
+        return {name: value[0] for name, value in spaces.readings(self.task).items()}
 
     def _make_renderer(self) -> SceneRenderer:
         assert self.render_mode is not None
@@ -108,8 +113,3 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     def __getstate__(self) -> dict[str, Any]:
         # A renderer holds OpenGL contexts: the copy makes its own.
         return {**self.__dict__, "_renderer": None}
-
-
-def _item(value: NDArray[Any]) -> Any:
-    """Row 0 of a batched reading, as a Python number where it is a scalar."""
-    return value[0] if value.ndim > 1 else value.item()

@@ -80,6 +80,5 @@ def step_info(task: Task, transition: Transition) -> dict[str, NDArray[Any]]:
     """The whole `info` of a step, shape (N, ...) each."""
     info = readings(task)
     info["diverged"] = transition.diverged
-    for name, column in zip(task.term_names, transition.terms.T, strict=True):
-        info[f"reward_{name}"] = column
+    info.update(zip(task.reward_keys, transition.terms.T, strict=True))
     return info

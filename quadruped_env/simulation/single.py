@@ -26,6 +26,7 @@ class SingleSimulation:
     def _bind(self) -> None:
         self.state = State.from_sensordata(self.model, self.data.sensordata[None])
         self._ctrl = self.data.ctrl
+        self._warnings = tuple(self.data.warning[DIVERGENCE_WARNINGS])
 
     def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
         """See `Simulation.step`."""
@@ -61,7 +62,7 @@ class SingleSimulation:
 
     def diverged(self) -> NDArray[np.bool_]:
         """See `Simulation.diverged`."""
-        failed = self._failed or any(warning.number for warning in self.data.warning[DIVERGENCE_WARNINGS])
+        failed = self._failed or any(warning.number for warning in self._warnings)
         return np.array([failed])
 
     def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
@@ -99,7 +100,7 @@ class SingleSimulation:
     def __getstate__(self) -> dict[str, Any]:
         # The readings are views of the data: they are made anew, or they would come back as copies.
         attributes = self.__dict__.copy()
-        del attributes["state"], attributes["_ctrl"]
+        del attributes["state"], attributes["_ctrl"], attributes["_warnings"]
         return attributes
 
     def __setstate__(self, attributes: dict[str, Any]) -> None:

@@ -5,37 +5,37 @@ a row's value does not depend on how many rows there are.
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.robot import FOOT_RADIUS, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from quadruped_env.simulation import State
+from quadruped_env.task.arrays import clip, exp, like, positive, total
 from quadruped_env.task.config import RewardConfig
 
+_JOINT_MIDDLE: Final = (JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2.0
+_JOINT_HALF_RANGE: Final = (JOINT_POSITION_HIGH - JOINT_POSITION_LOW) / 2.0
 
-def _exp(x: Any) -> Any:
-    return np.exp(x) if isinstance(x, np.ndarray) else x.exp()
-
-
-def _like(constant: np.ndarray, x: Any) -> Any:
-    return constant if isinstance(x, np.ndarray) else x.new_tensor(constant)
+_SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
+"""m/s and rad/s under which `progress` no longer pays in full."""
 
 
-def tracking_kernel(value: Any, target: Any, std: float) -> Any:
-    """Score in (0, 1], shape (N,): how close a velocity is to its command; 1/e at an error of std."""
-    error = (value - target) * (1.0 / std)
-    return _exp(-(error * error))
+def tracking_kernel(value: Any, target: Any, std: Any) -> Any:
+    """Score in (0, 1]: how close a velocity is to its command; 1/e at an error of std. Elementwise, (N, 2)."""
+    error = (value - target) / std
+    return exp(-(error * error))
 
 
-def progress(value: Any, target: Any, smallest: float) -> Any:
-    """Share of a commanded velocity that is reached, in [-1, 1], shape (N,); 0 where none is commanded.
+def progress(value: Any, target: Any, smallest: Any) -> Any:
+    """Share of a commanded velocity that is reached, in [-1, 1]; 0 where none is commanded. Elementwise, (N, 2).
 
     Linear, so it shows the way from standing, where a tracking kernel is flat. Commands under `smallest` count
     in proportion.
     """
-    size = abs(target).clip(smallest, None)
-    return (value / size).clip(-1.0, 1.0) * (target / size)
+    size = abs(target)
+    size = size + positive(smallest - size)
+    return clip(value / size, -1.0, 1.0) * (target / size)
 
 
 def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
@@ -46,7 +46,7 @@ def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
         clock_sine: positive while the foot should swing (N, 4).
         moving: 1.0 where a motion is commanded (N,).
     """
-    return (clock_sine * (2.0 * lift - 1.0)).sum(axis=-1) * moving * 0.25
+    return total(clock_sine * (2.0 * lift - 1.0)) * moving * 0.25
 
 
 def foot_lift(foot_height: Any, full: float) -> Any:
@@ -54,23 +54,23 @@ def foot_lift(foot_height: Any, full: float) -> Any:
 
     Smooth where contact is a switch, so that a little more lift already pays.
     """
-    return ((foot_height - FOOT_RADIUS) * (1.0 / full)).clip(0.0, 1.0)
+    return clip((foot_height - FOOT_RADIUS) * (1.0 / full), 0.0, 1.0)
 
 
 def sum_of_squares(x: Any) -> Any:
     """Sum over the last axis of x^2, shape (N,)."""
-    return (x * x).sum(axis=-1)
+    return total(x * x)
 
 
 def base_height_error(height: Any, target: float) -> Any:
     """Square of the missing height in m^2, shape (N,); standing taller is free."""
-    missing = (target - height).clip(0.0, None)
+    missing = positive(target - height)
     return missing * missing
 
 
 def mechanical_power(torque: Any, velocity: Any) -> Any:
     """Power that the motors put in, W, shape (N,); braking gives nothing back."""
-    return (torque * velocity).clip(0.0, None).sum(axis=-1)
+    return total(positive(torque * velocity))
 
 
 def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> Any:
@@ -80,13 +80,13 @@ def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> A
     """
     x = foot_velocity[..., 0] - FOOT_RADIUS * foot_angular_velocity[..., 1]
     y = foot_velocity[..., 1] + FOOT_RADIUS * foot_angular_velocity[..., 0]
-    return ((x * x + y * y) * contact).sum(axis=-1)
+    return total((x * x + y * y) * contact)
 
 
 def joint_limit_excess(position: Any, margin: float) -> Any:
     """How far the joints are inside a margin (rad) of their limits, summed, rad, shape (N,)."""
-    low, high = _like(JOINT_POSITION_LOW + margin, position), _like(JOINT_POSITION_HIGH - margin, position)
-    return ((low - position).clip(0.0, None) + (position - high).clip(0.0, None)).sum(axis=-1)
+    from_middle = abs(position - like(_JOINT_MIDDLE, position))
+    return total(positive(from_middle - like(_JOINT_HALF_RANGE - margin, position)))
 
 
 @dataclass(slots=True)
@@ -101,8 +101,10 @@ class Memory:
     """Joint positions relative to the stance, rad (N, 8)"""
     command: Any
     """m/s and rad/s (N, 2)"""
+    velocity: Any
+    """Forward velocity and yaw rate, m/s and rad/s (N, 2)"""
     smooth_velocity: Any
-    """Forward velocity and yaw rate, averaged over about a gait cycle, m/s and rad/s (N, 2)"""
+    """`velocity`, averaged over about a gait cycle, m/s and rad/s (N, 2)"""
     moving: Any
     """1.0 where a motion is commanded (N,)"""
     clock_sine: Any
@@ -114,26 +116,28 @@ class Memory:
 def reward_terms(state: State, memory: Memory, config: RewardConfig) -> dict[str, Any]:
     """Every term, unweighted, shape (N,) each, in the order in which they are added."""
     contact = (state.foot_force > config.contact_threshold) * 1.0
-    velocity = state.linear_velocity_b
-    smooth, command = memory.smooth_velocity, memory.command
-    standing = 1.0 - memory.moving
+    command = memory.command
+    std = like(np.array([config.forward_velocity_std, config.yaw_rate_std]), command)
+    tracked = tracking_kernel(memory.smooth_velocity, command, std)
+    reached = progress(memory.velocity, command, like(_SMALLEST_COMMAND, command))
+    velocity_squared = state.linear_velocity_b * state.linear_velocity_b
     return {
-        "track_forward_velocity": tracking_kernel(smooth[:, 0], command[:, 0], config.forward_velocity_std),
-        "track_yaw_rate": tracking_kernel(smooth[:, 1], command[:, 1], config.yaw_rate_std),
-        "forward_progress": progress(velocity[:, 0], command[:, 0], 0.1),
-        "turn_progress": progress(state.angular_velocity_b[:, 2], command[:, 1], 0.2),
+        "track_forward_velocity": tracked[:, 0],
+        "track_yaw_rate": tracked[:, 1],
+        "forward_progress": reached[:, 0],
+        "turn_progress": reached[:, 1],
         "gait_clock": gait_clock(
             foot_lift(state.foot_position[..., 2], config.foot_lift), memory.clock_sine, memory.moving
         ),
         "upright": sum_of_squares(state.up_b[:, :2]),
         "base_height": base_height_error(state.base_position[:, 2], config.base_height),
-        "vertical_velocity": velocity[:, 2] * velocity[:, 2],
+        "vertical_velocity": velocity_squared[:, 2],
         "roll_pitch_rate": sum_of_squares(state.angular_velocity_b[:, :2]),
-        "lateral_velocity": velocity[:, 1] * velocity[:, 1],
+        "lateral_velocity": velocity_squared[:, 1],
         "action_rate": sum_of_squares(memory.action - memory.last_action),
         "mechanical_power": mechanical_power(state.joint_torque, state.joint_velocity),
         "foot_slip": foot_slip(contact, state.foot_velocity, state.foot_angular_velocity),
-        "stand_still": sum_of_squares(memory.joint_offset) * standing,
+        "stand_still": sum_of_squares(memory.joint_offset) * (1.0 - memory.moving),
         "joint_limits": joint_limit_excess(state.joint_position, config.joint_limit_margin),
         "fall": memory.fallen,
     }

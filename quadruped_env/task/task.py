@@ -81,8 +81,9 @@ class Task:
         self._smoothing = 1.0 - math.exp(-config.control_timestep / config.reward.velocity_time_constant)
         self._noise = config.randomization.observation_noise * observations.OBSERVATION_NOISE
         self._pushes = config.randomization.push_velocity > 0.0
-        self._weights = np.array(list(config.reward.weights.values()))
+        self._weights = np.array(list(config.reward.weights.values())) * config.control_timestep
         self.term_names = tuple(config.reward.weights)
+        self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
         self._model_randomizer = randomization.ModelRandomizer(simulation, config.randomization)
         self._gait = CommandedGait.tuned()
 
@@ -100,6 +101,7 @@ class Task:
         self._gait_sine = np.zeros((n, ACTION_WIDTH))
         self._gait_cosine = np.zeros((n, ACTION_WIDTH))
         self._gait_offset = np.tile(STANCE, (n, 1))
+        self._velocity = np.zeros((n, 2))
         self._clock = np.zeros((n, 2))
         self._raw = np.zeros((n, observations.OBSERVATION_WIDTH))
         self._terms = np.zeros((n, len(self.term_names)))
@@ -271,22 +273,23 @@ class Task:
 
     def _update_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> None:
         state = self.simulation.state
-        self._smooth_velocity[:, 0] += self._smoothing * (state.linear_velocity_b[:, 0] - self._smooth_velocity[:, 0])
-        self._smooth_velocity[:, 1] += self._smoothing * (state.angular_velocity_b[:, 2] - self._smooth_velocity[:, 1])
+        self._velocity[:, 0] = state.linear_velocity_b[:, 0]
+        self._velocity[:, 1] = state.angular_velocity_b[:, 2]
+        self._smooth_velocity += self._smoothing * (self._velocity - self._smooth_velocity)
         memory = rewards.Memory(
             action=action,
             last_action=self._last_action,
-            joint_offset=self.simulation.state.joint_position - STANCE,
+            joint_offset=state.joint_position - STANCE,
             command=self._command,
+            velocity=self._velocity,
             smooth_velocity=self._smooth_velocity,
             moving=self._moving,
             clock_sine=np.sin(self._phase[:, None] + _LEG_PHASES),
             fallen=terminated * 1.0,
         )
-        terms = rewards.reward_terms(self.simulation.state, memory, self.config.reward)
+        terms = rewards.reward_terms(state, memory, self.config.reward)
         for column, name in enumerate(self.term_names):
             self._terms[:, column] = terms[name]
-        self._terms *= self.config.control_timestep
 
     def _resample_commands(self) -> None:
         due = self._steps >= self._resample_at
