@@ -36,9 +36,9 @@ class SceneRenderer:
             if not has_display():
                 # MuJoCo's window library ends the whole process here.
                 raise QuadrupedError("render_mode 'human' needs a display, and there is none; use 'rgb_array'")
-            import mujoco.viewer
+            from mujoco import viewer
 
-            self._window = mujoco.viewer.launch_passive(model, data, show_left_ui=False, show_right_ui=False)
+            self._window = viewer.launch_passive(model, data, show_left_ui=False, show_right_ui=False)
         else:
             try:
                 self._renderer = mujoco.Renderer(model, height, width)

@@ -19,6 +19,9 @@ _ROW = np.zeros(1, dtype=np.intp)
 class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """The robot, its commands, and how well it follows them."""
 
+    # gymnasium.make looks at the class for render modes; an instance has its own frame rate.
+    metadata = spaces.metadata(TaskConfig())
+
     def __init__(
         self,
         action_mode: str | None = None,
@@ -102,6 +105,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
 
     def set_state(self, state: dict[str, Any]) -> None:
         """Go on from what `get_state` gave."""
+        self.task.generators[0] = self.np_random  # the next reset goes on with it
         self.task.set_state(0, state)
 
     def close(self) -> None:
