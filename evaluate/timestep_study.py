@@ -16,7 +16,7 @@ from pathlib import Path
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import check_free, free_path
-from quadruped_env.evaluation.timestep_study import run_study
+from quadruped_env.evaluation.timestep_study import GAITS, run_study
 from quadruped_env.gait import PRESETS
 
 
@@ -27,9 +27,9 @@ def main() -> None:
         "--gaits",
         nargs="+",
         choices=PRESETS,
-        default=["trot", "tuned"],
+        default=GAITS,
         metavar="PRESET",
-        help=f"gaits whose speed to compare, of {', '.join(PRESETS)}; default: trot tuned",
+        help=f"gaits whose speed to compare, of {', '.join(PRESETS)}; default: {' '.join(GAITS)}",
     )
     parser.add_argument("--starts", type=int, default=24, help="starts of each gait; default: 24")
     parser.add_argument("--seconds", type=float, default=8.0, help="length of each walk, 2 s of warm-up; default: 8")

@@ -6,7 +6,6 @@ robot hits the ground after a drop. Speed is measured for all settings in turns,
 falls on all of them.
 """
 
-import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -37,6 +36,8 @@ ITERATIONS: Final = ((2, 4), (4, 8), (10, 20), (100, 50))
 CONVERGED: Final = ITERATIONS[-1]
 CONES: Final = ("pyramidal", "elliptic")
 INTEGRATORS: Final = ("implicitfast", "Euler", "discrete")
+GAITS: Final = ("tuned", "trot", "walk", "bound")
+"""Presets whose speed is compared"""
 
 _STANDING_SECONDS: Final = 3.0
 _DROP_HEIGHT: Final = 0.10
@@ -50,8 +51,8 @@ _START_JITTER: Final = 0.05
 _FALLEN: Final = 0.5
 """Cosine of the tilt beyond which a robot no longer walks"""
 _SPEED_ROWS: Final = 32
-_SPEED_STEPS: Final = 20
-_SPEED_ROUNDS: Final = 15
+_SPEED_STEPS: Final = 10
+_SPEED_ROUNDS: Final = 30
 
 Progress = Callable[[float], None]
 
@@ -190,7 +191,10 @@ def _at_stance(
 
 
 def measure_speeds(settings: Sequence[Setting], gait: SinusoidalGait, progress: Progress) -> list[float]:
-    """Simulated seconds per second of each setting on one thread, medians over rounds that take turns."""
+    """Simulated seconds per second of each setting on one thread: the best of many rounds that take turns.
+
+    The best, because whatever else the machine does can only slow a round down.
+    """
     simulations = [_at_stance(setting, _SPEED_ROWS) for setting in settings]
     targets = [np.tile(gait.positions(step * CONTROL_TIMESTEP), (_SPEED_ROWS, 1)) for step in range(_SPEED_STEPS)]
     simulated = _SPEED_ROWS * _SPEED_STEPS * CONTROL_TIMESTEP
@@ -202,7 +206,7 @@ def measure_speeds(settings: Sequence[Setting], gait: SinusoidalGait, progress: 
                 simulation.step(target, setting.substeps)
             rate.append(simulated / (time.perf_counter() - start))
         progress((turn + 1) / _SPEED_ROUNDS)
-    return [statistics.median(rate) for rate in rates]
+    return [max(rate) for rate in rates]
 
 
 @dataclass(frozen=True)
@@ -320,7 +324,7 @@ def _percent(reading: Reading) -> str:
 
 
 def run_study(
-    gaits: Sequence[str] = ("trot", "tuned"),
+    gaits: Sequence[str] = GAITS,
     starts: int = 24,
     seconds: float = 8.0,
     seed: int = 0,
