@@ -91,9 +91,9 @@ class RewardConfig:
             "fall": -50.0,
         }
     )
-    forward_velocity_std: float = 0.15
+    forward_velocity_std: float = 0.1
     """m/s; width of the tracking kernel exp(-(error / std)^2)"""
-    yaw_rate_std: float = 0.3
+    yaw_rate_std: float = 0.25
     """rad/s; likewise"""
     velocity_time_constant: float = 0.2
     """s; the tracking terms see velocities through a first-order filter, because every gait sways within its cycle"""

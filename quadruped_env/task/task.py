@@ -138,7 +138,12 @@ class Task:
             rows: which rows.
             seeds: seeds of the rows' generators (R,); None lets a generator run on.
             command: forward velocity and yaw rate that stay fixed for the episode; None samples them.
+
+        Raises:
+            QuadrupedError: if the command is not one of the task's; no row has changed then.
         """
+        if command is not None:
+            command = commands.check_command(command, self.config.command)
         if seeds is not None:
             for row, seed in zip(rows, seeds, strict=True):
                 if seed is not None:
@@ -162,9 +167,7 @@ class Task:
         if command is None:
             self._set_sampled_command(rows, draws[:, : commands.DRAWS])
         else:
-            self._set_command(
-                rows, np.broadcast_to(commands.check_command(command, self.config.command), (len(rows), 2))
-            )
+            self._set_command(rows, np.broadcast_to(command, (len(rows), 2)))
 
     def step(self, action: ArrayLike) -> Transition:
         """Advance every row by one control step. Resets nothing.
@@ -256,8 +259,7 @@ class Task:
             raise QuadrupedError(
                 f"{what}: expected shape {self._last_action.shape}, one value a joint; found {values.shape}"
             )
-        # A sum is finite if and only if its terms are, at these sizes, and one pass is enough for it.
-        if not math.isfinite(values.sum()) and not np.isfinite(values).all():
+        if not np.isfinite(values).all():
             row, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
                 f"{what}: value {values[row, column]} for {JOINT_NAMES[column]} in row {row} is not finite"
