@@ -156,6 +156,7 @@ def test_stance_slip_counts_feet_on_the_ground_only():
 def test_values_are_shown_in_their_own_way():
     assert METRICS["fall_rate"].show(0.125) == "12 %"
     assert METRICS["distance"].show(9.876) == "9.88"
+    assert METRICS["distance"].show(-0.001) == "0.00"
     assert METRICS["distance"].show(math.nan) == "-"
 
 

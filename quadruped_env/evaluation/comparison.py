@@ -9,7 +9,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.metrics import METRICS, measure
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Progress, Rollout, roll_out
 from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
 from quadruped_env.gait import SinusoidalGait
@@ -17,6 +18,7 @@ from quadruped_env.policies import CommandedGaitController, Controller, GaitCont
 from quadruped_env.policies.policy import Policy
 from quadruped_env.task import RandomizationConfig, TaskConfig
 from quadruped_env.task.commands import MOVING_THRESHOLD
+from quadruped_env.task.config import Range
 
 Command = tuple[float, float]
 
@@ -36,6 +38,8 @@ COMMANDS: Final[tuple[Command, ...]] = (
 """Forward velocity in m/s and yaw rate in rad/s of every episode of the default evaluation."""
 
 NUM_SEEDS: Final = 8
+MAX_SECONDS: Final = 600.0
+"""Of an episode; every one of them is kept in memory"""
 
 MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
 
@@ -93,6 +97,11 @@ class Comparison:
     def _estimate(metric: str, values: NDArray[np.float64]) -> Estimate:
         return proportion(values) if metric == "fall_rate" else bootstrap_mean(values)
 
+    def episode(self, command: int) -> int:
+        """Row of the rollouts that stands for a command (index): the policy's first without a fall, or its longest."""
+        block = np.arange(len(self.seeds)) + command * len(self.seeds)
+        return int(block[self.rollouts["policy"].valid[:, block].sum(axis=0).argmax()])
+
     def to_dict(self) -> dict[str, Any]:
         """All numbers as plain values that are valid JSON: no NaN, but None where there is no value."""
         return {
@@ -134,8 +143,8 @@ def compare(
 ) -> Comparison:
     """Run a policy, the tuned gait, the article's gait and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, with the robot as modelled: the start of an episode is
-    random, but neither friction, payload, pushes nor sensor noise are.
+    The task is the one that the policy was trained for, but with the robot as modelled: the start of an episode is
+    random, and neither friction, payload, pushes nor sensor noise are. Commands may lie beyond those of the training.
 
     Args:
         policy: the trained policy.
@@ -145,9 +154,22 @@ def compare(
         progress: is told how far it is.
 
     Raises:
-        QuadrupedError: if a command is outside the ranges of the policy's task, or there is nothing to do.
+        QuadrupedError: if there is no seed, or the episodes are too short to measure anything.
     """
-    config = dataclasses.replace(policy.config, randomization=RandomizationConfig())
+    if not START_UP + WINDOW <= seconds <= MAX_SECONDS:
+        raise QuadrupedError(
+            f"seconds: expected {START_UP + WINDOW:g} to {MAX_SECONDS:g}; found {seconds:g}. The first {START_UP:g} s "
+            f"of an episode do not count, and velocities are means over {WINDOW:g} s"
+        )
+    config = dataclasses.replace(
+        policy.config,
+        randomization=RandomizationConfig(),
+        command=dataclasses.replace(
+            policy.config.command,
+            forward_velocity=_covering(policy.config.command.forward_velocity, [v for v, _ in commands]),
+            yaw_rate=_covering(policy.config.command.yaw_rate, [w for _, w in commands]),
+        ),
+    )
     controllers: tuple[Controller, ...] = (
         PolicyController(policy),
         CommandedGaitController(),
@@ -161,6 +183,11 @@ def compare(
         rollout = rollouts[controller.name] = roll_out(controller, commands, seeds, seconds, config, part)
         values[controller.name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
     return Comparison(tuple(commands), tuple(seeds), rollouts["policy"].seconds, config, rollouts, values)
+
+
+def _covering(bounds: Range, values: Sequence[float]) -> Range:
+    """The smallest range that holds another one and some values."""
+    return min(bounds[0], *values), max(bounds[1], *values)
 
 
 def _part(progress: Progress | None, index: int, parts: int) -> Progress | None:

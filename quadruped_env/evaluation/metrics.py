@@ -51,7 +51,8 @@ class Metric:
         """The value as text without its unit, a dash for NaN."""
         if math.isnan(value):
             return "-"
-        return f"{100.0 * value:.{self.digits}f} %" if self.percent else f"{value:.{self.digits}f}"
+        # z: no minus before a zero
+        return f"{100.0 * value:z.{self.digits}f} %" if self.percent else f"{value:z.{self.digits}f}"
 
 
 METRICS: Final[dict[str, Metric]] = {

@@ -1,0 +1,51 @@
+"""Evaluate a trained policy against the scripted gaits, and write its report.
+
+python evaluate/policy.py                    the latest run in runs/, or the shipped policy
+python evaluate/policy.py runs/<name>        a run
+python evaluate/policy.py flat               the shipped policy
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.evaluation.comparison import NUM_SEEDS, compare
+from quadruped_env.evaluation.progress import ProgressLine
+from quadruped_env.evaluation.report import find_subject, prepare, summary_table, write_report
+from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
+from quadruped_env.evaluation.verdict import verdict
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Run the program."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
+    parser.add_argument("--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes a command (%(default)s)")
+    parser.add_argument(
+        "--seconds", type=float, default=DEFAULT_SECONDS, metavar="S", help="length of an episode (%(default)g)"
+    )
+    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
+    parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (RUN/evaluation, or results/flat)")
+    args = parser.parse_args(arguments)
+    try:
+        subject = find_subject(args.run, args.output)
+        prepare(subject.output)
+        print(f"evaluating {subject.name}")
+        comparison = compare(subject.policy, args.seeds, args.seconds, progress=ProgressLine("running"))
+        source = subject.name if subject.directory is None else f"runs/{subject.name}"
+        report, numbers = write_report(
+            subject,
+            comparison,
+            f"python evaluate/policy.py {source} --seeds {args.seeds} --seconds {args.seconds:g}",
+            with_video=not args.no_video,
+            progress=ProgressLine("filming"),
+        )
+    except (QuadrupedError, MissingExtraError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        sys.exit(2)
+    print(f"\n{summary_table(comparison)}\n\n{verdict(comparison).text()}\n\nreport:  {report}\nnumbers: {numbers}")
+
+
+if __name__ == "__main__":
+    main()
