@@ -37,9 +37,13 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self._no_infos: list[dict[str, Any]] = [{} for _ in range(env.num_envs)]
 
     def reset(self) -> NDArray[np.float32]:
-        """Begin new episodes everywhere, with the seeds given to `seed` the first time."""
-        seeds = None if all(seed is None for seed in self._seeds) else self._seeds
-        observations, _ = self.env.reset(seed=seeds)
+        """Begin new episodes everywhere, once with what was given to `seed` and `set_options` before."""
+        options = self._options[0]
+        if any(other != options for other in self._options):
+            raise NotImplementedError(
+                f"set_options: the rows reset together, with the same options; found {self._options}"
+            )
+        observations, _ = self.env.reset(seed=self._seeds, options=options)
         self._episode_terms[:] = 0.0
         self._reset_seeds()
         self._reset_options()

@@ -62,7 +62,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Begin an episode; see the class for `options`."""
-        command = spaces.reset_command(options)
+        command = spaces.reset_command(options, self.task.config)
         super().reset(seed=seed)
         self.task.generators[0] = self.np_random
         self.task.reset(_ROW, command=command)

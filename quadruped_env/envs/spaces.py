@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import ACTION_WIDTH, Task, TaskConfig, Transition
+from quadruped_env.task.commands import check_command
 from quadruped_env.task.observations import OBSERVATION_HIGH, OBSERVATION_LOW
 
 RENDER_MODES: Final = ("human", "rgb_array")
@@ -29,9 +30,10 @@ def task_config(action_mode: str | None, config: dict[str, Any] | TaskConfig | N
     Raises:
         QuadrupedError: if the mode or a field of the config is not valid.
     """
-    values = config.to_dict() if isinstance(config, TaskConfig) else dict(config or {})
+    task = config if isinstance(config, TaskConfig) else TaskConfig.from_dict({} if config is None else config)
+    values = task.to_dict()
     if action_mode is not None:
-        values["action"] = {**values.get("action", {}), "mode": action_mode}
+        values["action"]["mode"] = action_mode
     return TaskConfig.from_dict(values)
 
 
@@ -48,16 +50,17 @@ def check_render_mode(render_mode: str | None) -> None:
         )
 
 
-def reset_command(options: dict[str, Any] | None) -> Any:
-    """The command that `reset(options=...)` fixes, or None.
+def reset_command(options: dict[str, Any] | None, config: TaskConfig) -> NDArray[np.float64] | None:
+    """The command (2,) that `reset(options=...)` fixes, or None.
 
     Raises:
-        QuadrupedError: if there is an unknown option.
+        QuadrupedError: if there is an unknown option, or the command is not one of the task's.
     """
     unknown = set(options or ()) - {"command"}
     if unknown:
         raise QuadrupedError(f"options: unknown option {sorted(unknown)[0]!r}; valid options are 'command'")
-    return (options or {}).get("command")
+    command = (options or {}).get("command")
+    return None if command is None else check_command(command, config.command)
 
 
 def readings(task: Task) -> dict[str, NDArray[Any]]:

@@ -67,7 +67,7 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         """Begin new episodes in every row, or where `options["reset_mask"]` (N,) is true."""
         options = dict(options or {})
         mask = _checked_mask(options.pop("reset_mask", None), self.num_envs)
-        command = spaces.reset_command(options)
+        command = spaces.reset_command(options, self.task.config)
         rows = np.flatnonzero(mask)
         self.task.reset(rows, [self._seeds(seed)[row] for row in rows], command)
         return self.task.observe(), _masked(spaces.readings(self.task), mask)
@@ -89,10 +89,9 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
             final_obs[row] = transition.observation[row]
         self.task.reset(np.flatnonzero(done))
         # The finished rows' info is that of their reset, as in SyncVectorEnv, and their last step's is in final_info.
-        merged = _masked(info, ~done)
+        merged = {} if done.all() else _masked(info, ~done)
         for name, value in spaces.readings(self.task).items():
-            merged[name][done] = value[done]
-            merged[f"_{name}"] = np.ones(self.num_envs, dtype=np.bool_)
+            merged[name], merged[f"_{name}"] = value, np.ones(self.num_envs, dtype=np.bool_)
         merged["final_obs"], merged["_final_obs"] = final_obs, done
         merged["final_info"], merged["_final_info"] = _masked(info, done), done
         return self.task.observe(), transition.reward, transition.terminated, transition.truncated, merged
