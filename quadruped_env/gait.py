@@ -148,7 +148,7 @@ def _preset(
 _PRESETS: Final = {
     "article": SinusoidalGait(0.4, 0.0, 0.3, -0.3, 2.0, (0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21)),
     # The others: train/tune_gait.py.
-    "trot": _preset(TURNS["trot"], 14.0, (0.115, 0.652), (0.266, -0.2, -0.639)),
+    "trot": _preset(TURNS["trot"], 14.0, (0.091, 0.613), (0.241, -0.24, -0.621)),
     "walk": _preset(TURNS["walk"], 12.0, (0.127, 0.648), (0.269, -0.185, -0.658)),
     "bound": _preset(TURNS["bound"], 14.0, (0.033, 0.492), (0.257, -0.161, -0.732)),
     "pace": _preset(TURNS["pace"], 14.0, (0.167, 0.447), (0.247, -0.258, -0.814)),

@@ -30,12 +30,12 @@ def tracking_kernel(value: Any, target: Any, std: Any) -> Any:
 def progress(value: Any, target: Any, smallest: Any) -> Any:
     """Share of a commanded velocity that is reached, in [-1, 1]; 0 where none is commanded. Elementwise, (N, 2).
 
-    Linear, so it shows the way from standing, where a tracking kernel is flat; falls again beyond the command, so
-    that swaying about it and overshooting it do not pay. Commands under `smallest` count in proportion.
+    Linear, so it shows the way from standing, where a tracking kernel is flat. Commands under `smallest` count
+    in proportion.
     """
     commanded = abs(target)
     size = commanded + positive(smallest - commanded)
-    return clip((commanded - abs(value - target)) / size, -1.0, 1.0)
+    return clip(value / size, -1.0, 1.0) * (target / size)
 
 
 def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:

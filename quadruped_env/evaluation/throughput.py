@@ -1,0 +1,302 @@
+"""Speed and memory, as ratios taken within one run: the machine's own speed cancels.
+
+Each measure interleaves the two things that it compares, chunk by chunk, and reports the median of the chunks' ratios.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import gymnasium
+import mujoco
+import numpy as np
+from gymnasium.vector import AutoresetMode
+from mujoco.batch import Batch
+from numpy.typing import NDArray
+
+from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.task import Task
+
+ROWS: Final = 256
+SYNC_ROWS: Final = 64
+CHUNKS: Final = 15
+
+FALLING: Final = {"randomization": {"push_velocity": 3.0, "push_interval": (1.0, 4.0)}}
+"""Random actions alone hardly ever throw this robot over: pushes make it fall every few seconds."""
+
+Say = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One row of the table."""
+
+    name: str
+    value: float
+    unit: str
+    reach: str
+    """What it should reach"""
+    reached: bool
+    detail: str
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    start = time.perf_counter()
+    work()
+    return time.perf_counter() - start
+
+
+def _joint_targets(task: Task, actions: NDArray[Any]) -> NDArray[np.float64]:
+    """What the motors are told for actions (..., 8) in position mode, rad."""
+    target = STANCE + task.config.action.position_scale * actions.astype(np.float64)
+    return np.clip(target, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+
+
+def vector_over_bare() -> list[Measure]:
+    """The native vector environment over a bare `Batch.step` from the same states with the same controls."""
+    env = gymnasium.make_vec(ENV_ID, num_envs=ROWS, config=FALLING)
+    assert isinstance(env.unwrapped, MiniQuadrupedVectorEnv)
+    simulation = env.unwrapped.task.simulation
+    batch: Batch = simulation.batch  # type: ignore[attr-defined]
+    decimation = env.unwrapped.task.config.decimation
+    bare = Batch(simulation.model, ROWS)
+    rng = np.random.default_rng(0)
+    env.reset(seed=0)
+    steps = 60
+    ratios, rates, bare_rates, resets = [], [], [], 0
+    for _ in range(CHUNKS + 1):
+        actions = rng.uniform(-1.0, 1.0, (steps, ROWS, 8)).astype(np.float32)
+        state = batch.state.copy()
+        controls = _joint_targets(env.unwrapped.task, actions)
+        env_seconds = 0.0
+        for action in actions:
+            start = time.perf_counter()
+            _, _, terminated, truncated, _ = env.step(action)
+            env_seconds += time.perf_counter() - start
+            resets += int((terminated | truncated).sum())
+        bare.state[:] = state
+        ctrl = bare.bind("ctrl")
+
+        def step_bare(controls: Any = controls, ctrl: Any = ctrl) -> None:
+            for control in controls:
+                ctrl[:] = control
+                bare.step(nstep=decimation)
+
+        bare_seconds = _seconds(step_bare)
+        ratios.append(bare_seconds / env_seconds)
+        rates.append(steps * ROWS / env_seconds)
+        bare_rates.append(steps * ROWS / bare_seconds)
+    env.close()
+    ratio = float(np.median(ratios[1:]))
+    detail = (
+        f"{np.median(rates[1:]):,.0f} of {np.median(bare_rates[1:]):,.0f} env steps/s; {resets} falls in "
+        f"{(CHUNKS + 1) * steps * ROWS:,} steps"
+    )
+    return [Measure(f"vector env, {ROWS} rows, over bare Batch.step", ratio, "", ">= 0.80", ratio >= 0.80, detail)]
+
+
+def single_over_ant() -> list[Measure]:
+    """The single environment over Gymnasium's Ant-v5, and its time above a bare `mj_step`."""
+    env, ant = gymnasium.make(ENV_ID), gymnasium.make("Ant-v5")
+    assert isinstance(env.unwrapped, MiniQuadrupedEnv)
+    model, decimation = env.unwrapped.model, env.unwrapped.task.config.decimation
+    data = mujoco.MjData(model)
+    steps = 400
+
+    def run(environment: gymnasium.Env[Any, Any], actions: Any) -> Callable[[], None]:
+        def work() -> None:
+            for action in actions:
+                _, _, terminated, truncated, _ = environment.step(action)
+                if terminated or truncated:
+                    environment.reset()
+
+        return work
+
+    rng = np.random.default_rng(0)
+    env.reset(seed=0)
+    ant.reset(seed=0)
+    ratios, above, rates = [], [], []
+    for _ in range(CHUNKS + 1):
+        actions = rng.uniform(-1.0, 1.0, (steps, 8)).astype(np.float32)
+        spec = mujoco.mjtState.mjSTATE_INTEGRATION
+        state = np.empty(mujoco.mj_stateSize(model, spec))
+        mujoco.mj_getState(model, env.unwrapped.data, state, spec)
+        own = _seconds(run(env, actions))
+        other = _seconds(run(ant, actions))
+        mujoco.mj_setState(model, data, state, spec)
+        controls = _joint_targets(env.unwrapped.task, actions)
+
+        def step_bare(controls: Any = controls) -> None:
+            for control in controls:
+                data.ctrl = control
+                mujoco.mj_step(model, data, decimation)
+
+        bare = _seconds(step_bare)
+        ratios.append(other / own)
+        rates.append(steps / own)
+        above.append((own - bare) / steps * 1e6)
+    ratio, micros = float(np.median(ratios[1:])), float(np.median(above[1:]))
+    return [
+        Measure("single env over Ant-v5", ratio, "x", ">= 1.8", ratio >= 1.8, f"{np.median(rates[1:]):,.0f} steps/s"),
+        Measure("single env above bare mj_step", micros, "us/step", "<= 60", micros <= 60.0, ""),
+    ]
+
+
+def vector_over_sync() -> list[Measure]:
+    """The native vector environment over `SyncVectorEnv` of the single one."""
+    native = gymnasium.make_vec(ENV_ID, num_envs=SYNC_ROWS)
+    sync = gymnasium.make_vec(
+        ENV_ID,
+        num_envs=SYNC_ROWS,
+        vectorization_mode="sync",
+        vector_kwargs={"autoreset_mode": AutoresetMode.SAME_STEP},
+    )
+    rng = np.random.default_rng(0)
+    native.reset(seed=0)
+    sync.reset(seed=0)
+    ratios = []
+    for _ in range(CHUNKS + 1):
+        actions = rng.uniform(-1.0, 1.0, (20, SYNC_ROWS, 8)).astype(np.float32)
+
+        def run(env: Any, actions: Any = actions) -> float:
+            return _seconds(lambda: [env.step(action) for action in actions])
+
+        ratios.append(run(sync) / run(native))
+    native.close()
+    sync.close()
+    ratio = float(np.median(ratios[1:]))
+    return [Measure(f"vector env over SyncVectorEnv, {SYNC_ROWS} rows", ratio, "x", ">= 4", ratio >= 4.0, "")]
+
+
+def training_over_bare() -> list[Measure]:
+    """PPO end to end over a bare `Batch.step` on all cores."""
+    from quadruped_env.envs import make_sb3_vec_env
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import make_model
+
+    config = TrainConfig(action_mode="position")
+    env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position")
+    model = make_model(config, env)
+    steps = config.n_steps * config.num_envs
+    model.learn(4 * steps)
+    simulation = env.task.simulation
+    batch: Batch = simulation.batch  # type: ignore[attr-defined]
+    bare = Batch(simulation.model, config.num_envs)
+    ctrl = bare.bind("ctrl")
+    rng = np.random.default_rng(0)
+    ratios, rates = [], []
+    for _ in range(CHUNKS):
+        state = batch.state.copy()
+        seconds = _seconds(lambda: model.learn(4 * steps, reset_num_timesteps=False))
+        bare.state[:] = state
+        controls = _joint_targets(env.task, 0.3 * rng.uniform(-1.0, 1.0, (4 * config.n_steps, config.num_envs, 8)))
+
+        def step_bare(controls: Any = controls) -> None:
+            for control in controls:
+                ctrl[:] = control
+                bare.step(nstep=env.task.config.decimation)
+
+        ratios.append(_seconds(step_bare) / seconds)
+        rates.append(4 * steps / seconds)
+    ratio = float(np.median(ratios))
+    detail = f"{np.median(rates):,.0f} training steps/s"
+    return [Measure("PPO end to end over bare Batch.step", ratio, "", ">= 0.50", ratio >= 0.50, detail)]
+
+
+_MEMORY_PROGRAM: Final = """
+import json, os, sys
+from pathlib import Path
+import psutil
+from quadruped_env.training import TrainConfig
+from quadruped_env.training import ppo
+process, seen = psutil.Process(), []
+class Watched(ppo.Recorder):
+    def _on_rollout_end(self):
+        super()._on_rollout_end()
+        seen.append((self.num_timesteps, process.memory_info().rss))
+ppo.Recorder = Watched
+ppo.train(TrainConfig(timesteps=int(sys.argv[1]), name="memory"), Path(sys.argv[2]), "memory benchmark")
+start = next(rss for steps, rss in seen if steps >= 0.1 * seen[-1][0])
+print(json.dumps({"peak": max(rss for _, rss in seen), "growth": seen[-1][1] - start}))
+"""
+
+
+def training_memory(timesteps: int) -> list[Measure]:
+    """Resident memory of a training with 256 rows, and its growth over the last nine tenths of it."""
+    with tempfile.TemporaryDirectory() as directory:
+        found = _run_python(_MEMORY_PROGRAM, str(timesteps), directory)
+    peak, growth = found["peak"] / 2**20, found["growth"] / 2**20
+    return [
+        Measure("resident memory, training with 256 rows", peak, "MiB", "<= 1024", peak <= 1024, ""),
+        # An allocator moves a few pages either way; a leak of one float a step would be 40 MB in 5 million steps.
+        Measure(f"its growth over {timesteps:,} steps", growth, "MiB", "none (< 16)", growth < 16.0, ""),
+    ]
+
+
+_IMPORT_PROGRAM: Final = """
+import json, time
+import gymnasium, mujoco
+start = time.perf_counter()
+import quadruped_env
+print(json.dumps({"seconds": time.perf_counter() - start}))
+"""
+
+
+def import_time() -> list[Measure]:
+    """Time of `import quadruped_env` after gymnasium and mujoco."""
+    seconds = float(np.median([_run_python(_IMPORT_PROGRAM)["seconds"] for _ in range(7)]))
+    return [Measure("import quadruped_env, above gymnasium and mujoco", seconds, "s", "<= 0.5", seconds <= 0.5, "")]
+
+
+def _run_python(program: str, *arguments: str) -> dict[str, Any]:
+    """What a program in a process of its own prints as its last line of JSON."""
+    result = subprocess.run(  # noqa: S603
+        [sys.executable, "-c", program, *arguments],
+        stdout=subprocess.PIPE,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONWARNINGS": "ignore"},
+    )
+    return json.loads(result.stdout.strip().splitlines()[-1])
+
+
+def run_all(memory_steps: int, say: Say) -> list[Measure]:
+    """Every measure of the table, one after the other."""
+    measures: list[Measure] = []
+    for work in (
+        import_time,
+        single_over_ant,
+        vector_over_sync,
+        vector_over_bare,
+        training_over_bare,
+        lambda: training_memory(memory_steps),
+    ):
+        found = work()
+        measures += found
+        for measure in found:
+            say(row(measure))
+    return measures
+
+
+HEADER: Final = "| measure | value | reach | | detail |\n|---|---|---|---|---|"
+
+
+def row(measure: Measure) -> str:
+    """A row of the Markdown table."""
+    value = f"{measure.value:.3g} {measure.unit}".strip()
+    return f"| {measure.name} | {value} | {measure.reach} | {'yes' if measure.reached else 'NO'} | {measure.detail} |"
+
+
+def write(measures: list[Measure], machine: str, versions: dict[str, str], path: Path) -> None:
+    """Write the measures as JSON."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    document = {"machine": machine, "versions": versions, "measures": [asdict(measure) for measure in measures]}
+    path.write_text(json.dumps(document, indent=2) + "\n")
