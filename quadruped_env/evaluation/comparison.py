@@ -156,6 +156,8 @@ def compare(
     Raises:
         QuadrupedError: if there is no seed, or the episodes are too short to measure anything.
     """
+    if num_seeds < 1:
+        raise QuadrupedError(f"seeds: expected 1 or more; found {num_seeds}")
     if not START_UP + WINDOW <= seconds <= MAX_SECONDS:
         raise QuadrupedError(
             f"seconds: expected {START_UP + WINDOW:g} to {MAX_SECONDS:g}; found {seconds:g}. The first {START_UP:g} s "

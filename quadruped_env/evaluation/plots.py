@@ -257,9 +257,13 @@ def learning_curve(progress: dict[str, NDArray[np.float64]]) -> str:
     def draw(axes: Any) -> None:
         steps = progress["timesteps"] / 1e6
         for ax, (name, label) in zip(axes[:, 0], curves, strict=True):
-            ax.plot(steps, progress[name], color=CONTROLLER_COLOURS["policy"])
+            # Only some rows have a return: those in which an episode ended.
+            known = np.isfinite(progress[name])
+            ax.plot(steps[known], progress[name][known], color=CONTROLLER_COLOURS["policy"], marker=".", markersize=3)
             ax.set_ylabel(label)
-            if name != "return":
+            if name == "fall_rate":
+                ax.set_ylim(-0.03, 1.03)
+            elif name != "return":
                 ax.set_ylim(bottom=0.0)
         axes[-1, 0].set_xlabel("time steps (millions)")
 
