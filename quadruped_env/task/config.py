@@ -232,6 +232,8 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
             raise QuadrupedError(f"{path}: expected a pair (low, high); found {value!r}")
         return tuple(_convert(float, item, path) for item in value)
     if origin is dict:
+        if not isinstance(value, dict):
+            raise QuadrupedError(f"{path}: expected a mapping of terms to weights; found {value!r}")
         default = RewardConfig().weights
         unknown = sorted(set(value) - set(default))
         if unknown:
@@ -241,4 +243,6 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
         return value
     if isinstance(value, bool) or not isinstance(value, (int, float)) or (hint is int and not isinstance(value, int)):
         raise QuadrupedError(f"{path}: expected {'a whole number' if hint is int else 'a number'}; found {value!r}")
+    if not math.isfinite(value):
+        raise QuadrupedError(f"{path}: expected a finite number; found {value!r}")
     return hint(value)
