@@ -143,32 +143,47 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
             f"{card_path}: observation_layout differs from this version's, so the policy would see other columns than "
             f"it was trained on; train again, or install the version that made it"
         )
-    if document["activation"] not in ACTIVATIONS:
+    if document["activation"] not in tuple(ACTIVATIONS):
         raise QuadrupedError(
-            f"{card_path}: activation {document['activation']!r} is not one of {', '.join(ACTIVATIONS)}"
+            f"{card_path}: activation {document['activation']!r} is not one of {', '.join(ACTIVATIONS)}; "
+            f"the file is damaged, train again"
         )
+    if not isinstance(document["layers"], int) or document["layers"] < 1:
+        raise QuadrupedError(
+            f"{card_path}: layers must be a whole number, 1 or more; found {document['layers']!r}; "
+            f"the file is damaged, train again"
+        )
+    try:
+        config = TaskConfig.from_dict(document["config"])
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error
     weights, biases = [], []
     width = OBSERVATION_WIDTH
     for i in range(document["layers"]):
         weight, bias = tensors.get(f"layer{i}.weight"), tensors.get(f"layer{i}.bias")
-        if weight is None or bias is None or weight.ndim != 2 or weight.shape != (width, bias.shape[0]):
-            found = None if weight is None else weight.shape
+        if weight is None or bias is None or bias.ndim != 1 or weight.shape != (width, len(bias)):
+            found = " and ".join("none" if tensor is None else str(tensor.shape) for tensor in (weight, bias))
             raise QuadrupedError(
-                f"{tensors_path}: layer{i}.weight must have shape ({width}, outputs) and a bias to match; found {found}"
+                f"{tensors_path}: layer{i}.weight must have shape ({width}, outputs) and layer{i}.bias (outputs,); "
+                f"found {found}; the file is damaged, train again"
+            )
+        if weight.dtype != np.float32 or bias.dtype != np.float32:
+            raise QuadrupedError(
+                f"{tensors_path}: layer{i} must be float32; found {weight.dtype} and {bias.dtype}; train again"
             )
         if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
             raise QuadrupedError(f"{tensors_path}: layer{i} holds NaN or infinity; the training diverged, train again")
-        weights.append(weight.astype(np.float32))
-        biases.append(bias.astype(np.float32))
-        width = bias.shape[0]
+        weights.append(weight)
+        biases.append(bias)
+        width = len(bias)
     if width != ACTION_WIDTH:
         raise QuadrupedError(
-            f"{tensors_path}: the last layer has {width} outputs; expected {ACTION_WIDTH}, one a joint"
+            f"{tensors_path}: the last layer has {width} outputs; expected {ACTION_WIDTH}, one a joint; train again"
         )
     return Policy(
         tuple(weights),
         tuple(biases),
         document["activation"],
-        TaskConfig.from_dict(document["config"]),
+        config,
         document["card"],
     )

@@ -1,0 +1,281 @@
+"""A trained policy is data: saved, loaded without pickle or torch, the same numbers as torch's, and checked."""
+
+import dataclasses
+import itertools
+import json
+import pickletools
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from safetensors.numpy import load_file, save_file
+
+from quadruped_env import QuadrupedError
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE
+from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, TaskConfig
+
+TASK = TaskConfig.from_dict({"action": {"mode": "residual"}, "decimation": 5})
+
+
+def make_policy(activation="elu", hidden=(16, 12), seed=0):
+    rng = np.random.default_rng(seed)
+    widths = (OBSERVATION_WIDTH, *hidden, ACTION_WIDTH)
+    return Policy(
+        weights=tuple(
+            rng.standard_normal((a, b)).astype(np.float32) / np.float32(a**0.5) for a, b in itertools.pairwise(widths)
+        ),
+        biases=tuple(0.1 * rng.standard_normal(b).astype(np.float32) for b in widths[1:]),
+        activation=activation,
+        config=TASK,
+        card={"command": "python train/ppo.py", "seed": 3, "metrics": {"return": 1.5}},
+    )
+
+
+def observations(shape=(), seed=0):
+    return np.random.default_rng(seed).uniform(-1, 1, (*shape, OBSERVATION_WIDTH)).astype(np.float32)
+
+
+@pytest.fixture
+def run_directory(tmp_path):
+    """The directory of a saved policy."""
+    make_policy().save(tmp_path / "run")
+    return tmp_path / "run"
+
+
+def edit_card(directory, **changes):
+    """Change fields of the saved card; a field of None is removed."""
+    document = json.loads((directory / CARD_FILE).read_text()) | changes
+    document = {key: value for key, value in document.items() if value is not None}
+    (directory / CARD_FILE).write_text(json.dumps(document))
+
+
+def edit_tensors(directory, **changes):
+    """Change saved tensors, `__` in their names standing for a dot; a tensor of None is removed."""
+    tensors = load_file(directory / TENSORS_FILE) | {key.replace("__", "."): value for key, value in changes.items()}
+    save_file({key: value for key, value in tensors.items() if value is not None}, directory / TENSORS_FILE)
+
+
+# --- saving and loading ---
+
+
+def test_a_policy_comes_back_as_it_was_saved(run_directory):
+    policy, loaded = make_policy(), load_policy(run_directory)
+    for one, other in zip((*loaded.weights, *loaded.biases), (*policy.weights, *policy.biases), strict=True):
+        assert one.dtype == np.float32
+        np.testing.assert_array_equal(one, other)
+    assert loaded.config == policy.config == TASK
+    assert loaded.card == policy.card
+    assert loaded.activation == policy.activation
+    assert loaded.action_mode == "residual"
+    np.testing.assert_array_equal(loaded.predict(observations((5,))), policy.predict(observations((5,))))
+    assert load_policy(str(run_directory)).card == policy.card
+
+
+def test_saving_twice_gives_the_same_bytes(run_directory, tmp_path):
+    load_policy(run_directory).save(tmp_path / "again")
+    for name in (CARD_FILE, TENSORS_FILE):
+        assert (tmp_path / "again" / name).read_bytes() == (run_directory / name).read_bytes()
+
+
+def test_the_card_says_what_the_numbers_mean(run_directory):
+    document = json.loads((run_directory / CARD_FILE).read_text())
+    assert document["action_mode"] == "residual"
+    assert document["control_rate_hz"] == pytest.approx(1.0 / TASK.control_timestep)
+    assert document["config"] == json.loads(json.dumps(TASK.to_dict()))
+    assert sum(field["width"] for field in document["observation_layout"]) == OBSERVATION_WIDTH
+
+
+def test_a_policys_files_hold_no_pickle(run_directory):
+    assert sorted(path.name for path in run_directory.iterdir()) == [CARD_FILE, TENSORS_FILE]
+    json.loads((run_directory / CARD_FILE).read_text())
+    tensors = (run_directory / TENSORS_FILE).read_bytes()
+    header = json.loads(tensors[8 : 8 + int.from_bytes(tensors[:8], "little")])
+    assert all(entry["dtype"] == "F32" for name, entry in header.items() if name != "__metadata__")
+    assert tensors[:2] != b"PK", "no zip, in which torch hides a pickle"
+    with pytest.raises(ValueError, match=r"."):
+        list(pickletools.genops(tensors))
+
+
+def test_a_policy_is_loaded_and_run_without_torch_and_stable_baselines3(run_directory, tmp_path):
+    np.save(tmp_path / "observations.npy", observations((4,)))
+    code = """
+import sys
+for name in ("torch", "stable_baselines3", "pickle5", "tensorboard"):
+    sys.modules[name] = None
+import numpy as np
+from quadruped_env.policies import load_policy
+policy = load_policy(sys.argv[1])
+np.save(sys.argv[3], policy.predict(np.load(sys.argv[2])))
+"""
+    arguments = [str(path) for path in (run_directory, tmp_path / "observations.npy", tmp_path / "actions.npy")]
+    subprocess.run([sys.executable, "-c", code, *arguments], check=True)
+    np.testing.assert_array_equal(np.load(tmp_path / "actions.npy"), make_policy().predict(observations((4,))))
+
+
+# --- predicting ---
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (7,), (3, 2), (0,)])
+def test_actions_have_the_leading_shape_of_the_observations(shape):
+    policy = make_policy()
+    actions = policy.predict(observations(shape))
+    assert actions.shape == (*shape, ACTION_WIDTH)
+    assert actions.dtype == np.float32
+    for index in np.ndindex(*shape):
+        np.testing.assert_allclose(actions[index], policy.predict(observations(shape)[index]), atol=1e-6)
+
+
+def test_actions_stay_within_one():
+    policy = make_policy()
+    actions = policy.predict(50.0 * observations((100,)))
+    assert actions.min() == -1.0
+    assert actions.max() == 1.0
+
+
+def test_predicting_takes_any_kind_of_number_and_changes_nothing():
+    policy, observation = make_policy(), observations((2,))
+    kept = observation.copy()
+    np.testing.assert_array_equal(policy.predict(observation.tolist()), policy.predict(observation))
+    np.testing.assert_array_equal(policy.predict(observation.astype(np.float64)), policy.predict(observation))
+    np.testing.assert_array_equal(observation, kept)
+
+
+@pytest.mark.parametrize("shape", [(OBSERVATION_WIDTH + 1,), (5, OBSERVATION_WIDTH - 1), (OBSERVATION_WIDTH, 1), ()])
+def test_an_observation_of_another_width_is_refused(shape):
+    with pytest.raises(
+        QuadrupedError, match=rf"policy: expected observations of shape \(\.\.\., {OBSERVATION_WIDTH}\)"
+    ):
+        make_policy().predict(np.zeros(shape))
+
+
+@pytest.mark.parametrize("activation", ACTIVATIONS)
+def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, tmp_path):
+    import torch
+
+    from quadruped_env.envs import make_sb3_vec_env
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import export_policy, make_model
+
+    torch.manual_seed(0)
+    config = TrainConfig(activation=activation, num_envs=4, n_steps=16, batch_size=64, hidden=(32, 24, 16))
+    env = make_sb3_vec_env(4, seed=0, config=TASK)
+    model = make_model(config, env)
+    with torch.no_grad():
+        # As made, the last layer is almost zero and the biases are.
+        for parameter in model.policy.parameters():
+            parameter.add_(0.3 * torch.randn_like(parameter))
+    export_policy(model, TASK, activation, {"seed": 0}).save(tmp_path)
+    policy = load_policy(tmp_path)
+    assert [weight.shape[1] for weight in policy.weights] == [32, 24, 16, ACTION_WIDTH]
+    assert policy.activation == activation
+    observation = np.concatenate([env.reset(), 3.0 * observations((200,))])
+    expected, _ = model.predict(observation, deterministic=True)
+    np.testing.assert_allclose(policy.predict(observation), expected, atol=1e-5)
+    inside = abs(expected) < 1.0
+    assert inside.any(axis=1).mean() > 0.5, "clipped actions prove little"
+
+
+# --- bad directories ---
+
+
+def damage(path, keep=100):
+    path.write_bytes(path.read_bytes()[:keep])
+
+
+NARROW = np.zeros((3, 16), dtype=np.float32)
+DAMAGES = {
+    "no card": (lambda d: (d / CARD_FILE).unlink(), r"policy.json: missing, so the run is incomplete.*finished run"),
+    "no tensors": (lambda d: (d / TENSORS_FILE).unlink(), r"policy.safetensors: missing.*checkpoints"),
+    "cut card": (lambda d: damage(d / CARD_FILE), r"policy.json: not valid JSON.*train again"),
+    "binary card": (lambda d: (d / CARD_FILE).write_bytes(b"\xff\xfe\x00\x80"), r"policy.json: not valid JSON"),
+    "empty card": (lambda d: (d / CARD_FILE).write_text(""), r"policy.json: not valid JSON"),
+    "card is a list": (lambda d: (d / CARD_FILE).write_text("[]"), r"policy.json: format_version is None"),
+    "cut tensors": (lambda d: damage(d / TENSORS_FILE), r"policy.safetensors: not a safetensors file.*train again"),
+    "empty tensors": (lambda d: damage(d / TENSORS_FILE, 0), r"policy.safetensors: not a safetensors file"),
+    "text tensors": (lambda d: (d / TENSORS_FILE).write_text("hello " * 9), r"policy.safetensors: not a safetensors"),
+    "no version": (lambda d: edit_card(d, format_version=None), r"policy.json: format_version is None"),
+    "other version": (
+        lambda d: edit_card(d, format_version=99),
+        r"policy.json: format_version is 99, and this version of the package reads 1; train again",
+    ),
+    "no activation": (lambda d: edit_card(d, activation=None), r"policy.json: field 'activation' is missing"),
+    "no config": (lambda d: edit_card(d, config=None), r"policy.json: field 'config' is missing.*train again"),
+    "no card field": (lambda d: edit_card(d, card=None), r"policy.json: field 'card' is missing"),
+    "no layers": (lambda d: edit_card(d, layers=None), r"policy.json: field 'layers' is missing"),
+    "unknown activation": (
+        lambda d: edit_card(d, activation="gelu"),
+        r"policy.json: activation 'gelu' is not one of tanh",
+    ),
+    "activation a list": (lambda d: edit_card(d, activation=["elu"]), r"policy.json: activation"),
+    "layers a word": (lambda d: edit_card(d, layers="three"), r"policy.json: layers must be .*found 'three'"),
+    "layers zero": (lambda d: edit_card(d, layers=0), r"policy.json: layers must be .*found 0"),
+    "layers too few": (
+        lambda d: edit_card(d, layers=2),
+        r"policy.safetensors: the last layer has 12 outputs; expected 8",
+    ),
+    "layers too many": (lambda d: edit_card(d, layers=4), r"policy.safetensors: layer3.weight must have shape \(8, "),
+    "other layout": (lambda d: edit_card(d, observation_layout=[]), r"policy.json: observation_layout differs"),
+    "bad config": (
+        lambda d: edit_card(d, config={"decimation": 0}),
+        r"policy.json: .*decimation must be 1 or more; found 0",
+    ),
+    "config of another version": (
+        lambda d: edit_card(d, config={"tempo": 1}),
+        r"policy.json: config: unknown field 'tempo'",
+    ),
+    "config a list": (lambda d: edit_card(d, config=[1]), r"policy.json: config: expected a mapping"),
+    "NaN": (
+        lambda d: edit_tensors(d, layer1__weight=np.full((16, 12), np.nan, np.float32)),
+        r"policy.safetensors: layer1 holds NaN or infinity; the training diverged",
+    ),
+    "infinite bias": (
+        lambda d: edit_tensors(d, layer2__bias=np.full(8, np.inf, np.float32)),
+        r"policy.safetensors: layer2 holds NaN or infinity",
+    ),
+    "no weight": (lambda d: edit_tensors(d, layer1__weight=None), r"policy.safetensors: layer1.weight must have shape"),
+    "no bias": (lambda d: edit_tensors(d, layer1__bias=None), r"policy.safetensors: layer1.weight must have .*bias"),
+    "narrow": (
+        lambda d: edit_tensors(d, layer0__weight=NARROW),
+        rf"policy.safetensors: layer0.weight must have shape \({OBSERVATION_WIDTH}, outputs\).*found \(3, 16\)",
+    ),
+    "bias of two axes": (
+        lambda d: edit_tensors(d, layer0__bias=np.zeros((16, 1), np.float32)),
+        r"policy.safetensors: layer0",
+    ),
+    "bias a scalar": (
+        lambda d: edit_tensors(d, layer0__bias=np.zeros((), np.float32)),
+        r"layer0",
+    ),
+    "words": (
+        lambda d: edit_tensors(d, layer0__weight=np.zeros((OBSERVATION_WIDTH, 16), np.int64)),
+        r"policy.safetensors: layer0.*int64",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", DAMAGES)
+def test_a_damaged_run_is_refused_with_the_file_the_field_and_the_cure(run_directory, name):
+    break_it, message = DAMAGES[name]
+    break_it(run_directory)
+    with pytest.raises(QuadrupedError, match=message) as caught:
+        load_policy(run_directory)
+    assert str(run_directory) in str(caught.value)
+
+
+def test_an_unknown_policy_names_the_shipped_ones_and_how_to_train(tmp_path):
+    with pytest.raises(
+        QuadrupedError, match=r"'hilly' is neither a directory nor a shipped policy \(flat\); train one"
+    ):
+        load_policy("hilly")
+    with pytest.raises(QuadrupedError, match=r"neither a directory"):
+        load_policy(tmp_path / "nothing")
+    (tmp_path / "file").write_text("x")
+    with pytest.raises(QuadrupedError, match=r"neither a directory"):
+        load_policy(tmp_path / "file")
+
+
+def test_a_policy_does_not_change():
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        make_policy().activation = "relu"
