@@ -1,5 +1,6 @@
 """A training in numbers."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -67,10 +68,22 @@ class TrainConfig:
         for name in ("timesteps", "num_envs", "n_steps", "batch_size", "n_epochs"):
             if getattr(self, name) < 1:
                 raise QuadrupedError(f"--{name.replace('_', '-')}: expected 1 or more; found {getattr(self, name)}")
-        if self.seconds is not None and self.seconds <= 0:
-            raise QuadrupedError(f"--seconds: expected more than 0; found {self.seconds}")
-        if self.checkpoint_seconds <= 0:
-            raise QuadrupedError(f"--checkpoint-seconds: expected more than 0; found {self.checkpoint_seconds}")
+        for name, valid, rule in (
+            ("seed", 0 <= self.seed < 2**32, "0 to 4294967295"),
+            ("seconds", self.seconds is None or self.seconds > 0, "more than 0"),
+            ("checkpoint_seconds", self.checkpoint_seconds > 0, "more than 0"),
+            ("batch_size", self.batch_size >= 2, "2 or more, since advantages are normalized over a batch"),
+            ("learning_rate", 0 < self.learning_rate < math.inf, "more than 0, and finite"),
+            ("gamma", 0 < self.gamma <= 1, "more than 0, and at most 1"),
+            ("gae_lambda", 0 <= self.gae_lambda <= 1, "0 to 1"),
+            ("clip_range", 0 < self.clip_range < math.inf, "more than 0, and finite"),
+            ("ent_coef", 0 <= self.ent_coef < math.inf, "0 or more, and finite"),
+            ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
+            ("hidden", all(width >= 1 for width in self.hidden), "widths of 1 or more"),
+            ("log_std_init", math.isfinite(self.first_log_std), "a finite number"),
+        ):
+            if not valid:
+                raise QuadrupedError(f"--{name.replace('_', '-')}: expected {rule}; found {getattr(self, name)}")
         if "/" in self.name or self.name in {"", ".", ".."}:
             raise QuadrupedError(f"--name: {self.name!r} cannot be part of a directory's name")
         if self.num_envs * self.n_steps < self.batch_size:

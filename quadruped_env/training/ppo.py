@@ -282,6 +282,8 @@ class Recorder(BaseCallback):
             (directory / config.name).write_bytes(config.read_bytes())
 
     def finish(self) -> None:
-        """End the progress bar."""
+        """Log what is left, and end the progress bar."""
         if hasattr(self, "_bar"):
+            if self._steps:
+                self._log()
             self._bar.close()

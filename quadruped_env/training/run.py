@@ -88,6 +88,8 @@ def _new_directory(parent: Path, name: str) -> Path:
             directory.mkdir(parents=True)
         except FileExistsError:
             continue
+        except OSError as error:
+            raise QuadrupedError(f"--runs: cannot make {directory} ({error.strerror}); name another place") from error
         return directory
     raise QuadrupedError(f"{parent / name}: exists a thousand times; clear {parent}")
 
