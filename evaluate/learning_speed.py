@@ -12,10 +12,9 @@ from quadruped_env.training.run import machine, versions
 def main() -> int:
     """Parse the arguments, train each seed until it walks, and print the table."""
     parser = argparse.ArgumentParser(
-        description="Train several seeds until each walks at a commanded 0.5 m/s (64 episodes of 10 s, at most 2 "
-        "falls, speed within 0.05 m/s, yaw rate at most 0.1 rad/s) and report the wall clock of learning, the seeds that failed "
-        "too. Testing does not count as learning. Takes a few minutes on two cores; let nothing else run "
-        "meanwhile.",
+        description="Train seeds until each walks at a commanded 0.5 m/s (64 episodes of 10 s, at most 2 falls, "
+        "speed within 0.05 m/s, yaw rate at most 0.1 rad/s) and report the wall clock of learning, with the seeds that "
+        "failed. Testing does not count as learning. Takes minutes on two cores; let nothing else run meanwhile.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--action-modes", nargs="+", default=["position", "residual"], help="which modes")

@@ -17,7 +17,96 @@ _ROW = np.zeros(1, dtype=np.intp)
 
 
 class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
-    """The robot, its commands, and how well it follows them."""
+    """A small four-legged robot that follows velocity commands on flat ground.
+
+    ## Description
+    The robot of a ROS 2 tutorial: a 0.30 m long base on four legs, each with a hip and a knee that turn about the y
+    axis. It weighs 4 kg; its motors give at most 10 N m and 5 rad/s. No leg can move sideways, so the robot is asked
+    for a forward velocity and a yaw rate, and turns by longer strides on one side.
+
+    ## Action space
+    `Box(-1, 1, (8,), float32)`, one joint-position target a joint, 50 times a second:
+
+    | index | joint | range of the target |
+    |---|---|---|
+    | 0, 1 | `LF_hip_joint`, `LF_knee_joint` | hips -1.5 to 1.5 rad, knees -2.0 to 0.0 rad |
+    | 2, 3 | `RF_hip_joint`, `RF_knee_joint` | |
+    | 4, 5 | `LH_hip_joint`, `LH_knee_joint` | |
+    | 6, 7 | `RH_hip_joint`, `RH_knee_joint` | |
+
+    `action_mode="position"`: target = stance + 0.6 rad * action, the stance being 0.6 rad in the hips and -0.72 rad in
+    the knees. `action_mode="residual"`: target = tuned gait(clock, command) + 0.4 rad * action, so that a zero action
+    is the scripted gait. Targets are clipped to the joint's range. Each motor is a 40 N m/rad, 1 N m s/rad position
+    servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
+
+    ## Observation space
+    `Box((34,), float32)` with finite bounds; only what a robot can measure. Value = (reading - offset) * scale,
+    clipped to the bounds:
+
+    | columns | name | reading | unit | scale | bounds |
+    |---|---|---|---|---|---|
+    | 0-2 | `projected_gravity` | down, seen from the base | 1 | 1 | +-1 |
+    | 3-5 | `angular_velocity` | gyroscope | rad/s | 0.25 | +-4 |
+    | 6-13 | `joint_position` | relative to the stance | rad | 1 | +-2.1 |
+    | 14-21 | `joint_velocity` | | rad/s | 0.2 | +-3 |
+    | 22-29 | `last_action` | as clipped | 1 | 1 | +-1 |
+    | 30-31 | `command` | forward velocity, yaw rate | m/s, rad/s | 4 | +-4 |
+    | 32-33 | `gait_clock` | sine and cosine of the phase; 0 when the command is zero | 1 | 1 | +-1 |
+
+    ## Command
+    Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; a tenth of the commands are
+    exactly zero, four tenths go straight ahead. A new one comes every 3 to 6 s. `reset(options={"command": (vx, wz)})`
+    fixes it for the episode.
+
+    ## Reward
+    The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
+    each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are the base's, in its own
+    frame; v~ and w~ are averaged over about a gait cycle (first order, 0.2 s). c is 1 for a foot on the ground.
+
+    | term | formula | weight, 1/s |
+    |---|---|---|
+    | `track_forward_velocity` | exp(-((v~ - v_command) / 0.1 m/s)^2) | 2 |
+    | `track_yaw_rate` | exp(-((w~ - w_command) / 0.25 rad/s)^2) | 1 |
+    | `forward_progress` | clip(v / v_command, -1, 1); in proportion below 0.1 m/s | 2 |
+    | `turn_progress` | clip(w / w_command, -1, 1); in proportion below 0.2 rad/s | 1 |
+    | `gait_clock` | mean over feet of sin(phase) (2 lift - 1), lift = clip(sole height / 0.015 m, 0, 1) | 3 |
+    | `upright` | squared horizontal part of the base's up axis | -2 |
+    | `base_height` | max(0, 0.175 m - height)^2 | -20 |
+    | `vertical_velocity` | v_z^2 | -0.5 |
+    | `roll_pitch_rate` | w_x^2 + w_y^2 | -0.03 |
+    | `lateral_velocity` | v_y^2 | -0.5 |
+    | `action_rate` | sum of (action - last action)^2 | -0.03 |
+    | `mechanical_power` | sum of max(0, torque * joint velocity) | -0.005 |
+    | `foot_slip` | sum of c * squared velocity of the sole's lowest point | -0.3 |
+    | `stand_still` | sum of (joint - stance)^2, at a zero command | -1 |
+    | `joint_limits` | sum of what is within 0.1 rad of a limit | -2 |
+    | `fall` | 1 where the episode ends in a fall | -50 |
+
+    ## Starting state
+    The stance, 1 cm over the ground: joints +-0.1 rad and +-0.5 rad/s, base +-0.2 m/s and +-0.2 rad/s on each axis,
+    roll and pitch +-0.05 rad, any heading; uniform, from the environment's own generator.
+
+    ## Episode end
+    Terminated when the base leans more than 1 rad, when the base or a hip presses on the ground with more than 1 N, or
+    when MuJoCo reports that the simulation diverged (`info["diverged"]`). Truncated after 1000 steps (20 s) by
+    `gymnasium.make`'s time limit.
+
+    ## Information
+    `command`, `base_position`, `base_linear_velocity` and `base_angular_velocity` (body frame), `joint_position`,
+    `joint_velocity`, `joint_torque`, `foot_force`, `foot_contact`; after a step also `diverged` and the reward terms.
+    Torques and forces are those of the step's last physics substep.
+
+    ## Arguments
+    | argument | default | meaning |
+    |---|---|---|
+    | `action_mode` | `"position"` | `"position"` or `"residual"` |
+    | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested plain values |
+    | `render_mode` | `None` | `"rgb_array"` or `"human"` |
+    | `width`, `height` | 640, 480 | of a picture, in pixels |
+
+    ## Version history
+    * v0: the first version.
+    """
 
     # gymnasium.make looks at the class for render modes; an instance has its own frame rate.
     metadata = spaces.metadata(TaskConfig())

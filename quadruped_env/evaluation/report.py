@@ -5,7 +5,6 @@ import datetime
 import importlib.util
 import json
 import math
-import platform
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -179,7 +178,7 @@ def _document(subject: Subject, comparison: Comparison, judged: Verdict, command
         "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
         "command_line": command_line,
         "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "machine": f"{_processor()}, {machine()}",
+        "machine": machine(),
         "versions": versions(),
         "config": comparison.config.to_dict(),
         **comparison.to_dict(),
@@ -193,16 +192,6 @@ def _without_nan(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_without_nan(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _processor() -> str:
-    """The processor's model, as far as the system tells."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
-    except OSError:
-        lines = []
-    models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    return models[0] if models else platform.processor() or platform.machine()
 
 
 def _glued(text: str) -> str:

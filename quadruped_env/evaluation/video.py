@@ -3,6 +3,7 @@
 import io
 import itertools
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Final
 
 import mujoco
@@ -57,6 +58,19 @@ def encode_mp4(frames: Iterable[NDArray[np.uint8]], frame_rate: int = FRAME_RATE
     return file.getvalue()
 
 
+def write_png(path: Path, picture: NDArray[np.uint8]) -> None:
+    """Write a picture (height, width, 3).
+
+    Raises:
+        MissingExtraError: if matplotlib is not installed.
+    """
+    try:
+        from matplotlib.image import imsave
+    except ImportError as error:
+        raise MissingExtraError("A picture", "report") from error
+    imsave(path, picture)
+
+
 class RolloutRenderer:
     """Draws rows of rollouts.
 
@@ -70,8 +84,6 @@ class RolloutRenderer:
         # second gets coarser, and frames come in two thirds of the time.
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = 1024
-        # The shadow map covers what is near the light, and a robot walks out of it.
-        self._model.light_mode[:] = mujoco.mjtCamLight.mjCAMLIGHT_TRACKCOM
         # On an endless plane, software renderers sometimes leave dark specks.
         self._model.geom_size[self._model.geom("ground").id, :2] = _GROUND
         self._data = mujoco.MjData(self._model)

@@ -97,6 +97,11 @@ def _layout_document() -> list[dict[str, Any]]:
     ]
 
 
+def shipped_directory(name: str) -> Path:
+    """Where the package keeps one of its own policies."""
+    return _SHIPPED_DIRECTORY / name
+
+
 def load_policy(source: str | Path) -> Policy:
     """A shipped policy by name (`flat`), or the policy of a training run's directory.
 
@@ -106,7 +111,7 @@ def load_policy(source: str | Path) -> Policy:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
             observation layout; the message names the file and the cure.
     """
-    directory = _SHIPPED_DIRECTORY / str(source) if str(source) in SHIPPED else Path(source)
+    directory = shipped_directory(str(source)) if str(source) in SHIPPED else Path(source)
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
     if not directory.is_dir():
         raise QuadrupedError(

@@ -75,17 +75,17 @@ class RewardConfig:
         default_factory=lambda: {
             "track_forward_velocity": 2.0,
             "track_yaw_rate": 1.0,
-            "forward_progress": 1.0,
-            "turn_progress": 0.5,
-            "gait_clock": 2.0,
+            "forward_progress": 2.0,
+            "turn_progress": 1.0,
+            "gait_clock": 3.0,
             "upright": -2.0,
             "base_height": -20.0,
-            "vertical_velocity": -1.0,
-            "roll_pitch_rate": -0.05,
-            "lateral_velocity": -1.0,
+            "vertical_velocity": -0.5,
+            "roll_pitch_rate": -0.03,
+            "lateral_velocity": -0.5,
             "action_rate": -0.03,
-            "mechanical_power": -0.01,
-            "foot_slip": -0.5,
+            "mechanical_power": -0.005,
+            "foot_slip": -0.3,
             "stand_still": -1.0,
             "joint_limits": -2.0,
             "fall": -50.0,
@@ -99,7 +99,7 @@ class RewardConfig:
     """s; the tracking terms see velocities through a first-order filter, because every gait sways within its cycle"""
     base_height: float = 0.175
     """m; the height that `base_height` asks for"""
-    foot_lift: float = 0.02
+    foot_lift: float = 0.015
     """m; the sole's height in the swing at which `gait_clock` is satisfied"""
     joint_limit_margin: float = 0.1
     """rad from a joint's limit at which `joint_limits` begins"""

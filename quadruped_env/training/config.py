@@ -14,7 +14,7 @@ class TrainConfig:
 
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from nothing; `residual`: learn on top of the scripted gait"""
-    timesteps: int = 2_500_000
+    timesteps: int = 2_000_000
     """Budget in environment steps, all robots together"""
     seconds: float | None = None
     """Budget in seconds of wall clock instead; such a run cannot be repeated bit for bit"""
@@ -38,7 +38,7 @@ class TrainConfig:
     """Adam's step size at the start; it falls linearly to a tenth"""
     gamma: float = 0.97
     """Discount a step of 0.02 s"""
-    gae_lambda: float = 0.95
+    gae_lambda: float = 0.9
     """Decay of the advantage estimate"""
     clip_range: float = 0.2
     """PPO's clip"""
@@ -52,6 +52,10 @@ class TrainConfig:
     """Between layers"""
     log_std_init: float | None = None
     """Logarithm of the exploration's first standard deviation; by default -1, and -2 where a gait walks already"""
+
+    final_log_std: float = -3.0
+    """Upper bound of that logarithm at the end, reached linearly. Noise slows a walk down, and a policy that learned
+    with it overshoots its commands without it"""
 
     @property
     def first_log_std(self) -> float:
@@ -81,6 +85,7 @@ class TrainConfig:
             ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
             ("hidden", all(width >= 1 for width in self.hidden), "widths of 1 or more"),
             ("log_std_init", math.isfinite(self.first_log_std), "a finite number"),
+            ("final_log_std", math.isfinite(self.final_log_std), "a finite number"),
         ):
             if not valid:
                 raise QuadrupedError(f"--{name.replace('_', '-')}: expected {rule}; found {getattr(self, name)}")

@@ -22,12 +22,12 @@ PROGRESS_COLUMNS: Final = (
     "timesteps",
     "seconds",
     "return",
-    "episode_length",
     "fall_rate",
     "forward_velocity_error",
     "yaw_rate_error",
 )
-"""Of progress.csv: s, reward, control steps, share of finished episodes, m/s and rad/s root mean square"""
+"""Of progress.csv, each since the row before: s; reward of a whole episode at the present rate; falls in the time of a
+whole episode; velocity errors in m/s and rad/s, root mean square, with the exploration's noise"""
 
 _LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
 
@@ -113,8 +113,14 @@ def versions() -> dict[str, str]:
 
 def machine() -> str:
     """The processor, and how many cores this process may use."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        lines = []
+    models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    processor = models[0] if models else platform.processor() or "unknown processor"
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    return f"{platform.machine()}, {cores} cores, {platform.system()}"
+    return f"{processor}, {platform.machine()}, {cores} cores, {platform.system()}"
 
 
 def _git_commit() -> str:

@@ -1,0 +1,69 @@
+"""Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from quadruped_env.evaluation.comparison import MOTIONS, compare
+from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, grid, roll_out
+from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.policies import Policy, PolicyController, load_policy
+from quadruped_env.policies.policy import shipped_directory
+
+ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
+"""Standing, and forwards up to 0.5 m/s."""
+ACCEPTANCE_EPISODES: Final = 50
+MAX_FALL_RATE: Final = 0.02
+MAX_VELOCITY_ERROR: Final = 0.10
+_SUMMARY: Final = ("fall_rate", "velocity_error", "yaw_rate_error", "cost_of_transport")
+
+
+def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, Any]:
+    """How a policy stands and walks forwards: falls, and the root mean square error of 1 s means of velocity, m/s.
+
+    `accepted` is true for at most 2 % falls in episodes of 20 s, and at most 0.10 m/s of error at every command.
+    """
+    from quadruped_env.evaluation.metrics import measure
+
+    rollout = roll_out(
+        PolicyController(policy),
+        ACCEPTANCE_COMMANDS,
+        range(FIRST_SEED, FIRST_SEED + ACCEPTANCE_EPISODES),
+        config=policy.config,
+        progress=progress,
+    )
+    errors = measure(rollout)["velocity_error"].reshape(len(ACCEPTANCE_COMMANDS), ACCEPTANCE_EPISODES)
+    by_command = np.sqrt(np.nanmean(errors**2, axis=1))
+    falls = float(rollout.fallen.mean())
+    return {
+        "episodes": len(grid(ACCEPTANCE_COMMANDS, range(ACCEPTANCE_EPISODES))[0]),
+        "fall_rate": falls,
+        "velocity_error": {
+            f"{v:g} m/s": round(float(e), 4) for (v, _), e in zip(ACCEPTANCE_COMMANDS, by_command, strict=True)
+        },
+        "accepted": bool(falls <= MAX_FALL_RATE and (by_command <= MAX_VELOCITY_ERROR).all()),
+    }
+
+
+def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, dict[str, Any]]:
+    """Copy a run's policy into the package under a name, with its metrics on its card.
+
+    Returns:
+        Where it lies, and the card.
+    """
+    policy = load_policy(run)
+    comparison = compare(policy, progress=progress)
+    metrics = {
+        motion: {m: round(comparison.estimate("policy", m, motion).mean, 4) for m in _SUMMARY} for motion in MOTIONS
+    }
+    card = {
+        **policy.card,
+        "metrics": {motion: {m: v for m, v in values.items() if np.isfinite(v)} for motion, values in metrics.items()},
+        "acceptance": acceptance(policy),
+        "verdict": verdict(comparison).text(),
+    }
+    directory = shipped_directory(name)
+    replace(policy, card=card).save(directory)
+    return directory, card

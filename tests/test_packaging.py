@@ -1,0 +1,100 @@
+import os
+import re
+import subprocess
+import sys
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from quadruped_env.envs import MiniQuadrupedEnv
+from quadruped_env.task import OBSERVATION_LAYOUT, TaskConfig
+
+ROOT = Path(__file__).parents[1]
+
+USE = """
+import gymnasium, quadruped_env
+assert "site-packages" in quadruped_env.__file__, quadruped_env.__file__
+for name in ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml"):
+    assert quadruped_env.asset_path(name).is_file()
+env = gymnasium.make("MiniQuadruped-v0")
+observation, _ = env.reset(seed=0)
+policy = quadruped_env.policies.load_policy("flat")
+for name in ("train", "evaluate", "tests", "assets"):
+    try:
+        __import__(name)
+    except ImportError:
+        continue
+    raise AssertionError(f"{name} is importable")
+envs = gymnasium.make_vec("MiniQuadruped-v0", num_envs=4, action_mode=policy.action_mode)
+observation, _ = envs.reset(seed=0)
+for _ in range(50):
+    observation, *_ = envs.step(policy.predict(observation))
+print("stepped")
+"""
+
+
+@pytest.mark.slow
+def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_repository(tmp_path):
+    subprocess.run(
+        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(tmp_path), str(ROOT)],
+        check=True,
+        capture_output=True,
+    )
+    (wheel,) = tmp_path.glob("*.whl")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
+    for part in ("assets/mini_quadruped/scene.xml", "policies/shipped/flat/policy.safetensors", "py.typed"):
+        assert f"quadruped_env/{part}" in names
+    assert any(name.startswith("quadruped_env/evaluation/templates/") for name in names)
+
+    environment = tmp_path / "venv"
+    venv.create(environment, with_pip=True)
+    python = environment / "bin" / "python"
+    subprocess.run(
+        [python, "-m", "pip", "install", "--quiet", "-c", str(ROOT / "constraints.txt"), str(wheel)],
+        check=True,
+        capture_output=True,
+    )
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    result = subprocess.run([python, "-c", USE], cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+    assert "stepped" in result.stdout
+
+
+def test_the_specification_in_the_docstring_is_the_config():
+    doc = MiniQuadrupedEnv.__doc__
+    weights = {
+        name: float(weight) for name, weight in re.findall(r"^ *\| `(\w+)` \|.*\| (-?[\d.]+) \|$", doc, re.MULTILINE)
+    }
+    assert weights == TaskConfig().reward.weights
+    for field in OBSERVATION_LAYOUT:
+        line = next(line for line in doc.splitlines() if f"| `{field.name}` |" in line)
+        columns = [cell.strip() for cell in line.split("|")[1:-1]]
+        assert float(columns[4]) == field.scale
+        assert columns[5] == f"+-{field.high:g}"
+    config = TaskConfig()
+    for number in (config.reward.forward_velocity_std, config.reward.yaw_rate_std, config.reward.foot_lift):
+        assert re.search(rf"\b{number:g} (m|rad)", doc)
+
+
+def test_the_repository_names_no_home_and_no_registry():
+    tracked = subprocess.run(["git", "-C", str(ROOT), "ls-files"], capture_output=True, text=True, check=False)
+    if tracked.returncode:
+        pytest.skip("not a git checkout")
+    home = str(Path.home()) + "/"
+    for name in tracked.stdout.splitlines():
+        if Path(name).suffix in {".py", ".md", ".toml", ".txt", ".xml", ".urdf", ".json"}:
+            text = (ROOT / name).read_text()
+            assert str(ROOT.parent) + "/" not in text, name
+            assert home not in text, name
+
+
+def test_every_public_name_of_the_design_is_there():
+    import quadruped_env
+
+    for name in quadruped_env.__all__:
+        assert hasattr(quadruped_env, name), name
+    assert callable(quadruped_env.envs.make_sb3_vec_env)
+    assert callable(quadruped_env.policies.load_policy)
