@@ -6,14 +6,17 @@ import json
 import pickletools
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from gymnasium import make_vec
 from safetensors.numpy import load_file, save_file
 
-from quadruped_env import QuadrupedError
+from quadruped_env import QuadrupedError, policies
+from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE
+from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, SHIPPED, TENSORS_FILE
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, TaskConfig
 
 TASK = TaskConfig.from_dict({"action": {"mode": "residual"}, "decimation": 5})
@@ -279,3 +282,25 @@ def test_an_unknown_policy_names_the_shipped_ones_and_how_to_train(tmp_path):
 def test_a_policy_does_not_change():
     with pytest.raises(dataclasses.FrozenInstanceError):
         make_policy().activation = "relu"
+
+
+# --- the shipped policies ---
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_shipped_policy_walks_where_it_is_told_to(name):
+    if not (Path(policies.__file__).parent / "shipped").is_dir():
+        pytest.skip("nothing is shipped in this checkout: train/ppo.py makes what is")
+    policy = load_policy(name)
+    assert {"command", "seed", "versions", "git_commit"} <= set(policy.card)
+    env = make_vec(ENV_ID, num_envs=16, action_mode=policy.action_mode, config=policy.config)
+    for command in ((0.4, 0.0), (-0.2, 0.0), (0.0, 0.0), (0.2, 0.5)):
+        observation, _ = env.reset(seed=0, options={"command": command})
+        velocities = []
+        for _ in range(150):
+            observation, _, terminated, _, info = env.step(policy.predict(observation))
+            assert not terminated.any(), command
+            velocities.append([info["base_linear_velocity"][:, 0], info["base_angular_velocity"][:, 2]])
+        forward, turning = np.mean(velocities[50:], axis=(0, 2))
+        assert forward == pytest.approx(command[0], abs=0.15)
+        assert turning == pytest.approx(command[1], abs=0.3)
