@@ -135,15 +135,22 @@ def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
         (0.0, 0.0, 0.0),  # none commanded, none paid
     ],
 )
-def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command, expected):
-    assert rewards.progress(np.array([velocity]), np.array([command]), 0.1) == pytest.approx(expected, abs=1e-12)
+@pytest.mark.parametrize("overshoot", [0.0, 1.0])
+def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command, expected, overshoot):
+    value = rewards.progress(np.array([velocity]), np.array([command]), 0.1, overshoot)
+    assert value == pytest.approx(expected, abs=1e-12)
 
 
-def test_progress_never_pays_more_than_the_command_and_little_for_small_ones():
-    beyond = rewards.progress(np.linspace(0.4, 5.0, 20), np.full(20, 0.4), 0.1)
-    assert (beyond <= 1.0).all()
-    small = rewards.progress(np.array([0.05, 0.01]), np.array([0.05, 0.01]), 0.1)
-    assert 0.0 < small[1] < small[0] < 1.0
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_progress_beyond_the_command_stays_or_falls_as_it_rose(direction):
+    velocity, command = direction * np.array([0.4, 0.5, 0.6, 0.8, 5.0]), direction * np.full(5, 0.4)
+    np.testing.assert_allclose(rewards.progress(velocity, command, 0.1, 0.0), 1.0)
+    np.testing.assert_allclose(rewards.progress(velocity, command, 0.1, 1.0), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
+
+
+def test_progress_pays_small_commands_in_proportion():
+    small = np.array([0.05, 0.01])
+    np.testing.assert_allclose(rewards.progress(small, small, 0.1, 1.0), [0.5, 0.1])
 
 
 def test_gait_clock_agrees_when_the_swinging_feet_are_up():

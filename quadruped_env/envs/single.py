@@ -67,8 +67,8 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     |---|---|---|
     | `track_forward_velocity` | exp(-((v~ - v_command) / 0.1 m/s)^2) | 2 |
     | `track_yaw_rate` | exp(-((w~ - w_command) / 0.25 rad/s)^2) | 1 |
-    | `forward_progress` | clip(v / v_command, -1, 1); in proportion below 0.1 m/s | 2 |
-    | `turn_progress` | clip(w / w_command, -1, 1); in proportion below 0.2 rad/s | 1 |
+    | `forward_progress` | share - 2 max(0, share - 1), in [-1, 1]; share = v / v_command, less below 0.1 m/s | 2 |
+    | `turn_progress` | min(share, 1), in [-1, 1]; share = w / w_command, less below 0.2 rad/s | 1 |
     | `gait_clock` | mean over feet of sin(phase) (2 lift - 1), lift = clip(sole height / 0.015 m, 0, 1) | 3 |
     | `upright` | squared horizontal part of the base's up axis | -2 |
     | `base_height` | max(0, 0.175 m - height)^2 | -20 |

@@ -17,7 +17,7 @@ ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
 ACCEPTANCE_EPISODES: Final = 50
 MAX_FALL_RATE: Final = 0.02
 MAX_VELOCITY_ERROR: Final = 0.10
-_SUMMARY: Final = ("fall_rate", "velocity_error", "yaw_rate_error", "cost_of_transport")
+_SUMMARY: Final = ("fall_rate", "forward_velocity_error", "yaw_rate_error", "cost_of_transport")
 
 
 def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, Any]:
@@ -34,13 +34,13 @@ def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, An
         config=policy.config,
         progress=progress,
     )
-    errors = measure(rollout)["velocity_error"].reshape(len(ACCEPTANCE_COMMANDS), ACCEPTANCE_EPISODES)
+    errors = measure(rollout)["forward_velocity_error"].reshape(len(ACCEPTANCE_COMMANDS), ACCEPTANCE_EPISODES)
     by_command = np.sqrt(np.nanmean(errors**2, axis=1))
     falls = float(rollout.fallen.mean())
     return {
         "episodes": len(grid(ACCEPTANCE_COMMANDS, range(ACCEPTANCE_EPISODES))[0]),
         "fall_rate": falls,
-        "velocity_error": {
+        "forward_velocity_error": {
             f"{v:g} m/s": round(float(e), 4) for (v, _), e in zip(ACCEPTANCE_COMMANDS, by_command, strict=True)
         },
         "accepted": bool(falls <= MAX_FALL_RATE and (by_command <= MAX_VELOCITY_ERROR).all()),

@@ -23,6 +23,11 @@ def clip(x: Any, low: float, high: float) -> Any:
     return np.minimum(np.maximum(x, low), high) if isinstance(x, np.ndarray) else x.clip(low, high)
 
 
+def sign(x: Any) -> Any:
+    """Elementwise -1, 0 or 1."""
+    return np.sign(x) if isinstance(x, np.ndarray) else x.sign()
+
+
 def total(x: Any) -> Any:
     """Sum over the last axis."""
     return np.add.reduce(x, -1) if isinstance(x, np.ndarray) else x.sum(-1)

@@ -11,7 +11,7 @@ import numpy as np
 
 from quadruped_env.robot import FOOT_RADIUS, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from quadruped_env.simulation import State
-from quadruped_env.task.arrays import clip, exp, like, positive, total
+from quadruped_env.task.arrays import clip, exp, like, positive, sign, total
 from quadruped_env.task.config import RewardConfig
 
 _JOINT_MIDDLE: Final = (JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2.0
@@ -20,6 +20,9 @@ _JOINT_HALF_RANGE: Final = (JOINT_POSITION_HIGH - JOINT_POSITION_LOW) / 2.0
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 """m/s and rad/s under which `progress` no longer pays in full."""
 
+_OVERSHOOT: Final = np.array([1.0, 0.0])
+"""Going too fast does not pay. The yaw rate sways by more than its command, and a peak there would hardly be felt."""
+
 
 def tracking_kernel(value: Any, target: Any, std: Any) -> Any:
     """Score in (0, 1]: how close a velocity is to its command; 1/e at an error of std. Elementwise, (N, 2)."""
@@ -27,15 +30,16 @@ def tracking_kernel(value: Any, target: Any, std: Any) -> Any:
     return exp(-(error * error))
 
 
-def progress(value: Any, target: Any, smallest: Any) -> Any:
+def progress(value: Any, target: Any, smallest: Any, overshoot: Any) -> Any:
     """Share of a commanded velocity that is reached, in [-1, 1]; 0 where none is commanded. Elementwise, (N, 2).
 
-    Linear, so it shows the way from standing, where a tracking kernel is flat. Commands under `smallest` count
-    in proportion.
+    Linear, so it shows the way from standing, where a tracking kernel is flat. What is beyond the command counts
+    -overshoot: 0 stays at the full share, 1 falls as it rose. Commands under `smallest` count in proportion.
     """
     commanded = abs(target)
     size = commanded + positive(smallest - commanded)
-    return clip(value / size, -1.0, 1.0) * (target / size)
+    share = sign(target) * value / size
+    return clip(share - (1.0 + overshoot) * positive(share - commanded / size), -1.0, 1.0)
 
 
 def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
@@ -119,7 +123,7 @@ def reward_terms(state: State, memory: Memory, config: RewardConfig) -> dict[str
     command = memory.command
     std = like(np.array([config.forward_velocity_std, config.yaw_rate_std]), command)
     tracked = tracking_kernel(memory.smooth_velocity, command, std)
-    reached = progress(memory.velocity, command, like(_SMALLEST_COMMAND, command))
+    reached = progress(memory.velocity, command, like(_SMALLEST_COMMAND, command), like(_OVERSHOOT, command))
     velocity_squared = state.linear_velocity_b * state.linear_velocity_b
     return {
         "track_forward_velocity": tracked[:, 0],

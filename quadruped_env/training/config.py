@@ -38,7 +38,7 @@ class TrainConfig:
     """Adam's step size at the start; it falls linearly to a tenth"""
     gamma: float = 0.97
     """Discount a step of 0.02 s"""
-    gae_lambda: float = 0.9
+    gae_lambda: float = 0.95
     """Decay of the advantage estimate"""
     clip_range: float = 0.2
     """PPO's clip"""
