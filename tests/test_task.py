@@ -202,23 +202,19 @@ def test_joint_limit_excess_begins_a_margin_before_either_limit():
 
 
 def test_every_term_reads_what_its_name_says():
-    zeros = {f.name: np.zeros_like(getattr(random_state(np.random.default_rng(0), 1), f.name)) for f in
-             dataclasses.fields(State)}  # fmt: skip
     config = RewardConfig(base_height=0.2, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2)
-    state = State(
-        **zeros
-        | {
-            "up_b": np.array([[0.3, 0.4, 0.8]]),
-            "base_position": np.array([[5.0, 6.0, 0.1]]),
-            "linear_velocity_b": np.array([[0.1, 0.2, 0.3]]),
-            "angular_velocity_b": np.array([[1.0, 2.0, 0.25]]),
-            "joint_torque": np.full((1, 8), 2.0),
-            "joint_velocity": np.full((1, 8), 0.5),
-            "joint_position": (JOINT_POSITION_LOW + 0.025)[None],
-            "foot_force": np.array([[config.contact_threshold + 1.0, config.contact_threshold, 0.0, 0.0]]),
-            "foot_velocity": np.full((1, 4, 3), 0.1),
-            "foot_position": np.full((1, 4, 3), FOOT_RADIUS + 0.01),
-        }
+    state = dataclasses.replace(
+        convert(random_state(np.random.default_rng(0), 1), np.zeros_like),
+        up_b=np.array([[0.3, 0.4, 0.8]]),
+        base_position=np.array([[5.0, 6.0, 0.1]]),
+        linear_velocity_b=np.array([[0.1, 0.2, 0.3]]),
+        angular_velocity_b=np.array([[1.0, 2.0, 0.25]]),
+        joint_torque=np.full((1, 8), 2.0),
+        joint_velocity=np.full((1, 8), 0.5),
+        joint_position=(JOINT_POSITION_LOW + 0.025)[None],
+        foot_force=np.array([[config.contact_threshold + 1.0, config.contact_threshold, 0.0, 0.0]]),
+        foot_velocity=np.full((1, 4, 3), 0.1),
+        foot_position=np.full((1, 4, 3), FOOT_RADIUS + 0.01),
     )
     # Velocity steady, so that the smoothed one is the same.
     memory = rewards.Memory(
