@@ -19,6 +19,9 @@ def main() -> int:
     )
     parser.add_argument("--action-modes", nargs="+", default=["position", "residual"], help="which modes")
     parser.add_argument("--seeds", type=int, nargs="+", default=[0, 1, 2, 3, 4], help="seeds, each trained on its own")
+    parser.add_argument(
+        "--timesteps", type=int, default=2_000_000, help="budget that the schedules of learning rate and noise end with"
+    )
     parser.add_argument("--limit", type=float, default=60.0, help="s of learning after which a seed has failed")
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
     parser.add_argument("--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON")
@@ -32,7 +35,7 @@ def main() -> int:
     for mode in args.action_modes:
         for seed in args.seeds:
             say(f"{mode}, seed {seed}")
-            results.append(time_to_walk(mode, seed, args.limit, args.interval, say))
+            results.append(time_to_walk(mode, seed, args.limit, args.interval, say, timesteps=args.timesteps))
     say(f"\n{summary(results)}")
     args.output.parent.mkdir(parents=True, exist_ok=True)
     document = {"machine": machine(), "versions": versions(), "results": [asdict(result) for result in results]}

@@ -6,6 +6,7 @@ import math
 from dataclasses import asdict
 from pathlib import Path
 
+from quadruped_env import CommandedGait
 from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
 
 
@@ -20,7 +21,11 @@ def main() -> None:
     parser.add_argument("--frequency", type=float, default=2.2, help="gait cycles per second of the tuned gait")
     parser.add_argument("--generations", type=int, default=10, help="search generations for each speed")
     parser.add_argument("--output", type=Path, default=Path("results/gait.json"), help="where to write the numbers")
+    parser.add_argument("--table", action="store_true", help="only measure the tuned gait and print its table")
     args = parser.parse_args()
+    if args.table:
+        print(achieved_table(CommandedGait.tuned()))
+        return
 
     def say(line: str) -> None:
         print(line, flush=True)
