@@ -130,12 +130,6 @@ def driver(request):
     return request.param
 
 
-@pytest.fixture
-def tmp_cwd(tmp_path, monkeypatch):
-    """MuJoCo writes its warnings to a file in the working directory."""
-    monkeypatch.chdir(tmp_path)
-
-
 def eventful_run(driver, steps=300):
     """Random controls with resets and pushes of some rows in between."""
     simulation = start(driver)
