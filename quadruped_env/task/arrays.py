@@ -28,6 +28,11 @@ def sign(x: Any) -> Any:
     return np.sign(x) if isinstance(x, np.ndarray) else x.sign()
 
 
+def any_of(x: Any) -> Any:
+    """Whether anything along the last axis is true."""
+    return np.logical_or.reduce(x, -1) if isinstance(x, np.ndarray) else x.any(-1)
+
+
 def total(x: Any) -> Any:
     """Sum over the last axis."""
     return np.add.reduce(x, -1) if isinstance(x, np.ndarray) else x.sum(-1)

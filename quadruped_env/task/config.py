@@ -1,11 +1,15 @@
 """The task in numbers: frozen dataclasses of plain values, validated, printable, saved with every run."""
 
 import dataclasses
+import functools
 import math
 import types
 import typing
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal, Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 
@@ -105,6 +109,11 @@ class RewardConfig:
     """rad from a joint's limit at which `joint_limits` begins"""
     contact_threshold: float = 1.0
     """N; a foot that presses harder than this is in contact"""
+
+    @functools.cached_property
+    def velocity_std(self) -> NDArray[np.float64]:
+        """The two widths as an array (2,)."""
+        return np.array([self.forward_velocity_std, self.yaw_rate_std])
 
     def __post_init__(self) -> None:
         for name in ("forward_velocity_std", "yaw_rate_std", "velocity_time_constant", "base_height", "foot_lift"):

@@ -121,7 +121,7 @@ def reward_terms(state: State, memory: Memory, config: RewardConfig) -> dict[str
     """Every term, unweighted, shape (N,) each, in the order in which they are added."""
     contact = (state.foot_force > config.contact_threshold) * 1.0
     command = memory.command
-    std = like(np.array([config.forward_velocity_std, config.yaw_rate_std]), command)
+    std = like(config.velocity_std, command)
     tracked = tracking_kernel(memory.smooth_velocity, command, std)
     reached = progress(memory.velocity, command, like(_SMALLEST_COMMAND, command), like(_OVERSHOOT, command))
     velocity_squared = state.linear_velocity_b * state.linear_velocity_b

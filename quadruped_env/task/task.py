@@ -81,7 +81,7 @@ class Task:
         self._smoothing = 1.0 - math.exp(-config.control_timestep / config.reward.velocity_time_constant)
         self._noise = config.randomization.observation_noise * observations.OBSERVATION_NOISE
         self._pushes = config.randomization.push_velocity > 0.0
-        self._weights = np.array(list(config.reward.weights.values())) * config.control_timestep
+        self._weights = np.array(list(config.reward.weights.values()))[:, None] * config.control_timestep
         self.term_names = tuple(config.reward.weights)
         self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
         self._model_randomizer = randomization.ModelRandomizer(simulation, config.randomization)
@@ -104,7 +104,6 @@ class Task:
         self._velocity = np.zeros((n, 2))
         self._clock = np.zeros((n, 2))
         self._raw = np.zeros((n, observations.OBSERVATION_WIDTH))
-        self._terms = np.zeros((n, len(self.term_names)))
 
     @property
     def command(self) -> NDArray[np.float64]:
@@ -198,7 +197,7 @@ class Task:
 
     def _advance_phase(self) -> None:
         self._phase += self._phase_step
-        self._phase[self._phase >= math.tau] -= math.tau
+        np.remainder(self._phase, math.tau, out=self._phase)
 
     def _advance(self, action: NDArray[np.float64], target: NDArray[np.float64]) -> Transition:
         np.minimum(target, JOINT_POSITION_HIGH, out=target)
@@ -217,16 +216,15 @@ class Task:
             truncated = np.zeros(self.num_rows, dtype=np.bool_)
         else:
             truncated = self._steps >= self.max_episode_steps
-        self._update_terms(action, terminated)
+        terms = self._reward_terms(action, terminated)
         # Added one by one in declared order: a pairwise sum would depend on the shape of the array.
-        terms = self._terms * self._weights
-        reward = np.add.accumulate(terms, axis=1)[:, -1]
+        reward = np.add.accumulate(terms, axis=0)[-1]
 
         self._last_action[:] = action
         self._resample_commands()
         if self._pushes:
             self._push()
-        return Transition(self.observe(), reward, terms, terminated, truncated, diverged)
+        return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def observe(self) -> NDArray[np.float32]:
         """The observations (N, OBSERVATION_WIDTH) of all rows, a new array."""
@@ -259,7 +257,7 @@ class Task:
             raise QuadrupedError(
                 f"{what}: expected shape {self._last_action.shape}, one value a joint; found {values.shape}"
             )
-        if not np.isfinite(values).all():
+        if np.count_nonzero(np.isfinite(values)) != values.size:
             row, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
                 f"{what}: value {values[row, column]} for {JOINT_NAMES[column]} in row {row} is not finite"
@@ -273,7 +271,8 @@ class Task:
         angle = self._phase[:, None] + JOINT_PHASES
         return self._gait_sine * np.sin(angle) + self._gait_cosine * np.cos(angle) + self._gait_offset
 
-    def _update_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> None:
+    def _reward_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> NDArray[np.float64]:
+        """Weighted terms (T, N), in declared order; updates what they remember."""
         state = self.simulation.state
         self._velocity[:, 0] = state.linear_velocity_b[:, 0]
         self._velocity[:, 1] = state.angular_velocity_b[:, 2]
@@ -290,12 +289,14 @@ class Task:
             fallen=terminated * 1.0,
         )
         terms = rewards.reward_terms(state, memory, self.config.reward)
-        for column, name in enumerate(self.term_names):
-            self._terms[:, column] = terms[name]
+        # One concatenation is cheaper than a write a term.
+        stacked = np.concatenate([terms[name] for name in self.term_names]).reshape(-1, self.num_rows)
+        stacked *= self._weights
+        return stacked
 
     def _resample_commands(self) -> None:
         due = self._steps >= self._resample_at
-        if due.any():
+        if np.count_nonzero(due):
             rows = np.flatnonzero(due & ~self._fixed)
             if len(rows):
                 draws = np.array([self.generators[row].random(commands.DRAWS) for row in rows])
