@@ -37,7 +37,6 @@ def main() -> int:
             say(f"{mode}, seed {seed}")
             results.append(time_to_walk(mode, seed, args.limit, args.interval, say, timesteps=args.timesteps))
     say(f"\n{summary(results)}")
-    args.output.parent.mkdir(parents=True, exist_ok=True)
     document = {"machine": machine(), "versions": versions(), "results": [asdict(result) for result in results]}
     write_json(args.output, document)
     say(f"\nmeasured on {machine()}; written to {args.output}")

@@ -155,6 +155,17 @@ _PRESETS: Final = {
 }
 
 
+def wave_positions(
+    phase: NDArray[np.float64],
+    sine: NDArray[np.float64],
+    cosine: NDArray[np.float64],
+    offset: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Joint positions (N, 8) in rad at gait phases (N,) in rad, from what `CommandedGait.waves` gives."""
+    angle = phase[:, None] + JOINT_PHASES
+    return sine * np.sin(angle) + cosine * np.cos(angle) + offset
+
+
 @dataclass(frozen=True)
 class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
@@ -205,9 +216,7 @@ class CommandedGait:
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
         """Joint positions (N, 8) in rad at gait phases (N,) in rad, for commands (N, 2)."""
-        sine, cosine, offset = self.waves(command)
-        angle = np.asarray(phase, dtype=np.float64)[:, None] + JOINT_PHASES
-        return sine * np.sin(angle) + cosine * np.cos(angle) + offset
+        return wave_positions(np.asarray(phase, dtype=np.float64), *self.waves(command))
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
         """The plain gait for one command."""

@@ -1,12 +1,12 @@
 """Tune the scripted gaits and print their tables."""
 
 import argparse
-import json
 import math
 from dataclasses import asdict
 from pathlib import Path
 
 from quadruped_env import CommandedGait
+from quadruped_env.evaluation.results import write_json
 from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
 
 
@@ -39,8 +39,7 @@ def main() -> None:
     )
     say(f"\n{achieved_table(gait)}\n")
     presets = tune_presets(args.generations, say)
-    args.output.parent.mkdir(parents=True, exist_ok=True)
-    args.output.write_text(json.dumps({"tuned": asdict(gait), "presets": presets}, indent=2) + "\n")
+    write_json(args.output, {"tuned": asdict(gait), "presets": presets})
     say(f"written to {args.output}")
 
 

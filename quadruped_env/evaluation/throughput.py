@@ -22,6 +22,7 @@ from mujoco.batch import Batch
 from numpy.typing import NDArray
 
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
+from quadruped_env.evaluation.results import write_json
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from quadruped_env.task import Task
 
@@ -297,6 +298,5 @@ def row(measure: Measure) -> str:
 
 def write(measures: list[Measure], machine: str, versions: dict[str, str], path: Path) -> None:
     """Write the measures as JSON."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    document = {"machine": machine, "versions": versions, "measures": [asdict(measure) for measure in measures]}
-    path.write_text(json.dumps(document, indent=2) + "\n")
+    measured = [asdict(measure) for measure in measures]
+    write_json(path, {"machine": machine, "versions": versions, "measures": measured})

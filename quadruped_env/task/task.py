@@ -15,7 +15,7 @@ from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import JOINT_PHASES, CommandedGait
+from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from quadruped_env.simulation import Simulation
 from quadruped_env.task import commands, observations, randomization, rewards, terminations
@@ -268,8 +268,7 @@ class Task:
         """Joint positions that a zero action asks for, rad: (8,), or (N, 8) in residual mode."""
         if not self._residual:
             return STANCE
-        angle = self._phase[:, None] + JOINT_PHASES
-        return self._gait_sine * np.sin(angle) + self._gait_cosine * np.cos(angle) + self._gait_offset
+        return wave_positions(self._phase, self._gait_sine, self._gait_cosine, self._gait_offset)
 
     def _reward_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> NDArray[np.float64]:
         """Weighted terms (T, N), in declared order; updates what they remember."""

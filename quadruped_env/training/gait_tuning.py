@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 from quadruped_env.gait import TURNS, CommandedGait
 from quadruped_env.robot import STANCE, STANCE_HEIGHT, VELOCITY_LIMIT, load_model
 from quadruped_env.simulation import BatchSimulation
+from quadruped_env.task import TaskConfig
 from quadruped_env.task.rewards import foot_slip, gait_clock, mechanical_power
 
-CONTROL_TIMESTEP: Final = 0.02
-SUBSTEPS: Final = 4
+CONTROL_TIMESTEP: Final = TaskConfig().control_timestep
+SUBSTEPS: Final = TaskConfig().decimation
 CANDIDATES: Final = 192
 ELITE: Final = 20
 WARM_UP: Final = 1.0
