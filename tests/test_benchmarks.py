@@ -1,0 +1,59 @@
+import json
+
+import numpy as np
+import pytest
+
+from quadruped_env.evaluation import throughput
+from quadruped_env.evaluation.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
+from quadruped_env.evaluation.shipping import acceptance
+from quadruped_env.policies import load_policy
+
+
+@pytest.mark.parametrize(
+    ("falls", "speed", "yaw_rate", "walks"),
+    [
+        (2, 0.5, 0.1, True),
+        (3, 0.5, 0.0, False),
+        (0, 0.451, 0.0, True),
+        (0, 0.44, 0.0, False),
+        (0, 0.56, 0.0, False),
+        (0, 0.5, 0.11, False),
+    ],
+)
+def test_walking_is_few_falls_the_right_speed_and_a_straight_line(falls, speed, yaw_rate, walks):
+    assert WalkTest(falls, speed, yaw_rate).walks is walks
+
+
+def test_a_seed_that_never_walked_counts_as_infinitely_slow():
+    last = WalkTest(0, 0.4, 0.0)
+    results = [Learned("position", seed, s, 1000, last) for seed, s in enumerate((4.0, None, 2.0))]
+    assert "| position | 2 of 3 | 4.0 | 2.0, 4.0, never | 1,000 |" in summary(results)
+    assert "| inf |" in summary([*results[:2], Learned("position", 3, None, 1000, last)])
+
+
+def test_the_shipped_policy_passes_the_walking_test():
+    assert walk_test(load_policy("flat"), episodes=8).walks
+
+
+def test_the_limit_ends_a_training_that_does_not_walk():
+    learned = time_to_walk(
+        "position", 0, limit=0.1, interval=0.05, say=lambda line: None, num_envs=64, timesteps=200_000
+    )
+    assert learned.seconds is None
+    assert learned.timesteps < 200_000
+
+
+@pytest.mark.slow
+def test_the_shipped_policy_is_accepted():
+    found = acceptance(load_policy("flat"))
+    assert found["accepted"]
+    assert found["episodes"] == 300
+    assert max(found["forward_velocity_error"].values()) <= 0.10
+
+
+def test_measures_are_written_as_a_table_and_as_json(tmp_path):
+    measure = throughput.Measure("ratio", 0.5, "x", ">= 0.4", True, "")
+    assert throughput.row(measure) == "| ratio | 0.5 x | >= 0.4 | yes |  |"
+    path = tmp_path / "results" / "throughput.json"
+    throughput.write([measure], "machine", {"numpy": np.__version__}, path)
+    assert json.loads(path.read_text())["measures"][0]["value"] == 0.5
