@@ -18,9 +18,17 @@ def main() -> int:
     )
     parser.add_argument("--memory-steps", type=int, default=5_000_000, help="length of the training watched for leaks")
     parser.add_argument("--output", type=Path, default=Path("results/throughput.json"), help="where to write the JSON")
+    parser.add_argument(
+        "--only",
+        nargs="+",
+        choices=[*throughput.WORKS, throughput.MEMORY],
+        default=[],
+        metavar="NAME",
+        help=f"measure only these: {', '.join([*throughput.WORKS, throughput.MEMORY])}",
+    )
     args = parser.parse_args()
     print(throughput.HEADER, flush=True)
-    measures = throughput.run_all(args.memory_steps, lambda line: print(line, flush=True))
+    measures = throughput.run_all(args.memory_steps, lambda line: print(line, flush=True), args.only)
     throughput.write(measures, machine(), versions(), args.output)
     print(f"\nmeasured on {machine()}; written to {args.output}")
     return 0 if all(measure.reached for measure in measures) else 1

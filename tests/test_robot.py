@@ -10,7 +10,17 @@ import yourdfpy
 from scipy.spatial.transform import Rotation
 
 from quadruped_env import QuadrupedError, asset_path, forward_kinematics
-from quadruped_env.robot import JOINT_NAMES, LINK_NAMES, STANCE, STANCE_HEIGHT, TOTAL_MASS, facts, load_model
+from quadruped_env.robot import (
+    JOINT_NAMES,
+    LINK_NAMES,
+    STANCE,
+    STANCE_HEIGHT,
+    TOTAL_MASS,
+    facts,
+    fixed_transforms,
+    joint_transforms,
+    load_model,
+)
 
 # Written out here, not imported: these are the facts of the tutorial that the files and the package have to repeat.
 LEGS = {"LF": (0.15, 0.10), "RF": (0.15, -0.10), "LH": (-0.15, 0.10), "RH": (-0.15, -0.10)}
@@ -431,11 +441,79 @@ class TestKinematics:
             (np.full(8, np.nan), None, "finite"),
             (np.zeros(8), [0, 0, math.inf, 1, 0, 0, 0], "finite"),
             (np.zeros(8), np.zeros(7), "zero quaternion"),
+            (np.full(8, -1e11), None, r"within 1e\+10; found -1e\+11"),
         ],
     )
     def test_errors(self, positions, base_pose, message):
         with pytest.raises(QuadrupedError, match=message):
             forward_kinematics(positions, base_pose)
+
+    def test_many_poses_are_each_the_whole_models(self, mjcf):
+        """Across the edge of a block, and to the last bit."""
+        rng = np.random.default_rng(0)
+        positions, base = random_positions(rng, 5000), rng.standard_normal((5000, 7))
+        poses = forward_kinematics(positions, base)
+        data = mujoco.MjData(mjcf)
+        for row in (0, 4095, 4096, 4999):
+            data.qpos[:7], data.qpos[7:] = base[row], positions[row]
+            mujoco.mj_kinematics(mjcf, data)
+            for link in LINKS:
+                np.testing.assert_array_equal(poses[link][0][row], data.body(link).xpos)
+                np.testing.assert_array_equal(poses[link][1][row], data.body(link).xquat)
+
+
+class TestTransforms:
+    def test_are_those_of_the_urdf(self, urdf):
+        """One a moving joint, parent to child, as yourdfpy reads the file that robot_state_publisher would read."""
+        positions = random_positions(np.random.default_rng(0), 200)
+        transforms = joint_transforms(positions)
+        assert {(t.parent, t.child) for t in transforms} == {
+            (joint.parent, joint.child) for joint in urdf.joint_map.values() if joint.type != "fixed"
+        }
+        assert len(transforms) == len(JOINTS)
+        for row, configuration in enumerate(positions):
+            urdf.update_cfg(dict(zip(JOINTS, configuration, strict=True)))
+            for transform in transforms:
+                expected = urdf.get_transform(transform.child, transform.parent)
+                found = Rotation.from_quat(transform.rotation[row], scalar_first=True).as_matrix()
+                np.testing.assert_allclose(transform.translation[row], expected[:3, 3], rtol=0, atol=1e-12)
+                np.testing.assert_allclose(found, expected[:3, :3], rtol=0, atol=1e-12)
+
+    def test_chained_they_are_forward_kinematics(self):
+        rng = np.random.default_rng(1)
+        positions, base = random_positions(rng, 2, 3), rng.standard_normal((2, 3, 7))
+        base[..., 3:] /= np.linalg.norm(base[..., 3:], axis=-1, keepdims=True)
+        transforms = joint_transforms(positions, base)
+        assert (transforms[0].parent, transforms[0].child) == ("odom", "base_link")
+        poses = forward_kinematics(positions, base)
+        for index in np.ndindex(2, 3):
+            place = {"odom": (np.zeros(3), Rotation.identity())}
+            for transform in transforms:
+                origin, turn = place[transform.parent]
+                place[transform.child] = (
+                    origin + turn.apply(transform.translation[index]),
+                    turn * Rotation.from_quat(transform.rotation[index], scalar_first=True),
+                )
+            for link in LINKS:
+                np.testing.assert_allclose(place[link][0], poses[link][0][index], rtol=0, atol=1e-12)
+                expected = Rotation.from_quat(poses[link][1][index], scalar_first=True).as_matrix()
+                np.testing.assert_allclose(place[link][1].as_matrix(), expected, rtol=0, atol=1e-12)
+
+    def test_no_link_is_without_a_joint(self, urdf):
+        assert fixed_transforms() == ()
+        assert all(joint.type == "revolute" for joint in urdf.joint_map.values())
+
+    @pytest.mark.parametrize(
+        ("positions", "base_pose", "message"),
+        [
+            (np.zeros(7), None, r"\(\.\.\., 8\); found \(7,\)"),
+            (np.full(8, np.nan), None, "finite"),
+            (np.zeros((2, 8)), np.ones(7), r"\(2, 7\); found \(7,\)"),
+        ],
+    )
+    def test_errors(self, positions, base_pose, message):
+        with pytest.raises(QuadrupedError, match=message):
+            joint_transforms(positions, base_pose)
 
 
 class TestAssets:

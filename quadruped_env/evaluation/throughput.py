@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
 from quadruped_env.evaluation.results import write_json
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, forward_kinematics
 from quadruped_env.task import Task
 
 ROWS: Final = 256
@@ -269,17 +269,32 @@ def _run_python(program: str, *arguments: str) -> dict[str, Any]:
     return json.loads(result.stdout.strip().splitlines()[-1])
 
 
-def run_all(memory_steps: int, say: Say) -> list[Measure]:
-    """Every measure of the table, one after the other."""
+def kinematics() -> list[Measure]:
+    """Forward kinematics of a million poses of the whole robot, on one core."""
+    positions = np.random.default_rng(0).uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH, (1_000_000, 8))
+    seconds = float(np.median([_seconds(lambda: forward_kinematics(positions)) for _ in range(3)]))
+    return [Measure("forward kinematics of 1,000,000 poses", seconds, "s", "< 3", seconds < 3.0, "all nine links")]
+
+
+WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
+    "import": import_time,
+    "kinematics": kinematics,
+    "single": single_over_ant,
+    "sync": vector_over_sync,
+    "vector": vector_over_bare,
+    "training": training_over_bare,
+}
+"""Name -> what is measured; `memory` comes after them"""
+MEMORY: Final = "memory"
+
+
+def run_all(memory_steps: int, say: Say, only: Sequence[str] = ()) -> list[Measure]:
+    """Every measure of the table, or only those named, one after the other."""
     measures: list[Measure] = []
-    for work in (
-        import_time,
-        single_over_ant,
-        vector_over_sync,
-        vector_over_bare,
-        training_over_bare,
-        lambda: training_memory(memory_steps),
-    ):
+    works: dict[str, Callable[[], list[Measure]]] = {**WORKS, MEMORY: lambda: training_memory(memory_steps)}
+    for name, work in works.items():
+        if only and name not in only:
+            continue
         found = work()
         measures += found
         for measure in found:

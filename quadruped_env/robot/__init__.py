@@ -15,6 +15,7 @@ from quadruped_env.robot.facts import (
     VELOCITY_LIMIT,
 )
 from quadruped_env.robot.kinematics import forward_kinematics
+from quadruped_env.robot.transforms import Transform, fixed_transforms, joint_transforms
 
 __all__ = [
     "EFFORT_LIMIT",
@@ -28,7 +29,10 @@ __all__ = [
     "STANCE_HEIGHT",
     "TOTAL_MASS",
     "VELOCITY_LIMIT",
+    "Transform",
     "asset_path",
+    "fixed_transforms",
     "forward_kinematics",
+    "joint_transforms",
     "load_model",
 ]

@@ -1,0 +1,105 @@
+"""Transforms between neighbouring links: what `robot_state_publisher` makes of joint positions."""
+
+from dataclasses import dataclass
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.facts import JOINT_NAMES, LINK_NAMES
+from quadruped_env.robot.kinematics import skeleton
+
+ODOMETRY_FRAME: Final = "odom"
+"""Parent of `base_link` where the base's pose is known: the name that REP 105 gives to such a frame"""
+
+
+@dataclass(frozen=True)
+class Transform:
+    """Where a link is in the frame of its parent, over time or once."""
+
+    parent: str
+    child: str
+    translation: NDArray[np.float64]
+    """m (..., 3)"""
+    rotation: NDArray[np.float64]
+    """Quaternion wxyz (..., 4); a ROS message has the order xyzw"""
+
+
+def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
+    """What `robot_state_publisher` sends on `/tf`: a transform a moving joint, from its parent link to its child.
+
+    Args:
+        positions: joint positions in rad, shape (..., 8), in the order of `JOINT_NAMES`.
+        base_pose: position in m and quaternion wxyz of `base_link` in the world, shape (..., 7). With it the first
+            transform is that of `base_link` in `ODOMETRY_FRAME`, which the publisher leaves to others.
+
+    Returns:
+        Transforms with leading axes (...), in the order of `JOINT_NAMES`.
+
+    Raises:
+        QuadrupedError: if a shape is wrong or a value is not finite.
+    """
+    joints = np.asarray(positions, dtype=np.float64)
+    if joints.ndim == 0 or joints.shape[-1] != len(JOINT_NAMES) or not np.isfinite(joints).all():
+        raise QuadrupedError(
+            f"joint_transforms: positions must be finite, of shape (..., {len(JOINT_NAMES)}); found {joints.shape}"
+        )
+    transforms = []
+    if base_pose is not None:
+        base = np.asarray(base_pose, dtype=np.float64)
+        if base.shape != (*joints.shape[:-1], 7) or not np.isfinite(base).all():
+            raise QuadrupedError(
+                f"joint_transforms: base_pose must be finite, of shape {(*joints.shape[:-1], 7)}; found {base.shape}"
+            )
+        transforms.append(Transform(ODOMETRY_FRAME, LINK_NAMES[0], base[..., :3], base[..., 3:]))
+    model = skeleton()
+    for column, name in enumerate(JOINT_NAMES):
+        joint = model.joint(name)
+        body = int(joint.bodyid[0])
+        turn = _turn(model.jnt_axis[joint.id], joints[..., column])
+        transforms.append(
+            Transform(
+                model.body(model.body_parentid[body]).name,
+                model.body(body).name,
+                np.tile(model.body_pos[body], (*joints.shape[:-1], 1)),
+                _product(model.body_quat[body], turn),
+            )
+        )
+    return tuple(transforms)
+
+
+def fixed_transforms() -> tuple[Transform, ...]:
+    """What `robot_state_publisher` sends on `/tf_static`, once: a transform a link that no joint moves.
+
+    In this robot every link has its joint, so there is none; the publisher then sends an empty message.
+    """
+    model = skeleton()
+    return tuple(
+        Transform(
+            model.body(model.body_parentid[body]).name,
+            model.body(body).name,
+            model.body_pos[body].copy(),
+            model.body_quat[body].copy(),
+        )
+        for body in range(1, model.nbody)
+        if not model.body_jntnum[body]
+    )
+
+
+def _turn(axis: NDArray[np.float64], angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Quaternions wxyz (..., 4) of turns by angles (...,) in rad about a unit axis (3,)."""
+    half = 0.5 * angle[..., None]
+    return np.concatenate([np.cos(half), np.sin(half) * axis], axis=-1)
+
+
+def _product(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A quaternion (4,) times quaternions (..., 4), wxyz."""
+    matrix = np.empty((4, 4))
+    # Column k is `first` times the k-th unit quaternion.
+    for k, unit in enumerate(np.eye(4)):
+        product = np.empty(4)
+        mujoco.mju_mulQuat(product, first, unit)
+        matrix[:, k] = product
+    return np.einsum("ij,...j->...i", matrix, second)
