@@ -1,0 +1,76 @@
+"""Debian's Chromium under Playwright, for tests that look at a page as a person would."""
+
+import shutil
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from io import BytesIO
+from urllib.parse import urlsplit
+
+import numpy as np
+import pytest
+from PIL import Image
+
+EXECUTABLES = ("chromium", "chromium-browser", "google-chrome")
+LOCAL_SCHEMES = ("file", "data", "blob", "about")
+WIDTH, HEIGHT = 1280, 800
+
+# WebGL on the processor, and nothing that the browser would do on its own account.
+ARGUMENTS = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+    "--disable-quic",
+)
+
+
+@dataclass
+class Watched:
+    """What a page complained about and asked for, since it was opened."""
+
+    errors: list[str] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+
+    def outside(self) -> list[str]:
+        """Requests that left the machine."""
+        return [
+            url
+            for url in self.requests
+            if urlsplit(url).scheme not in LOCAL_SCHEMES and urlsplit(url).hostname not in ("127.0.0.1", "localhost")
+        ]
+
+
+@contextmanager
+def launched():
+    """A running Chromium; skips where none, or no Playwright, is installed."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="no Playwright to drive a browser with")
+    executable = next(filter(None, map(shutil.which, EXECUTABLES)), None)
+    if executable is None:
+        pytest.skip("no Chromium installed")
+    with playwright.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=executable, args=list(ARGUMENTS))
+        yield browser
+        browser.close()
+
+
+@contextmanager
+def opened(browser):
+    """A new page (1280 x 800) in a session of its own, with a `Watched` as its `watched`."""
+    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT}, accept_downloads=False)
+    page = context.new_page()
+    page.watched = watched = Watched()
+    page.on("console", lambda message: watched.errors.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: watched.errors.append(str(error)))
+    page.on("request", lambda request: watched.requests.append(request.url))
+    page.on("websocket", lambda socket: watched.requests.append(socket.url))
+    yield page
+    context.close()
+
+
+def pixels(target):
+    """A picture (height, width, 3) of a page or of a part of it."""
+    return np.asarray(Image.open(BytesIO(target.screenshot())).convert("RGB"))
