@@ -1,0 +1,19 @@
+"""What ROS 2 calls things: message types, their bytes, qualities of service. Without a ROS installation.
+
+The tables here need nothing. `cdr` needs the libraries of the `ros` extra, which it imports when it is first used.
+"""
+
+from quadruped_env.ros.messages import MESSAGE_TYPES, Field, MessageType, message_type
+from quadruped_env.ros.qos import JOINT_STATES_QOS, LATCHED_QOS, SENSOR_DATA_QOS, TF_QOS, Qos
+
+__all__ = [
+    "JOINT_STATES_QOS",
+    "LATCHED_QOS",
+    "MESSAGE_TYPES",
+    "SENSOR_DATA_QOS",
+    "TF_QOS",
+    "Field",
+    "MessageType",
+    "Qos",
+    "message_type",
+]

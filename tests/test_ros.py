@@ -1,0 +1,174 @@
+"""ROS messages as data and as bytes, held against rosbags' own."""
+
+import struct
+from array import array
+
+import numpy as np
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.ros import MESSAGE_TYPES, cdr, message_type
+from quadruped_env.ros.joint_state import Decoder, Encoder, decode_ros1
+
+typesys = pytest.importorskip("rosbags.typesys")
+
+JOINT_STATE = "sensor_msgs/msg/JointState"
+
+
+@pytest.fixture(scope="module", params=["ROS2_HUMBLE", "ROS2_JAZZY", "ROS2_KILTED"])
+def distribution(request):
+    return typesys.get_typestore(typesys.Stores[request.param])
+
+
+TEXT = "LF_hip_joint/ é漢0 9"
+
+
+def random_text(rng):
+    start, end = rng.integers(0, len(TEXT), 2)
+    return TEXT[start:end]
+
+
+def random_joint_state(rng):
+    """Fields as a publisher might send them: any lengths, any numbers."""
+    count = int(rng.integers(0, 15))
+    numbers = [
+        rng.normal(size=count) * 10.0 ** rng.integers(-300, 300) if rng.random() < 0.7 else np.empty(0)
+        for _ in range(3)
+    ]
+    if count and rng.random() < 0.3:
+        numbers[2] = np.full(count, np.nan)
+    return {
+        "stamp": int(rng.integers(0, 2**31)) * 10**9 + int(rng.integers(0, 10**9)),
+        "frame_id": random_text(rng),
+        "names": [random_text(rng) for _ in range(count)],
+        "numbers": numbers,
+    }
+
+
+def as_message(state):
+    position, velocity, effort = state["numbers"]
+    return cdr.message(
+        JOINT_STATE,
+        header=cdr.header(state["stamp"], state["frame_id"]),
+        name=state["names"],
+        position=position,
+        velocity=velocity,
+        effort=effort,
+    )
+
+
+def assert_read(raw, state):
+    assert (raw.stamp, list(raw.names)) == (state["stamp"], state["names"])
+    for values, expected in zip(raw[2:], state["numbers"], strict=True):
+        assert values.tobytes() == expected.tobytes()
+
+
+class TestMessageTypes:
+    def test_definitions_and_hashes_are_those_of_the_distributions(self, distribution):
+        for kind in MESSAGE_TYPES.values():
+            assert distribution.hash_rihs01(kind.name) == kind.type_hash
+            constants, fields = distribution.fielddefs[kind.name]
+            assert not constants
+            assert [name for name, _ in fields] == [field.name for field in kind.fields]
+
+    def test_hash_of_the_joint_state_is_the_documented_one(self):
+        kind = message_type(JOINT_STATE)
+        assert kind.type_hash == "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"
+        assert kind.dds_name == "sensor_msgs::msg::dds_::JointState_"
+
+    def test_what_a_type_holds_comes_before_it(self):
+        seen = set()
+        for kind in MESSAGE_TYPES.values():
+            assert all(field.base in seen for field in kind.fields if field.is_message), kind.name
+            seen.add(kind.name)
+
+    def test_unknown_names_are_named(self):
+        with pytest.raises(QuadrupedError, match=r"unknown message type 'a/msg/B'; known are .*JointState"):
+            message_type("a/msg/B")
+        with pytest.raises(QuadrupedError, match=r"JointState: unknown field 'positions'; its fields are header, name"):
+            cdr.message(JOINT_STATE, positions=[])
+        with pytest.raises(QuadrupedError, match=r"Imu: orientation_covariance holds 9 values; found 2"):
+            cdr.message("sensor_msgs/msg/Imu", orientation_covariance=[0, 1])
+
+
+class TestCdr:
+    @pytest.mark.parametrize("name", MESSAGE_TYPES)
+    def test_an_empty_message_comes_back(self, name):
+        data = cdr.serialize(cdr.message(name))
+        assert data[:4] == b"\x00\x01\x00\x00"
+        assert cdr.serialize(cdr.deserialize(data, name)) == data
+
+    def test_bytes_are_the_documented_ones(self):
+        twist = cdr.message("geometry_msgs/msg/Twist", linear={"x": 0.5}, angular={"z": -1})
+        assert cdr.serialize(twist) == b"\x00\x01\x00\x00" + struct.pack("<6d", 0.5, 0, 0, 0, 0, -1)
+        text = cdr.message("std_msgs/msg/String", data="hé")
+        assert cdr.serialize(text) == b"\x00\x01\x00\x00\x04\x00\x00\x00h\xc3\xa9\x00"
+        assert cdr.serialize(cdr.time(5_000_000_007)) == b"\x00\x01\x00\x00" + struct.pack("<iI", 5, 7)
+        assert cdr.message("geometry_msgs/msg/Quaternion").w == 1.0
+
+    def test_whole_numbers_are_written_as_numbers(self):
+        message = cdr.message(JOINT_STATE, name=["a", "b"], position=np.array([1, -2]))
+        assert cdr.deserialize(cdr.serialize(message), JOINT_STATE).position.tolist() == [1.0, -2.0]
+
+    @pytest.mark.parametrize("data", [b"", b"\x00\x01\x00\x00", b"\x00\x03\x00\x00" + bytes(64), bytes(7)])
+    def test_damage_is_an_error_of_this_package(self, data):
+        with pytest.raises(QuadrupedError, match=r"bytes do not hold a sensor_msgs/msg/JointState"):
+            cdr.deserialize(data, JOINT_STATE)
+
+
+class TestJointState:
+    def test_bytes_are_those_of_rosbags_for_ten_thousand_random_messages(self):
+        rng, decode = np.random.default_rng(0), Decoder()
+        for _ in range(10_000):
+            state = random_joint_state(rng)
+            data = cdr.serialize(as_message(state))
+            encode = Encoder(state["names"], state["frame_id"])
+            assert encode(state["stamp"], *(values.tobytes() for values in state["numbers"])) == data
+            assert_read(decode(data), state)
+
+    def test_one_decoder_reads_messages_that_change(self):
+        rng, decode = np.random.default_rng(1), Decoder()
+        states = [random_joint_state(rng) for _ in range(4)]
+        for i in rng.integers(0, len(states), 50):
+            assert_read(decode(cdr.serialize(as_message(states[i]))), states[i])
+
+    def test_ros_1_messages(self):
+        rng, store = np.random.default_rng(2), typesys.get_typestore(typesys.Stores.ROS1_NOETIC)
+        for _ in range(200):
+            state = random_joint_state(rng)
+            header = store.types["std_msgs/msg/Header"](
+                7, store.types["builtin_interfaces/msg/Time"](*divmod(state["stamp"], 10**9)), state["frame_id"]
+            )
+            message = store.types[JOINT_STATE](header, state["names"], *state["numbers"])
+            assert_read(decode_ros1(bytes(store.serialize_ros1(message, JOINT_STATE))), state)
+
+    def test_padding_behind_a_message_is_not_damage(self):
+        state = random_joint_state(np.random.default_rng(3))
+        assert_read(Decoder()(cdr.serialize(as_message(state)) + bytes(3)), state)
+
+    def test_a_stamp_outside_the_type_is_refused(self):
+        with pytest.raises(QuadrupedError, match=r"stamp 2147483648000000000 ns: a ROS message holds"):
+            Encoder(["a"])(2**31 * 10**9, array("d", [0.0]).tobytes())
+
+    def test_damaged_bytes_are_refused_or_read_as_rosbags_reads_them(self):
+        rng, decode = np.random.default_rng(4), Decoder()
+        good = cdr.serialize(as_message(random_joint_state(np.random.default_rng(3))))
+        refused = 0
+        for _ in range(2000):
+            data = bytearray(good[: rng.integers(0, len(good) + 1)] if rng.random() < 0.5 else good)
+            for at in rng.integers(0, max(len(data), 1), rng.integers(0, 4)):
+                data[at : at + 1] = bytes([rng.integers(0, 256)])
+            try:
+                raw = decode(bytes(data))
+            except QuadrupedError as error:
+                assert str(error).startswith("byte ")  # noqa: PT017
+                refused += 1
+                continue
+            message = cdr.deserialize(bytes(data), JOINT_STATE)
+            assert raw.stamp == message.header.stamp.sec * 10**9 + message.header.stamp.nanosec
+            assert (list(raw.names), raw.position.tobytes()) == (message.name, message.position.tobytes())
+            assert (raw.velocity.tobytes(), raw.effort.tobytes()) == (
+                message.velocity.tobytes(),
+                message.effort.tobytes(),
+            )
+        assert 500 < refused < 2000
