@@ -3,8 +3,8 @@
     joint_state = cdr.message("sensor_msgs/msg/JointState", header=cdr.header(stamp), name=["a"], position=[0.5])
     data = cdr.serialize(joint_state)
 
-A message is a dataclass of `rosbags`, with the fields of its `MessageType`. Fields left out are what ROS makes them: 0, ""
-or empty, and 1 for the w of a quaternion. For long recordings of joint states, `quadruped_env.ros.joint_state` gives
+A message is a dataclass of `rosbags`, with the fields of its `MessageType`. Fields left out are what ROS makes them: 0,
+"" or empty, and 1 for the w of a quaternion. For long recordings of joint states, `quadruped_env.ros.joint_state` gives
 the same bytes faster.
 """
 

@@ -156,10 +156,10 @@ def _names(data: bytes) -> tuple[tuple[str, ...], int]:
 def _string(data: bytes, at: int) -> tuple[str, int]:
     (length,) = _UINT32.unpack_from(data, at)
     start, end = at + 4, at + 4 + length
-    # The length counts the zero that ends it; some write no zero for an empty string.
-    if length and data[end - 1 : end] != b"\x00":
+    # The length counts the zero that ends it.
+    if not length or data[end - 1 : end] != b"\x00":
         raise QuadrupedError(f"byte {at}: a text of {length} bytes does not end with a zero; the message is damaged")
-    return _text(data, start, max(start, end - 1)), end
+    return _text(data, start, end - 1), end
 
 
 def _text(data: bytes, start: int, end: int) -> str:
