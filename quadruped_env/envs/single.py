@@ -100,7 +100,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     | argument | default | meaning |
     |---|---|---|
     | `action_mode` | `"position"` | `"position"` or `"residual"` |
-    | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested plain values |
+    | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested plain values; `motor` for other motors |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
     | `width`, `height` | 640, 480 | of a picture, in pixels |
 
@@ -125,7 +125,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self.metadata = spaces.metadata(task_config)
         self.action_space = spaces.action_space()
         self.observation_space = spaces.observation_space()
-        self._simulation = SingleSimulation(load_model(task_config.physics_timestep))
+        self._simulation = SingleSimulation(load_model(task_config.physics_timestep, task_config.motor))
         self.task = Task(self._simulation, task_config)
         self._frame_size = (width, height)
         self._renderer: SceneRenderer | None = None

@@ -53,7 +53,8 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         self.single_observation_space = spaces.observation_space()
         self.action_space = batch_space(self.single_action_space, num_envs)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
-        self._simulation = BatchSimulation(load_model(task_config.physics_timestep), num_envs, num_threads)
+        model = load_model(task_config.physics_timestep, task_config.motor)
+        self._simulation = BatchSimulation(model, num_envs, num_threads)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self._frame_size = (width, height)
         self._renderer: SceneRenderer | None = None

@@ -120,7 +120,7 @@ def record(
         QuadrupedError: if the command is outside the task's ranges.
     """
     config = replace(task_config(controller.action_mode, config), randomization=_STILL)
-    task = Task(SingleSimulation(load_model(config.physics_timestep)), config)
+    task = Task(SingleSimulation(load_model(config.physics_timestep, config.motor)), config)
     task.reset(_ROW, seeds=[0], command=command)
     # An episode begins facing anywhere; this one begins facing along x.
     task.simulation.reset(_ROW, np.array([[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]]), np.zeros((1, 14)))

@@ -123,7 +123,7 @@ def roll_out(
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     rows = len(command)
-    task = Task(BatchSimulation(load_model(config.physics_timestep), rows), config)
+    task = Task(BatchSimulation(load_model(config.physics_timestep, config.motor), rows), config)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])

@@ -15,11 +15,13 @@ from quadruped_env.robot.facts import (
     VELOCITY_LIMIT,
 )
 from quadruped_env.robot.kinematics import forward_kinematics
+from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.transforms import Transform, fixed_transforms, joint_transforms
 
 __all__ = [
     "EFFORT_LIMIT",
     "FOOT_RADIUS",
+    "JOINT_KINDS",
     "JOINT_NAMES",
     "JOINT_POSITION_HIGH",
     "JOINT_POSITION_LOW",
@@ -29,6 +31,8 @@ __all__ = [
     "STANCE_HEIGHT",
     "TOTAL_MASS",
     "VELOCITY_LIMIT",
+    "JointMotor",
+    "MotorConfig",
     "Transform",
     "asset_path",
     "fixed_transforms",

@@ -6,6 +6,7 @@ from pathlib import Path
 import mujoco
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.motors import MotorConfig
 
 ASSETS = ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml")
 
@@ -31,13 +32,16 @@ def asset_path(name: str) -> Path:
     return _asset_directory() / name
 
 
-def load_model(timestep: float | None = None) -> mujoco.MjModel:
+def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
     """The robot on its ground, compiled.
 
     Args:
         timestep: physics step in s, or None for the one that the model file states.
+        motors: other motors than the model file's.
     """
     spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
     if timestep is not None:
         spec.option.timestep = timestep
+    if motors is not None and motors != MotorConfig():
+        motors.write(spec)
     return spec.compile()

@@ -5,6 +5,7 @@ import numpy as np
 from mujoco.batch import Batch, SimulationError
 from numpy.typing import NDArray
 
+from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState, force_columns
 from quadruped_env.simulation.state import State
 
@@ -31,6 +32,7 @@ class BatchSimulation:
         self._qpos = self.batch.bind("qpos")
         self._qvel = self.batch.bind("qvel")
         self._ctrl = self.batch.bind("ctrl")
+        self._history = self.batch.bind("history")
         self._warnings = self.batch.warning[:, DIVERGENCE_WARNINGS, _WARNING_COUNT]
         self._failed = np.zeros(num_rows, dtype=np.bool_)
         self._varied_fields: set[str] = set()
@@ -50,6 +52,10 @@ class BatchSimulation:
         self._qpos[rows] = qpos
         self._qvel[rows] = qvel
         self._ctrl[rows] = qpos[:, 7:]
+        if self.model.nhistory:
+            history = self._history[rows]
+            fill_command_history(self.model, history, qpos[:, 7:])
+            self._history[rows] = history
         self.batch.forward(rows, stage=SETTLED)  # checks the start for numbers that are none; the next line does not
         self.batch.forward(rows)
 

@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState, force_columns
 from quadruped_env.simulation.state import State
 
@@ -50,6 +51,7 @@ class SingleSimulation:
         data.qpos = qpos[0]
         data.qvel = qvel[0]
         self._ctrl[:] = qpos[0, 7:]
+        fill_command_history(self.model, data.history[None], qpos[:, 7:])
         mujoco.mj_step1(self.model, data)  # checks the start for numbers that are none; mj_forward does not
         mujoco.mj_forward(self.model, data)
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import MotorConfig
 
 ACTION_MODES: Final = ("position", "residual")
 
@@ -191,6 +192,7 @@ class TaskConfig:
     reward: RewardConfig = field(default_factory=RewardConfig)
     termination: TerminationConfig = field(default_factory=TerminationConfig)
     randomization: RandomizationConfig = field(default_factory=RandomizationConfig)
+    motor: MotorConfig = field(default_factory=MotorConfig)
 
     def __post_init__(self) -> None:
         _check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")

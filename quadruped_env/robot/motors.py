@@ -1,0 +1,117 @@
+"""The motors in numbers: those of the model file, or those that were identified on a robot."""
+
+import math
+from dataclasses import dataclass, field, fields
+from typing import Any, Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.facts import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
+
+VOLTAGE: Final = 24.0
+"""V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)"""
+
+MAX_DELAY: Final = 0.5
+"""s"""
+
+JOINT_KINDS: Final = ("hip", "knee")
+
+_LINEAR: Final = 1
+"""MuJoCo's interpolation between the commands that it remembers"""
+_POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
+
+
+@dataclass(frozen=True)
+class JointMotor:
+    """A motor and the joint that it turns. The defaults repeat the model file."""
+
+    stall_torque: float = EFFORT_LIMIT
+    """N m at full voltage and no speed; the motor's strength"""
+    no_load_speed: float = VELOCITY_LIMIT
+    """rad/s at full voltage and no torque"""
+    kp: float = 40.0
+    """N m/rad; torque for each rad between target and position, up to what the motor can give"""
+    kd: float = 1.0
+    """N m s/rad; torque against the joint's velocity"""
+    damping: float = 0.05
+    """N m s/rad; of bearings and gears"""
+    friction_loss: float = 0.0
+    """N m; dry friction"""
+    armature: float = 0.01
+    """kg m^2; the rotor's inertia as it appears at the joint"""
+
+    def __post_init__(self) -> None:
+        for entry in fields(self):
+            _check(entry.name, getattr(self, entry.name), positive=entry.name in _POSITIVE)
+
+
+@dataclass(frozen=True)
+class MotorConfig:
+    """Every motor of the robot: those of the hips are alike, and so are those of the knees."""
+
+    hip: JointMotor = field(default_factory=JointMotor)
+    knee: JointMotor = field(default_factory=JointMotor)
+    delay: float = 0.0
+    """s from a joint target to the motor that follows it; what lies between two physics steps is interpolated"""
+
+    def __post_init__(self) -> None:
+        _check("delay", self.delay)
+        if self.delay > MAX_DELAY:
+            raise QuadrupedError(f"motor: delay must be at most {MAX_DELAY:g} s; found {self.delay!r}; give it in s")
+
+    def of_joint(self, name: str) -> JointMotor:
+        """The motor of a joint."""
+        return self.hip if "hip" in name else self.knee
+
+    def write(self, spec: mujoco.MjSpec, max_delay: float | None = None) -> None:
+        """Put these motors into a robot's specification.
+
+        Args:
+            spec: what `load_model` compiles; its time step has to be set already.
+            max_delay: s; the room to keep for a delay. None takes the delay itself.
+        """
+        longest = self.delay if max_delay is None else max_delay
+        for name in JOINT_NAMES:
+            motor, joint, actuator = self.of_joint(name), spec.joint(name), spec.actuator(name)
+            joint.damping[0] = motor.damping
+            joint.frictionloss = motor.friction_loss
+            joint.armature = motor.armature
+            actuator.set_to_dcmotor(
+                motorconst=[0.0, 0.0],
+                resistance=0.0,
+                nominal=[VOLTAGE, motor.stall_torque, motor.no_load_speed],
+                saturation=[motor.stall_torque, 0.0, 0.0],
+                controller=[motor.kp, 0.0, motor.kd, 0.0, 0.0, VOLTAGE],
+                ctrlspec=actuator.ctrlspec,
+            )
+            if longest > 0.0:
+                actuator.delay, actuator.interp = self.delay, _LINEAR
+                actuator.nsample = math.ceil(longest / spec.option.timestep - 1e-9) + 1
+
+
+def fill_command_history(
+    model: mujoco.MjModel, history: NDArray[np.float64], joint_target: NDArray[np.float64]
+) -> None:
+    """Let delayed motors begin as if the targets (R, 8) in rad had been there all along.
+
+    Args:
+        model: the robot.
+        history: MuJoCo's history buffers (R, model.nhistory), written in place.
+        joint_target: rad (R, 8).
+    """
+    for actuator in range(model.nu):
+        start, samples = model.actuator_historyadr[actuator], model.actuator_history[actuator, 0]
+        if start >= 0:
+            # MuJoCo keeps two numbers of its own, then the times, then the values.
+            values = slice(start + 2 + samples, start + 2 + 2 * samples)
+            history[:, values] = joint_target[:, actuator, None]
+
+
+def _check(name: str, value: Any, positive: bool = False) -> None:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    if not number or value < 0 or (positive and value == 0):
+        rule = "positive" if positive else "0 or more"
+        raise QuadrupedError(f"motor: {name} must be a finite number, {rule}; found {value!r}")

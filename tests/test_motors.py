@@ -1,0 +1,156 @@
+"""Other motors than the model file's: what a robot was found to have."""
+
+import copy
+import json
+
+import gymnasium
+import mujoco
+import numpy as np
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT, JointMotor, MotorConfig, asset_path, load_model
+from quadruped_env.simulation import BatchSimulation, SingleSimulation
+from quadruped_env.task import TaskConfig
+
+OTHER = MotorConfig(
+    hip=JointMotor(stall_torque=7.0, kp=30.0, kd=0.6, damping=0.2, friction_loss=0.15, armature=0.02),
+    knee=JointMotor(stall_torque=12.0, no_load_speed=8.0, kp=55.0),
+    delay=0.01,
+)
+ROW = np.zeros(1, dtype=np.intp)
+START = np.array([[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]])
+
+
+def hung_up(motors):
+    """The robot without its floating base and its ground."""
+    spec = mujoco.MjSpec.from_file(str(asset_path("mini_quadruped.xml")))
+    spec.delete(spec.joint("floating_base"))
+    for key in list(spec.keys):
+        spec.delete(key)
+    motors.write(spec)
+    return spec.compile()
+
+
+def swing(model, steps):
+    """Joint positions and torques (T, 8) after a jump of all targets from zero at t = 0."""
+    data = mujoco.MjData(model)
+    position, torque = np.empty((2, steps, 8))
+    for step in range(steps):
+        data.ctrl[:] = [0.1, -0.1] * 4
+        mujoco.mj_step(model, data)
+        position[step], torque[step] = data.qpos, data.actuator_force
+    return position, torque
+
+
+def test_the_defaults_are_the_model_files(model):
+    spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
+    MotorConfig().write(spec)
+    written = spec.compile()
+    for name in dir(model):
+        value = getattr(model, name)
+        if isinstance(value, np.ndarray):
+            np.testing.assert_array_equal(getattr(written, name), value, err_msg=name)
+
+
+def test_each_number_reaches_its_joint():
+    model = load_model(motors=OTHER)
+    for name in JOINT_NAMES:
+        motor, dof, actuator = OTHER.of_joint(name), model.joint(name).dofadr[0], model.actuator(name).id
+        assert model.dof_damping[dof] == motor.damping
+        assert model.dof_frictionloss[dof] == motor.friction_loss
+        assert model.dof_armature[dof] == motor.armature
+        resistance, constant = model.actuator_gainprm[actuator, :2]
+        assert constant * 24.0 / resistance == pytest.approx(motor.stall_torque)
+        assert 24.0 / constant == pytest.approx(motor.no_load_speed)
+        assert tuple(model.actuator_gainprm[actuator, [4, 6]]) == (motor.kp, motor.kd)
+        assert model.actuator_delay[actuator] == OTHER.delay
+
+
+def test_a_stronger_motor_gives_its_torque_and_no_more():
+    for strength in (4.0, 16.0):
+        motor = JointMotor(stall_torque=strength, kp=500.0)
+        _, torque = swing(hung_up(MotorConfig(hip=motor, knee=motor)), 40)
+        assert np.abs(torque).max() == pytest.approx(strength, rel=1e-6)
+
+
+def test_a_delay_of_whole_steps_is_the_undelayed_motion_later():
+    prompt, _ = swing(hung_up(MotorConfig()), 60)
+    late, _ = swing(hung_up(MotorConfig(delay=0.015)), 63)
+    np.testing.assert_allclose(late[3:], prompt, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(late[:3], 0.0, atol=1e-12)
+
+
+def test_a_delay_between_steps_lies_between():
+    deflection = [swing(hung_up(MotorConfig(delay=delay)), 6)[0][-1, 0] for delay in (0.005, 0.007, 0.01)]
+    assert deflection[0] > deflection[1] > deflection[2]
+
+
+@pytest.mark.parametrize("make", [SingleSimulation, lambda model: BatchSimulation(model, 1, 1)])
+def test_delayed_motors_start_as_if_they_had_held_the_start(make):
+    """Without the history the legs would jerk towards zero at every reset."""
+    simulations = [make(load_model(motors=MotorConfig(delay=delay))) for delay in (0.0, 0.02)]
+    for simulation in simulations:
+        for _ in range(2):
+            simulation.reset(ROW, START, np.zeros((1, 14)))
+            simulation.step(STANCE[None] + 0.3, 3)
+        simulation.reset(ROW, START, np.zeros((1, 14)))
+        simulation.step(STANCE[None], 4)
+    prompt, late = (simulation.state.joint_position.copy() for simulation in simulations)
+    np.testing.assert_array_equal(late, prompt)
+
+
+CONFIG = {"motor": {"delay": 0.012, "hip": {"kp": 35.0, "friction_loss": 0.2}}}
+
+
+def test_single_and_vector_environment_agree_with_other_motors():
+    env = gymnasium.make_vec("MiniQuadruped-v0", num_envs=3, config=CONFIG)
+    singles = [gymnasium.make("MiniQuadruped-v0", config=CONFIG) for _ in range(3)]
+    observation, _ = env.reset(seed=3)
+    for row, single in enumerate(singles):
+        np.testing.assert_array_equal(single.reset(seed=3 + row)[0], observation[row])
+    rng = np.random.default_rng(0)
+    for _ in range(60):
+        actions = rng.uniform(-1, 1, (3, 8)).astype(np.float32)
+        observation, reward, *_ = env.step(actions)
+        for row, single in enumerate(singles):
+            after, given, terminated, *_ = single.step(actions[row])
+            after = single.reset()[0] if terminated else after
+            np.testing.assert_array_equal(after, observation[row])
+            assert given == reward[row]
+
+
+def test_what_was_sent_and_has_not_arrived_belongs_to_the_state():
+    env = gymnasium.make("MiniQuadruped-v0", config=CONFIG).unwrapped
+    env.reset(seed=0)
+    rng = np.random.default_rng(0)
+    actions = rng.uniform(-1, 1, (20, 8)).astype(np.float32)
+    for action in actions[:10]:
+        env.step(action)
+    state, twin = env.get_state(), copy.deepcopy(env)
+    ahead = [env.step(action)[0] for action in actions[10:]]
+    env.set_state(state)
+    for action, expected in zip(actions[10:], ahead, strict=True):
+        np.testing.assert_array_equal(env.step(action)[0], expected)
+        np.testing.assert_array_equal(twin.step(action)[0], expected)
+
+
+def test_as_json_and_back():
+    config = TaskConfig(motor=OTHER)
+    again = TaskConfig.from_dict(json.loads(json.dumps(config.to_dict())))
+    assert again.motor == OTHER
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"hip": {"kp": -1.0}}, r"kp must be a finite number, 0 or more; found -1\.0"),
+        ({"knee": {"armature": 0.0}}, r"armature must be a finite number, positive; found 0\.0"),
+        ({"hip": {"stall_torque": "strong"}}, r"config\.motor\.hip\.stall_torque: expected a number; found 'strong'"),
+        ({"ankle": {}}, "unknown field 'ankle'; valid fields are hip, knee, delay"),
+        ({"delay": 12.0}, r"delay must be at most 0\.5 s; found 12\.0; give it in s"),
+    ],
+)
+def test_numbers_that_make_no_sense(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        TaskConfig.from_dict({"motor": values})
