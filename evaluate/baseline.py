@@ -14,11 +14,13 @@ import argparse
 import sys
 from pathlib import Path
 
-from quadruped_env import QuadrupedError
+from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.baseline import baseline_files, run_baseline
+from quadruped_env.evaluation.film import Motion
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import check_free, free_path
 from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
 from quadruped_env.gait import PRESETS
 
 
@@ -50,20 +52,26 @@ def main() -> None:
         metavar="FILE.csv",
         help="where to write; default: results/baseline-PRESET.csv, or the next free number behind that name",
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace the files of --out if they exist")
+    add_video_option(parser)
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     args = parser.parse_args()
 
     name = f"baseline-{args.preset}{'-commands' if args.commands else ''}.csv"
     out = args.out or free_path(Path("results") / name)
     try:
         check_free(baseline_files(out), args.overwrite)
+        prepare_video(args.video, args.overwrite)
         progress = ProgressLine("measuring")
         baseline = run_baseline(args.preset, args.seconds, args.rate, args.episodes, args.seed, progress)
         baseline.save(out, args.commands, args.overwrite)
-    except QuadrupedError as error:
+        if args.video:
+            save_film(args.video, [Motion.of_recording(baseline.recording, args.preset)], ProgressLine("filming"))
+    except (QuadrupedError, MissingExtraError) as error:
         sys.exit(f"baseline.py: {error}")
     print(baseline.table())
     print(f"\n{'commands' if args.commands else 'measured joints'}: {out}\nmetrics: {out.with_suffix('.json')}")
+    if args.video:
+        print(f"video: {args.video}")
 
 
 if __name__ == "__main__":

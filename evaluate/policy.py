@@ -12,9 +12,10 @@ from pathlib import Path
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, compare
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.report import find_subject, prepare, summary_table, write_report
+from quadruped_env.evaluation.report import filmed, find_subject, prepare, summary_table, write_report
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -26,11 +27,13 @@ def main(arguments: list[str] | None = None) -> None:
         "--seconds", type=float, default=DEFAULT_SECONDS, metavar="S", help="length of an episode (%(default)g)"
     )
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
+    add_video_option(parser)
     parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (RUN/evaluation, or results/flat)")
     args = parser.parse_args(arguments)
     try:
         subject = find_subject(args.run, args.output)
         prepare(subject.output)
+        prepare_video(args.video)
         print(f"evaluating {subject.name}")
         comparison = compare(subject.policy, args.seeds, args.seconds, progress=ProgressLine("running"))
         source = subject.name if subject.directory is None else f"runs/{subject.name}"
@@ -41,10 +44,14 @@ def main(arguments: list[str] | None = None) -> None:
             with_video=not args.no_video,
             progress=ProgressLine("filming"),
         )
+        if args.video:
+            save_film(args.video, filmed(comparison), ProgressLine("filming"))
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         sys.exit(2)
     print(f"\n{summary_table(comparison)}\n\n{verdict(comparison).text()}\n\nreport:  {report}\nnumbers: {numbers}")
+    if args.video:
+        print(f"video:   {args.video}")
 
 
 if __name__ == "__main__":

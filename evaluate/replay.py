@@ -18,10 +18,11 @@ import argparse
 import sys
 from pathlib import Path
 
-from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.replay import MODES, replay, replay_files
 from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
 
 
 def main() -> None:
@@ -40,18 +41,24 @@ def main() -> None:
         metavar="DIRECTORY",
         help="where to write; default: results/replay-FILE, or the next free number behind that name",
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace the files in --out if they exist")
+    add_video_option(parser)
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     args = parser.parse_args()
 
     out = args.out or free_path(Path("results") / f"replay-{args.file.stem}")
     try:
         check_free(replay_files(out), args.overwrite)
+        prepare_video(args.video, args.overwrite)
         result = replay(JointTrajectory.load(args.file), args.mode, args.clip, ProgressLine("playing"))
         result.save(out, args.overwrite, ProgressLine("writing"))
-    except QuadrupedError as error:
+        if args.video:
+            save_film(args.video, [result.film()], ProgressLine("filming"))
+    except (QuadrupedError, MissingExtraError) as error:
         sys.exit(f"replay.py: {error}")
     print(result.table())
     print(f"\nlink poses, {'joints and ' if args.mode == 'dynamic' else ''}tracking errors: {out}")
+    if args.video:
+        print(f"video: {args.video}")
 
 
 if __name__ == "__main__":

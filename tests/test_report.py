@@ -1,5 +1,4 @@
 import base64
-import io
 import itertools
 import json
 import math
@@ -15,7 +14,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import plots, report, video
+from quadruped_env.evaluation import plots, report
 from quadruped_env.evaluation.comparison import COMMANDS, CONTROLLERS, MOTIONS, Comparison, compare, motion_of
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.report import find_subject, summary_table, write_report
@@ -156,31 +155,6 @@ def test_without_opengl_the_report_is_made_and_names_the_package(run_directory, 
     assert "No video: no OpenGL" in html
     assert "libegl1" in html
     assert "<video" not in html
-
-
-def test_video_is_an_mp4_of_what_was_recorded(comparison):
-    import av
-
-    try:
-        renderer = video.RolloutRenderer()
-    except QuadrupedError as error:
-        pytest.skip(str(error))
-    frames = list(renderer.clip(comparison.rollouts["tuned"], 2, 1.0, 1.2))
-    renderer.close()
-    assert len(frames) == 5
-    assert frames[0].shape == (video.HEIGHT, video.WIDTH, 3)
-    assert not np.array_equal(frames[0], frames[-1])
-    with av.open(io.BytesIO(video.encode_mp4(frames))) as container:
-        stream = container.streams.video[0]
-        assert stream.codec_context.name == "h264"
-        decoded = [frame.to_ndarray(format="rgb24") for frame in container.decode(stream)]
-    assert len(decoded) == 5
-    assert np.abs(decoded[0].astype(int) - frames[0]).mean() < 5.0
-
-
-def test_no_picture_is_no_video():
-    with pytest.raises(QuadrupedError, match="at least one picture"):
-        video.encode_mp4([])
 
 
 def test_table_has_a_row_for_every_motion(comparison):

@@ -46,13 +46,13 @@ class SceneRenderer:
                 # Every backend fails in its own way, down to AttributeError from a missing library.
                 raise QuadrupedError(f"{NO_OPENGL} ({type(error).__name__}: {error})") from error
 
-    def render(self, data: mujoco.MjData) -> NDArray[np.uint8] | None:
-        """A picture (height, width, 3), or None where a window was updated."""
+    def render(self, data: mujoco.MjData, camera: str | mujoco.MjvCamera = _CAMERA) -> NDArray[np.uint8] | None:
+        """A picture (height, width, 3), or None where a window was updated; a window has a camera of its own."""
         if self._window is not None:
             self._window.sync()
             return None
         assert self._renderer is not None
-        self._renderer.update_scene(data, camera=_CAMERA)
+        self._renderer.update_scene(data, camera=camera)
         return self._renderer.render()
 
     def close(self) -> None:

@@ -17,7 +17,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
-from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT, load_model
+from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, STANCE, STANCE_HEIGHT, load_model
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.trajectory import JointTrajectory
@@ -46,6 +46,10 @@ class Recording:
     """Measured positions, velocities and motor torques"""
     base_pose: NDArray[np.float64]
     """Position in m and quaternion wxyz of the base in the world (K + 1, 7)"""
+    velocity: NDArray[np.float64]
+    """Forward velocity in m/s and yaw rate in rad/s, in the body frame (K + 1, 2)"""
+    contact: NDArray[np.bool_]
+    """Whether each foot is on the ground (K + 1, 4)"""
     fell_at: float | None
     """s from the start, or None for a robot that stayed on its feet"""
 
@@ -127,12 +131,15 @@ def record(
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
     position, velocity, torque = np.empty((3, steps + 1, len(JOINT_NAMES)))
-    base_pose = np.empty((steps + 1, 7))
+    base_pose, velocity_b = np.empty((steps + 1, 7)), np.empty((steps + 1, 2))
+    contact = np.empty((steps + 1, len(LEG_NAMES)), np.bool_)
     state = task.simulation.state
 
     def keep(row: int) -> None:
         position[row], velocity[row], torque[row] = state.joint_position, state.joint_velocity, state.joint_torque
         base_pose[row, :3], base_pose[row, 3:] = state.base_position, state.orientation
+        velocity_b[row] = state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]
+        contact[row] = state.foot_force > config.reward.contact_threshold
 
     observation = task.observe()
     rows, fell_at = 1, None
@@ -150,7 +157,7 @@ def record(
             progress(step / steps)
     stamps = first_stamp + _stamps(np.arange(rows) * config.control_timestep)
     joints = JointTrajectory(stamps, JOINT_NAMES, position[:rows], velocity[:rows], torque[:rows])
-    return Recording(controller.name, joints, base_pose[:rows], fell_at)
+    return Recording(controller.name, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at)
 
 
 def _stamps(times: NDArray[np.floating[Any]]) -> NDArray[np.int64]:

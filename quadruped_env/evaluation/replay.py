@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.film import FRAME_RATE, Motion
 from quadruped_env.evaluation.recording import Recording, play
 from quadruped_env.evaluation.results import check_free, write_json
 from quadruped_env.evaluation.rollout import Progress
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, forward_kinematics
+from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE_HEIGHT, forward_kinematics
 from quadruped_env.robot.kinematics import Pose
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.csv import write_table
@@ -54,6 +55,15 @@ class Replay:
     def tracking_error(self) -> NDArray[np.float64]:
         """Played minus recorded position at the same time, rad (T, 8)."""
         return self.played.positions - self.recorded.positions_at(self.played.times)
+
+    def film(self) -> Motion:
+        """What a film of it shows; a kinematic replay floats where its stance would stand."""
+        name = Path(self.recorded.source.name).name
+        if self.motion is not None:
+            return Motion.of_recording(self.motion, name)
+        times = np.arange(0.0, self.played.duration + 1e-9, 1.0 / FRAME_RATE)
+        base_pose = np.tile([0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0], (len(times), 1))
+        return Motion(f"{name}, kinematic", 1.0 / FRAME_RATE, base_pose, self.played.positions_at(times))
 
     def report(self) -> dict[str, Any]:
         """The replay in numbers, as JSON takes them; errors in rad, times in s."""

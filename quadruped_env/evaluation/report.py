@@ -10,18 +10,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-import numpy as np
-from numpy.typing import NDArray
-
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation import plots
 from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS, Command, Comparison
+from quadruped_env.evaluation.film import Camera, Motion
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
+from quadruped_env.evaluation.overlay import AVERAGED
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.evaluation.statistics import Estimate
 from quadruped_env.evaluation.verdict import Verdict, verdict
-from quadruped_env.evaluation.video import FRAME_RATE, RolloutRenderer, encode_mp4
+from quadruped_env.evaluation.video import encode_mp4
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.policies.policy import SHIPPED
 from quadruped_env.training.run import PROGRESS_FILE, machine, versions
@@ -302,38 +301,34 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
     ]
 
 
-def _video(comparison: Comparison, progress: Progress | None) -> dict[str, str]:
-    """The source of a video and its caption, or why it is missing."""
-    try:
-        renderer = RolloutRenderer()
-    except QuadrupedError as error:
-        return {"missing": f"No video: {error}"}
+def filmed(comparison: Comparison) -> list[Motion]:
+    """What the report's film shows: the policy under a command of each kind of motion."""
     rollout = comparison.rollouts["policy"]
-    frames: list[NDArray[np.uint8]] = []
-    clips = []
-    try:
-        for motion in _FILMED:
-            command = _shown_commands(comparison).get(motion)
-            if command is None:
-                continue
+    motions = []
+    for motion in _FILMED:
+        command = _shown_commands(comparison).get(motion)
+        if command is not None:
             row = comparison.episode(command)
             alive = float(rollout.valid[:, row].sum()) * rollout.timestep
             start = max(0.0, min(START_UP, alive - CLIP_SECONDS))
-            before = len(frames)
-            for picture in renderer.clip(rollout, row, start, min(start + CLIP_SECONDS, alive)):
-                frames.append(picture)
-                if progress is not None:
-                    progress(len(frames) / (len(_FILMED) * CLIP_SECONDS * FRAME_RATE + 1.0))
-            if len(frames) > before:
-                clips.append(f"{motion} ({_words(comparison.commands[command])})")
-    finally:
-        renderer.close()
-    if not frames:
-        return {"missing": "No video: the robot falls at once."}
-    caption = f"The trained policy in real time: {', then '.join(clips)}. {_EPISODE}"
-    video = encode_mp4(frames)
-    if progress is not None:
-        progress(1.0)
+            title = f"{motion}: {_words(comparison.commands[command])}"
+            motions.append(Motion.of_rollout(rollout, row, title, start, start + CLIP_SECONDS))
+    return motions
+
+
+def _video(comparison: Comparison, progress: Progress | None) -> dict[str, str]:
+    """The source of a video and its caption, or why it is missing."""
+    motions = filmed(comparison)
+    try:
+        with Camera() as camera:
+            video = encode_mp4(camera.films(motions, progress))
+    except QuadrupedError as error:
+        return {"missing": f"No video: {error}"}
+    shown = ", then ".join(motion.title for motion in motions)
+    caption = (
+        f"The trained policy in real time. {shown[:1].upper()}{shown[1:]}. {_EPISODE} The black marks are what it is "
+        f"asked for, the bars what it does, averaged over {AVERAGED:g} s; coloured bands are feet on the ground."
+    )
     return {"source": _data_url("video/mp4", video), "caption": caption}
 
 

@@ -1,50 +1,100 @@
-"""Videos of rollouts: rendered from what was recorded, encoded as MP4 with H.264."""
+"""Files of moving and still pictures: MP4 for browsers, GIF and WebP for READMEs, PNG stills."""
 
+import argparse
 import io
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
-import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
-from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.metrics import heading_of
-from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.robot import load_model
+from quadruped_env.evaluation.film import FRAME_RATE, Camera, Motion, Picture
+from quadruped_env.evaluation.results import check_free
+from quadruped_env.evaluation.rollout import Progress
 
-WIDTH, HEIGHT = 640, 480
-FRAME_RATE: Final = 25
-_GROUND: Final = 10.0
-"""m from the origin to the edge of the ground in a picture"""
+SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
+STILLS: Final = 4
+"""Pictures side by side in a PNG"""
+_PAGE_WIDTH: Final = 480
+"""Pixels of a GIF or WebP: what a README shows without making its readers wait"""
+_PALETTE_PICTURES: Final = 8
 _ENCODER: Final = "libx264"
 # Constant quality; 25 leaves no visible trace on flat colours.
 _OPTIONS: Final = {"crf": "25", "preset": "veryfast", "movflags": "+faststart"}
 
 
-def encode_mp4(frames: Iterable[NDArray[np.uint8]], frame_rate: int = FRAME_RATE) -> bytes:
-    """A video that every browser plays, from pictures (height, width, 3) with even sides.
+def add_video_option(parser: argparse.ArgumentParser) -> None:
+    """The option of every program that runs the robot."""
+    parser.add_argument(
+        "--video",
+        type=Path,
+        metavar="FILE",
+        help=f"also film it: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
+    )
+
+
+def prepare_video(path: Path | None, overwrite: bool = False) -> None:
+    """Fail now if a video could not be made later; without a path there is nothing to do.
+
+    Raises:
+        MissingExtraError: if a library of the `report` extra is not installed.
+        QuadrupedError: if the file's name ends otherwise than in `SUFFIXES`, the file is there already and is not to
+            be overwritten, or there is no OpenGL.
+    """
+    if path is None:
+        return
+    if path.suffix not in SUFFIXES:
+        raise QuadrupedError(
+            f"{path}: a video's name ends in {', '.join(SUFFIXES)}; found {path.suffix or 'no ending'!r}"
+        )
+    check_free([path], overwrite)
+    _pillow()
+    if path.suffix == ".mp4":
+        _pyav()
+    Camera().close()
+
+
+def save_film(path: Path, motions: Sequence[Motion], progress: Progress | None = None) -> None:
+    """Film motions one after another into a file of the kind that its name says.
+
+    Raises:
+        QuadrupedError, MissingExtraError: as `prepare_video`, or if the file cannot be written.
+    """
+    with Camera() as camera:
+        save_video(path, camera.films(motions, progress))
+
+
+def save_video(path: Path, pictures: Iterable[Picture]) -> None:
+    """Write pictures (H, W, 3), `FRAME_RATE` a second, to a file of the kind that its name says.
+
+    Raises:
+        MissingExtraError: if a library of the `report` extra is not installed.
+        QuadrupedError: if there is no picture, the file cannot be written, or PyAV was built without the encoder.
+    """
+    encode = {".mp4": encode_mp4, ".gif": _encode_gif, ".webp": _encode_webp, ".png": _encode_stills}[path.suffix]
+    content = encode(pictures)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    except OSError as error:
+        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+
+
+def encode_mp4(pictures: Iterable[Picture]) -> bytes:
+    """A video that every browser plays (H.264), from pictures (H, W, 3) with even sides.
 
     Raises:
         MissingExtraError: if PyAV is not installed.
         QuadrupedError: if there is no picture, or PyAV was built without the encoder.
     """
-    try:
-        import av
-    except ImportError as error:
-        raise MissingExtraError("A video", "report") from error
-
-    frames = iter(frames)
-    first = next(frames, None)
-    if first is None:
-        raise QuadrupedError("encode_mp4: expected at least one picture; found none")
+    av = _pyav()
+    first, pictures = _first(pictures)
     file = io.BytesIO()
     with av.open(file, "w", format="mp4") as container:
         try:
-            stream = container.add_stream(_ENCODER, rate=frame_rate, options=dict(_OPTIONS))
+            stream = container.add_stream(_ENCODER, rate=FRAME_RATE, options=dict(_OPTIONS))
         except av.codec.codec.UnknownCodecError as error:
             raise QuadrupedError(
                 f"PyAV {av.__version__} has no encoder {_ENCODER!r}; its wheel has: "
@@ -52,67 +102,90 @@ def encode_mp4(frames: Iterable[NDArray[np.uint8]], frame_rate: int = FRAME_RATE
             ) from error
         stream.height, stream.width = first.shape[:2]
         stream.pix_fmt = "yuv420p"
-        for picture in itertools.chain([first], frames):
+        for picture in pictures:
             container.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
         container.mux(stream.encode(None))
     return file.getvalue()
 
 
-def write_png(path: Path, picture: NDArray[np.uint8]) -> None:
-    """Write a picture (height, width, 3).
+def encode_png(picture: Picture) -> bytes:
+    """A picture (H, W, 3) as PNG.
 
     Raises:
-        MissingExtraError: if matplotlib is not installed.
+        MissingExtraError: if Pillow is not installed.
     """
+    file = io.BytesIO()
+    _pillow().fromarray(picture).save(file, "PNG", optimize=True)
+    return file.getvalue()
+
+
+def _encode_gif(pictures: Iterable[Picture]) -> bytes:
+    # One palette for all: with one of its own for each picture the flat ground would flicker.
+    images = _page_images(pictures)
+    several = np.concatenate([np.asarray(image) for image in images[:: max(1, len(images) // _PALETTE_PICTURES)]])
+    palette = _pillow().fromarray(several).quantize(255)
+    return _animation([image.quantize(palette=palette, dither=0) for image in images], "GIF", optimize=True)
+
+
+def _encode_webp(pictures: Iterable[Picture]) -> bytes:
+    return _animation(_page_images(pictures), "WEBP", quality=70, method=4)
+
+
+def _animation(images: list[Any], kind: str, **options: Any) -> bytes:
+    file = io.BytesIO()
+    images[0].save(
+        file, kind, save_all=True, append_images=images[1:], duration=round(1000 / FRAME_RATE), loop=0, **options
+    )
+    return file.getvalue()
+
+
+def _page_images(pictures: Iterable[Picture]) -> list[Any]:
+    """Pictures as Pillow's images, no wider than a page wants them."""
+    image = _pillow()
+    _, pictures = _first(pictures)
+    images = []
+    for picture in pictures:
+        full = image.fromarray(picture)
+        scale = min(1.0, _PAGE_WIDTH / full.width)
+        images.append(full.resize((round(full.width * scale), round(full.height * scale)), image.Resampling.LANCZOS))
+    return images
+
+
+def _encode_stills(pictures: Iterable[Picture]) -> bytes:
+    """`STILLS` pictures from the first to the last, half their size, side by side."""
+    _, pictures = _first(pictures)
+    every = list(pictures)
+    chosen = np.linspace(0, len(every) - 1, STILLS).round().astype(int)
+    return encode_png(np.concatenate([halved(every[i]) for i in chosen], axis=1))
+
+
+def halved(picture: Picture) -> Picture:
+    """A picture with even sides (H, W, 3) at half its size."""
+    height, width = picture.shape[:2]
+    quarters = picture.reshape(height // 2, 2, width // 2, 2, 3)
+    return quarters.mean(axis=(1, 3)).round().astype(np.uint8)
+
+
+def _first(pictures: Iterable[Picture]) -> tuple[Picture, Iterator[Picture]]:
+    """The first of the pictures, and all of them."""
+    rest = iter(pictures)
+    first = next(rest, None)
+    if first is None:
+        raise QuadrupedError("a video needs at least one picture; found none")
+    return first, itertools.chain([first], rest)
+
+
+def _pillow() -> Any:
     try:
-        from matplotlib.image import imsave
+        from PIL import Image
     except ImportError as error:
-        raise MissingExtraError("A picture", "report") from error
-    imsave(path, picture)
+        raise MissingExtraError("A video", "report") from error
+    return Image
 
 
-class RolloutRenderer:
-    """Draws rows of rollouts.
-
-    Raises:
-        QuadrupedError: if there is no OpenGL.
-    """
-
-    def __init__(self) -> None:
-        self._model = load_model()
-        # A software renderer draws the scene once for the mirror and once for the shadow: the first goes, the
-        # second gets coarser, and frames come in two thirds of the time.
-        self._model.mat_reflectance[:] = 0.0
-        self._model.vis.quality.shadowsize = 1024
-        # On an endless plane, software renderers sometimes leave dark specks.
-        self._model.geom_size[self._model.geom("ground").id, :2] = _GROUND
-        self._data = mujoco.MjData(self._model)
-        self._renderer = SceneRenderer(self._model, self._data, "rgb_array", WIDTH, HEIGHT)
-
-    def clip(self, rollout: Rollout, row: int, start: float, stop: float) -> Iterator[NDArray[np.uint8]]:
-        """Pictures (HEIGHT, WIDTH, 3) of a row from one time to another, s.
-
-        The robot begins its episodes facing anywhere. On a plane that makes no difference, so the whole recording is
-        turned and moved to begin at the origin, facing the +x direction of the world.
-        """
-        times = np.arange(start, min(stop, rollout.seconds) - 1e-9, 1.0 / FRAME_RATE)
-        samples = np.round(times / rollout.timestep).astype(np.intp)
-        position = rollout.base_position[samples, row].astype(np.float64)
-        orientation = rollout.orientation[samples, row].astype(np.float64)
-        angle = -heading_of(orientation[:, None])[0, 0]
-        c, s = np.cos(angle), np.sin(angle)
-        position[:, :2] -= position[0, :2]
-        position[:, :2] = position[:, :2] @ np.array([[c, s], [-s, c]])
-        turn = np.array([np.cos(angle / 2), 0.0, 0.0, np.sin(angle / 2)])
-        for i, sample in enumerate(samples):
-            self._data.qpos[:3] = position[i]
-            mujoco.mju_mulQuat(self._data.qpos[3:7], turn, orientation[i])
-            self._data.qpos[7:] = rollout.joint_position[sample, row]
-            mujoco.mj_forward(self._model, self._data)
-            picture = self._renderer.render(self._data)
-            assert picture is not None
-            yield picture
-
-    def close(self) -> None:
-        """Free the OpenGL context."""
-        self._renderer.close()
+def _pyav() -> Any:
+    try:
+        import av
+    except ImportError as error:
+        raise MissingExtraError("A video", "report") from error
+    return av
