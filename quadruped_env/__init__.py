@@ -12,7 +12,7 @@ choose_opengl()  # before anything imports MuJoCo, which reads the choice when i
 
 from quadruped_env import envs, policies  # noqa: E402
 from quadruped_env._version import __version__  # noqa: E402
-from quadruped_env.errors import MissingExtraError, QuadrupedError  # noqa: E402
+from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning  # noqa: E402
 from quadruped_env.gait import CommandedGait, SinusoidalGait  # noqa: E402
 from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics, load_model  # noqa: E402
 from quadruped_env.trajectory import JointState, JointTrajectory  # noqa: E402
@@ -25,6 +25,7 @@ __all__ = [
     "JointTrajectory",
     "MissingExtraError",
     "QuadrupedError",
+    "QuadrupedWarning",
     "SinusoidalGait",
     "__version__",
     "asset_path",

@@ -10,3 +10,7 @@ class MissingExtraError(ImportError):
 
     def __init__(self, purpose: str, extra: str) -> None:
         super().__init__(f"{purpose} needs the '{extra}' extra: pip install 'mini-quadruped[{extra}]'")
+
+
+class QuadrupedWarning(UserWarning):
+    """Input that can be used, though something about it may not be as meant."""

@@ -4,7 +4,7 @@ import time
 import numpy as np
 import pytest
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, QuadrupedWarning
 
 STAMPS = [1_763_500_000_000_000_001, 1_763_500_000_020_000_003, 1_763_500_000_050_000_000, 1_763_500_001_000_000_000]
 """ns: later than 2^53, where a float no longer holds every whole number, and unevenly spaced"""
@@ -115,11 +115,15 @@ class TestJointOrder:
         np.testing.assert_array_equal(ordered.efforts, trajectory.efforts[:, ::-1])
         np.testing.assert_array_equal(trajectory.positions_at(0.0), trajectory.positions[0, ::-1])
 
-    def test_other_robots_joints_are_named(self):
-        names = [*JOINT_NAMES[:7], "RH_ankle_joint"]
-        with pytest.raises(QuadrupedError, match=r"unknown joint 'RH_ankle_joint'; .*RH_knee_joint; rename"):
-            random_trajectory(names=names).in_joint_order()
-        with pytest.raises(QuadrupedError, match=r"joint 'RH_knee_joint' is missing; all 8 .*LH_knee_joint.*; add"):
+    def test_joints_of_other_robots_are_left_out_with_a_warning(self):
+        trajectory = random_trajectory(names=["wheel", *JOINT_NAMES, "RH_ankle_joint"])
+        with pytest.warns(QuadrupedWarning, match=r"left out what this robot does not have: wheel, RH_ankle_joint"):
+            ordered = trajectory.in_joint_order()
+        assert ordered.names == JOINT_NAMES
+        np.testing.assert_array_equal(ordered.efforts, trajectory.efforts[:, 1:-1])
+
+    def test_missing_joints_are_named(self):
+        with pytest.raises(QuadrupedError, match=r"joint 'RH_knee_joint' is missing; all 8 .*RH_hip_joint; add"):
             random_trajectory(names=JOINT_NAMES[:7]).positions_at(0.0)
 
 
@@ -283,7 +287,7 @@ class TestCsv:
 
     def test_joints_are_checked_with_the_files_name(self, tmp_path):
         path = write(tmp_path / "a.csv", "stamp_ns,position.wheel\n", "0,0\n")
-        with pytest.raises(QuadrupedError, match=r"a\.csv: unknown joint 'wheel'"):
+        with pytest.raises(QuadrupedError, match=r"a\.csv: joint 'LF_hip_joint' is missing; .*it has wheel; add"):
             JointTrajectory.load(path).in_joint_order()
 
 

@@ -1,8 +1,9 @@
 """The one trajectory type: joint states over time."""
 
 import operator
+import warnings
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Final, Self
@@ -10,8 +11,10 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.trajectory.joint_map import JointMap
+from quadruped_env.trajectory.signals import derivative, interpolate
 
 NANOSECONDS: Final = 1e9
 """in a second"""
@@ -164,35 +167,41 @@ class JointTrajectory:
         """Time from the first stamp to the last, s."""
         return float(self.times[-1])
 
-    def in_joint_order(self) -> "JointTrajectory":
-        """The trajectory with its columns in the order of `JOINT_NAMES`.
+    def select(self, names: Sequence[str]) -> "JointTrajectory":
+        """The trajectory with these joints only, in this order.
 
         Raises:
-            QuadrupedError: if a joint is unknown or missing.
+            QuadrupedError: if one of them is missing.
         """
-        if self.names == JOINT_NAMES:
+        if tuple(names) == self.names:
             return self
-        for name in self.names:
-            if name not in JOINT_NAMES:
-                raise QuadrupedError(
-                    f"{self.source.name}: unknown joint {name!r}; this robot's joints are {', '.join(JOINT_NAMES)}; "
-                    f"rename it, or leave it out"
-                )
-        for name in JOINT_NAMES:
+        for name in names:
             if name not in self.names:
                 raise QuadrupedError(
-                    f"{self.source.name}: joint {name!r} is missing; all {len(JOINT_NAMES)} are needed, and it has "
-                    f"{', '.join(self.names)}; add its positions"
+                    f"{self.source.name}: joint {name!r} is missing; all {len(names)} are needed, and it has "
+                    f"{', '.join(self.names)}; add its positions, or map another robot's joints (--map)"
                 )
-        order = [self.names.index(name) for name in JOINT_NAMES]
-        return JointTrajectory(
-            self.stamps,
-            JOINT_NAMES,
-            self.positions[:, order],
-            None if self.velocities is None else self.velocities[:, order],
-            None if self.efforts is None else self.efforts[:, order],
-            self.source,
-        )
+        order = [self.names.index(name) for name in names]
+        return self._changed(names=names, **{kind: array[:, order] for kind, array in self._arrays().items()})
+
+    def in_joint_order(self) -> "JointTrajectory":
+        """The trajectory with this robot's joints in the order of `JOINT_NAMES`.
+
+        Warns:
+            QuadrupedWarning: of joints that this robot does not have; they are left out.
+
+        Raises:
+            QuadrupedError: if a joint is missing.
+        """
+        ordered = self.select(JOINT_NAMES)
+        unknown = [name for name in self.names if name not in JOINT_NAMES]
+        if unknown:
+            warnings.warn(
+                f"{self.source.name}: left out what this robot does not have: {', '.join(unknown)}",
+                QuadrupedWarning,
+                stacklevel=2,
+            )
+        return ordered
 
     @cached_property
     def _joint_positions(self) -> NDArray[np.float64]:
@@ -205,21 +214,151 @@ class JointTrajectory:
         gives that row's values to the last bit.
 
         Raises:
-            QuadrupedError: if a joint is unknown or missing, or a time is NaN.
+            QuadrupedError: if a joint is missing, or a time is NaN.
         """
         positions = self._joint_positions
         time = np.asarray(seconds, dtype=np.float64) * NANOSECONDS
         if np.isnan(time).any():
             raise QuadrupedError(f"{self.source.name}: positions_at: a time is NaN; give numbers, in s")
-        stamps = self._nanoseconds
-        time = time.clip(0.0, stamps[-1])
+        time = time.clip(0.0, self._nanoseconds[-1])
         # k times a period in s is rarely a whole number of ns in floating point, and means one.
         whole = np.rint(time)
         time = np.where(np.abs(time - whole) <= 1e-15 * whole, whole, time)
-        before = np.searchsorted(stamps, time, side="right") - 1
-        after = np.minimum(before + 1, len(stamps) - 1)
-        share = (time - stamps[before]) / np.maximum(stamps[after] - stamps[before], 1.0)
-        return positions[before] + share[..., None] * (positions[after] - positions[before])
+        return interpolate(self._nanoseconds, positions, time)
+
+    def at(self, stamps: ArrayLike) -> "JointTrajectory":
+        """The trajectory with rows at these stamps, in ns, on straight lines between its own.
+
+        Raises:
+            QuadrupedError: if the stamps do not rise, or one lies before the first or after the last of its own.
+        """
+        wanted = _checked_stamps(stamps, Source(f"{self.source.name}: at"))
+        if wanted[0] < self.stamps[0] or wanted[-1] > self.stamps[-1]:
+            outside = wanted[0] if wanted[0] < self.stamps[0] else wanted[-1]
+            raise QuadrupedError(
+                f"{self.source.name}: at: stamp {outside} ns lies outside the recording, {self.stamps[0]} to "
+                f"{self.stamps[-1]} ns; ask for stamps within it"
+            )
+        nanoseconds = (wanted - self.stamps[0]).astype(np.float64)
+        return self._changed(
+            stamps=wanted,
+            source=Source(self.source.name),
+            **{kind: interpolate(self._nanoseconds, array, nanoseconds) for kind, array in self._arrays().items()},
+        )
+
+    def resample(self, rate: float) -> "JointTrajectory":
+        """The trajectory with rows at an even rate, in Hz, from its first stamp on; straight lines between its own.
+
+        Nothing is filtered: what swings faster than half the rate becomes something slower.
+
+        Raises:
+            QuadrupedError: if the rate is not above 0, or above 1 GHz.
+        """
+        if not 0.0 < rate <= NANOSECONDS:
+            raise QuadrupedError(f"{self.source.name}: resample: expected a rate above 0 Hz; found {rate!r}")
+        count = int(self._nanoseconds[-1] * rate / NANOSECONDS + 1e-6) + 1
+        nanoseconds = np.rint(np.arange(count) * (NANOSECONDS / rate)).astype(np.int64)
+        return self.at(np.minimum(self.stamps[0] + nanoseconds, self.stamps[-1]))
+
+    def slice(self, start: float | None = None, stop: float | None = None) -> "JointTrajectory":
+        """The rows from `start` on and before `stop`, in s from the first stamp; None is the end of that side.
+
+        Raises:
+            QuadrupedError: if no row is left.
+        """
+        first = 0 if start is None else int(np.searchsorted(self.times, start))
+        last = len(self) if stop is None else int(np.searchsorted(self.times, stop))
+        if first >= last:
+            raise QuadrupedError(
+                f"{self.source.name}: slice: no row between {start} and {stop} s; it lasts {self.duration:g} s"
+            )
+        rows = np.s_[first:last]
+        source = replace(self.source, first_row=self.source.first_row + first)
+        arrays = {kind: array[rows] for kind, array in self._arrays().items()}
+        return self._changed(stamps=self.stamps[rows], source=source, **arrays)
+
+    def differentiate(self, window: float = 0.05) -> "JointTrajectory":
+        """The trajectory with velocities that are made of its positions, filtered and not delayed.
+
+        Args:
+            window: s, over which a parabola is fitted around every row; at least three rows. A longer one is smoother.
+
+        Raises:
+            QuadrupedError: if the window is not above 0, or there is one row only.
+        """
+        if not 0.0 < window < np.inf or len(self) == 1:
+            raise QuadrupedError(
+                f"{self.source.name}: differentiate: expected a window above 0 s and two rows or more; found "
+                f"{window!r} and {len(self)}"
+            )
+        rows = max(3, 2 * round(window / (2.0 * float(np.median(np.diff(self.times))))) + 1)
+        return self._changed(velocities=derivative(self.times, self.positions, rows))
+
+    def retarget(self, joint_map: JointMap | str | Path) -> "JointTrajectory":
+        """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.joint_map`.
+
+        Args:
+            joint_map: the map, or the TOML file that it is in.
+
+        Raises:
+            QuadrupedError: if the map is wrong, or a joint that it names as a source is missing.
+        """
+        if not isinstance(joint_map, JointMap):
+            joint_map = JointMap.load(joint_map)
+        for joint, rule in joint_map.rules.items():
+            if rule.source is not None and rule.source not in self.names:
+                raise QuadrupedError(
+                    f"{joint_map.name}: [joints.{joint}] source: {self.source.name} has no joint {rule.source!r}; "
+                    f"it has {', '.join(self.names)}"
+                )
+        rules = joint_map.rules.values()
+        factors = np.array([rule.factor for rule in rules])
+        offsets = np.array([rule.offset_rad for rule in rules])
+        gears = np.array([rule.sign * rule.scale for rule in rules])
+
+        def of_sources(array: NDArray[np.float64], missing: float) -> NDArray[np.float64]:
+            columns = [
+                np.full(len(self), missing) if rule.source is None else array[:, self.names.index(rule.source)]
+                for rule in rules
+            ]
+            return np.stack(columns, axis=1)
+
+        return self._changed(
+            names=tuple(joint_map.rules),
+            positions=of_sources(self.positions, 0.0) * factors + offsets,
+            velocities=None if self.velocities is None else of_sources(self.velocities, 0.0) * factors,
+            efforts=None if self.efforts is None else of_sources(self.efforts, np.nan) / gears,
+        )
+
+    def gaps(self, factor: float = 3.0) -> tuple["Gap", ...]:
+        """Where rows are missing: times between rows longer than `factor` times the usual (the median)."""
+        steps = np.diff(self.stamps)
+        if not len(steps):
+            return ()
+        return tuple(
+            Gap(int(i), float(self.times[i]), float(steps[i]) / NANOSECONDS)
+            for i in np.flatnonzero(steps > factor * np.median(steps))
+        )
+
+    def _arrays(self) -> dict[str, NDArray[np.float64]]:
+        """The arrays (T, J) that are there, by name."""
+        arrays = {"positions": self.positions, "velocities": self.velocities, "efforts": self.efforts}
+        return {name: array for name, array in arrays.items() if array is not None}
+
+    def _changed(self, **changes: Any) -> "JointTrajectory":
+        """The trajectory with other values of some of its fields."""
+        return JointTrajectory(**({field.name: getattr(self, field.name) for field in fields(self)} | changes))
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A time without rows."""
+
+    row: int
+    """The last one before it"""
+    start: float
+    """s from the first stamp"""
+    seconds: float
 
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:

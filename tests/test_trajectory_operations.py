@@ -1,0 +1,200 @@
+"""Resampling, slicing, differentiating and retargeting, against closed forms and SciPy."""
+
+import re
+
+import numpy as np
+import pytest
+
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
+from quadruped_env.trajectory import JointMap, JointRule
+
+START = 1_763_500_000_000_000_001
+
+
+def trajectory_of(function, seconds, **changes):
+    """Two joints: a function of time in s, and its negative."""
+    values = function(np.asarray(seconds))
+    stamps = START + np.rint(np.asarray(seconds) * 1e9).astype(np.int64)
+    return JointTrajectory(stamps, ["a", "b"], np.stack([values, -values], axis=1), **changes)
+
+
+@pytest.fixture
+def uneven():
+    """Times in s, unevenly spaced about 10 ms."""
+    rng = np.random.default_rng(0)
+    return np.cumsum(np.rint(rng.uniform(5e-3, 15e-3, 400) * 1e9)) / 1e9
+
+
+class TestResample:
+    def test_straight_lines_stay_straight(self, uneven):
+        line = trajectory_of(lambda t: 3.0 * t - 1.0, uneven, velocities=np.full((400, 2), 3.0))
+        even = line.resample(50.0)
+        np.testing.assert_array_equal(np.diff(even.stamps), 20_000_000)
+        assert even.stamps[0] == line.stamps[0]
+        assert 0 <= line.stamps[-1] - even.stamps[-1] < 20_000_000
+        np.testing.assert_allclose(even.positions[:, 0], 3.0 * (even.times + uneven[0]) - 1.0, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(even.velocities, 3.0)
+        assert even.efforts is None
+
+    def test_rows_at_their_own_rate_come_back_to_the_last_bit(self):
+        wave = trajectory_of(np.sin, np.arange(1000) / 50.0)
+        again = wave.resample(50.0)
+        np.testing.assert_array_equal(again.stamps, wave.stamps)
+        np.testing.assert_array_equal(again.positions, wave.positions)
+
+    @pytest.mark.parametrize("rate", [30.0, 1e3 / 7, 400.0])
+    def test_rates_that_no_whole_ns_fits(self, rate):
+        wave = trajectory_of(np.sin, np.arange(100) / 50.0)
+        again = wave.resample(rate)
+        assert len(again) == int(99 / 50 * rate) + 1
+        np.testing.assert_allclose(again.times, np.arange(len(again)) / rate, rtol=0, atol=0.6e-9)
+
+    def test_an_unknown_effort_stays_unknown_only_around_its_row(self):
+        efforts = np.ones((4, 2))
+        efforts[2, 0] = np.nan
+        fine = trajectory_of(np.sin, np.arange(4) / 10.0, efforts=efforts).resample(20.0)
+        assert np.isnan(fine.efforts[:, 0]).tolist() == [False, False, False, True, True, True, False]
+        assert np.isfinite(fine.efforts[:, 1]).all()
+
+    def test_stamps_outside_the_recording_are_named(self):
+        wave = trajectory_of(np.sin, [0.0, 1.0])
+        with pytest.raises(QuadrupedError, match=rf"stamp {START - 1} ns lies outside the recording, {START} to"):
+            wave.at([START - 1, START])
+        with pytest.raises(QuadrupedError, match="does not come after"):
+            wave.at([START, START])
+        for rate in (0.0, -1.0, np.nan, 2e9):
+            with pytest.raises(QuadrupedError, match="expected a rate above 0 Hz"):
+                wave.resample(rate)
+
+
+class TestSlice:
+    def test_start_is_in_and_stop_is_out(self):
+        wave = trajectory_of(np.sin, np.arange(10) / 10.0)
+        part = wave.slice(0.2, 0.5)
+        np.testing.assert_array_equal(part.stamps, wave.stamps[2:5])
+        np.testing.assert_array_equal(part.positions, wave.positions[2:5])
+        assert len(wave.slice()) == 10
+        np.testing.assert_array_equal(wave.slice(stop=0.2).stamps, wave.stamps[:2])
+        assert part.source.row(0) == "JointTrajectory: row 2"
+
+    def test_an_empty_slice_is_named(self):
+        with pytest.raises(QuadrupedError, match=r"slice: no row between 5 and None s; it lasts 0\.9 s"):
+            trajectory_of(np.sin, np.arange(10) / 10.0).slice(5)
+
+
+class TestDifferentiate:
+    def test_is_exact_for_parabolas_at_uneven_times_ends_included(self, uneven):
+        parabola = trajectory_of(lambda t: 2.0 * t**2 - 5.0 * t + 1.0, uneven)
+        for window in (0.01, 0.05, 0.3):
+            velocities = parabola.differentiate(window).velocities
+            np.testing.assert_allclose(velocities[:, 0], 4.0 * uneven - 5.0, rtol=0, atol=1e-9)
+            np.testing.assert_allclose(velocities[:, 1], 5.0 - 4.0 * uneven, rtol=0, atol=1e-9)
+
+    @pytest.mark.parametrize("rows", [3, 5, 11])
+    def test_is_the_filter_of_savitzky_and_golay_on_even_times(self, rows):
+        signal = pytest.importorskip("scipy.signal")
+        rng = np.random.default_rng(1)
+        positions = rng.normal(size=(300, 2))
+        trajectory = JointTrajectory(START + 10_000_000 * np.arange(300), ["a", "b"], positions)
+        expected = signal.savgol_filter(positions, rows, 2, deriv=1, delta=0.01, axis=0, mode="interp")
+        np.testing.assert_allclose(
+            trajectory.differentiate((rows - 1) * 0.01).velocities, expected, rtol=0, atol=1e-9 * np.abs(expected).max()
+        )
+
+    def test_filters_noise_and_does_not_delay(self):
+        rng, times = np.random.default_rng(2), np.arange(2000) / 100.0
+        noisy = trajectory_of(lambda t: np.sin(2.0 * t) + rng.normal(0.0, 1e-3, len(t)), times)
+        error = noisy.differentiate(0.2).velocities[:, 0] - 2.0 * np.cos(2.0 * times)
+        central = np.gradient(noisy.positions[:, 0], times) - 2.0 * np.cos(2.0 * times)
+        assert np.sqrt(np.mean(error**2)) < 0.2 * np.sqrt(np.mean(central**2))
+
+    def test_two_rows_give_their_slope(self):
+        slope = trajectory_of(lambda t: 3.0 * t, [0.0, 0.5]).differentiate()
+        np.testing.assert_allclose(slope.velocities, [[3.0, -3.0]] * 2)
+
+    def test_what_has_no_slope_is_named(self):
+        with pytest.raises(QuadrupedError, match=r"two rows or more; found .* and 1"):
+            trajectory_of(np.sin, [0.0]).differentiate()
+        with pytest.raises(QuadrupedError, match="window above 0 s"):
+            trajectory_of(np.sin, [0.0, 1.0]).differentiate(0.0)
+
+
+MAP = """
+[joints.LF_hip_joint]
+source = "a"
+sign = -1
+scale = 2
+offset = 30
+unit = "deg"
+
+[joints.LF_knee_joint]
+source = "b"
+
+[joints.RF_hip_joint]
+offset = 0.25
+"""
+
+
+class TestRetarget:
+    def test_sign_scale_offset_and_unit(self, tmp_path):
+        (tmp_path / "map.toml").write_text(MAP)
+        source = JointTrajectory(
+            [0, 10], ["b", "unused", "a"], [[1.0, 9, 45.0], [2.0, 9, -90.0]], [[3, 9, 90]] * 2, [[4.0, 9, 6.0]] * 2
+        )
+        target = source.retarget(tmp_path / "map.toml")
+        assert target.names == ("LF_hip_joint", "LF_knee_joint", "RF_hip_joint")
+        expected = [[np.radians(-60), 1.0, 0.25], [np.radians(210), 2.0, 0.25]]
+        np.testing.assert_allclose(target.positions, expected, rtol=1e-15)
+        np.testing.assert_allclose(target.velocities, [[-np.pi, 3.0, 0.0]] * 2, rtol=1e-15)
+        np.testing.assert_array_equal(target.efforts, [[-3.0, 4.0, np.nan]] * 2)
+        np.testing.assert_array_equal(target.stamps, source.stamps)
+
+    def test_power_is_kept(self):
+        rng = np.random.default_rng(3)
+        source = JointTrajectory([0, 1], ["a"], np.zeros((2, 1)), rng.normal(size=(2, 1)), rng.normal(size=(2, 1)))
+        target = source.retarget(JointMap({"b": JointRule("a", sign=-1, scale=0.7)}))
+        np.testing.assert_allclose(target.velocities * target.efforts, source.velocities * source.efforts)
+
+    @pytest.mark.parametrize(
+        ("text", "message"),
+        [
+            ("", r"expected a table \[joints\]; found none"),
+            ("joints = 3", r"expected a table \[joints\]; found 3"),
+            ("[joints]", r"no joint is mapped"),
+            ("[joints.a]\noffset = 1.0", r"no joint has a source"),
+            ("[joints.a]\nsorce = 'b'", r"\[joints\.a\]: unknown key 'sorce'; known are source, sign"),
+            ("[joints.a]\nsource = 3", r"\[joints\.a\] source: expected the name of a joint; found 3"),
+            ("[joints.a]\nsource = 'b'\nsign = 2", r"\[joints\.a\] sign: expected 1 or -1; found 2"),
+            ("[joints.a]\nsource = 'b'\nsign = true", r"\[joints\.a\] sign: expected 1 or -1; found True"),
+            ("[joints.a]\nsource = 'b'\nscale = 0", r"\[joints\.a\] scale: expected a number above 0; found 0"),
+            ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a number; found nan"),
+            ("[joints.a]\nsource = 'b'\nunit = 'grad'", r"\[joints\.a\] unit: expected 'rad' or 'deg'; found 'grad'"),
+            ("[joints]\na = 3", r"\[joints\.a\]: expected a table; found 3"),
+            ("[joints.a", r"not TOML: .*; mend it"),
+            ("[joints.a]\nsource = 'gone'", r"\[joints\.a\] source: JointTrajectory has no joint 'gone'; it has a, b"),
+        ],
+    )
+    def test_mistakes_are_named(self, tmp_path, text, message):
+        path = tmp_path / "map.toml"
+        path.write_text(text)
+        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
+            trajectory_of(np.sin, [0.0]).retarget(path)
+
+    def test_a_missing_file_is_named(self, tmp_path):
+        with pytest.raises(QuadrupedError, match=r"gone\.toml: there is no such file"):
+            JointMap.load(tmp_path / "gone.toml")
+
+
+def test_gaps_are_found():
+    times = np.concatenate([np.arange(10) * 0.02, 0.78 + np.arange(10) * 0.02])
+    (gap,) = trajectory_of(np.sin, times).gaps()
+    assert (gap.row, round(gap.start, 9), round(gap.seconds, 9)) == (9, 0.18, 0.6)
+    assert trajectory_of(np.sin, np.arange(10) * 0.02).gaps() == ()
+    assert trajectory_of(np.sin, [0.0]).gaps() == ()
+
+
+def test_selected_joints_are_named_when_missing():
+    wave = trajectory_of(np.sin, [0.0, 1.0])
+    np.testing.assert_array_equal(wave.select(["b"]).positions, wave.positions[:, 1:])
+    with pytest.raises(QuadrupedError, match=rf"joint '{JOINT_NAMES[0]}' is missing"):
+        wave.select(JOINT_NAMES)
