@@ -6,6 +6,7 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
+from conftest import mirrored
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
@@ -205,18 +206,6 @@ class TestMotors:
         about_knee = 0.2 / 12 * (3 * 0.02**2 + 0.16**2) + 0.2 * 0.08**2
         about_hip = 9e-5 + 0.2 / 12 * (3 * 0.02**2 + 0.16**2) + 0.2 * 0.11**2
         np.testing.assert_allclose(np.diag(inertia), np.tile([about_hip, about_knee], 4) + 0.01, rtol=1e-9)
-
-
-def mirrored(qpos, qvel, ctrl):
-    """The reflection in the plane y = 0: left legs become right legs, rotations about x and z change sign."""
-    swap = np.array([2, 3, 0, 1, 6, 7, 4, 5])
-    base_pose = qpos[:7] * [1, -1, 1, 1, -1, 1, -1]
-    base_velocity = qvel[:6] * [1, -1, 1, -1, 1, -1]
-    return (
-        np.concatenate([base_pose, qpos[7:][swap]]),
-        np.concatenate([base_velocity, qvel[6:][swap]]),
-        ctrl[swap],
-    )
 
 
 class TestDynamics:

@@ -152,8 +152,9 @@ def test_an_observation_of_another_width_is_refused(shape):
         make_policy().predict(np.zeros(shape))
 
 
+@pytest.mark.parametrize("symmetric", [True, False])
 @pytest.mark.parametrize("activation", ACTIVATIONS)
-def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, tmp_path):
+def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, symmetric, tmp_path):
     import torch
 
     from quadruped_env.envs import make_sb3_vec_env
@@ -161,7 +162,9 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, tmp
     from quadruped_env.training.ppo import export_policy, make_model
 
     torch.manual_seed(0)
-    config = TrainConfig(activation=activation, num_envs=4, n_steps=16, batch_size=64, hidden=(32, 24, 16))
+    config = TrainConfig(
+        activation=activation, symmetric=symmetric, num_envs=4, n_steps=16, batch_size=64, hidden=(32, 24, 16)
+    )
     env = make_sb3_vec_env(4, seed=0, config=TASK)
     model = make_model(config, env)
     with torch.no_grad():
@@ -170,7 +173,8 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, tmp
             parameter.add_(0.3 * torch.randn_like(parameter))
     export_policy(model, TASK, activation, {"seed": 0}).save(tmp_path)
     policy = load_policy(tmp_path)
-    assert [weight.shape[1] for weight in policy.weights] == [32, 24, 16, ACTION_WIDTH]
+    sides = 2 if symmetric else 1
+    assert [weight.shape[1] for weight in policy.weights] == [32 * sides, 24 * sides, 16 * sides, ACTION_WIDTH]
     assert policy.activation == activation
     observation = np.concatenate([env.reset(), 3.0 * observations((200,))])
     expected, _ = model.predict(observation, deterministic=True)

@@ -28,7 +28,7 @@ from quadruped_env.training.run import (
     PROGRESS_FILE,
     RESUME_FILE,
     Run,
-    load_run_config,
+    resumed_config,
 )
 
 SCRIPT = Path(__file__).parents[1] / "train" / "ppo.py"
@@ -65,7 +65,7 @@ def scalars(directory):
 def assert_complete(directory):
     assert {path.name for path in directory.iterdir()} >= RUN_FILES
     policy = load_policy(directory)
-    load_run_config(directory)
+    resumed_config(directory, TrainConfig())
     assert progress(directory)
     assert policy.predict(np.zeros(policy.weights[0].shape[0])).shape == (8,)
     return policy
@@ -149,7 +149,7 @@ def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(ti
 def test_help_shows_every_field_with_its_meaning_and_default():
     done = subprocess.run(command("runs", "--help"), capture_output=True, text=True, check=True)
     text = " ".join(done.stdout.partition("options:")[2].split())
-    described = dict(re.findall(r"--([a-z-]+) (.*?)(?= --[a-z-]+ |$)", text))
+    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= --[a-z-]+[ ,]|$)", text))
     for field in dataclasses.fields(TrainConfig):
         option = described[field.name.replace("_", "-")]
         default = {} if field.default is dataclasses.MISSING else field.default
@@ -365,19 +365,19 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
 def test_an_incomplete_run_is_not_resumed(tiny_run, tmp_path, name):
     incomplete = tmp_path / "run"
     shutil.copytree(tiny_run, incomplete)
-    load_run_config(incomplete)
+    resumed_config(incomplete, TrainConfig())
     (incomplete / name).unlink()
     with pytest.raises(QuadrupedError, match=rf"--resume: {incomplete / name} is missing.*checkpoints/, or train anew"):
-        load_run_config(incomplete)
+        resumed_config(incomplete, TrainConfig())
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
         ("{", r"config.json: not valid JSON.*train anew"),
-        ("{}", r"config.json: field 'task' is missing; train anew"),
-        ('{"task": {}}', r"config.json: field 'training' is missing; train anew"),
-        ("[]", r"config.json: "),
+        ("{}", r"config.json: field 'training.hidden' is missing; train anew"),
+        ("[]", r"config.json: field 'training.hidden' is missing; train anew"),
+        ('{"training": {"hidden": [8]}}', r"config.json: field 'training.activation' is missing; train anew"),
     ],
 )
 def test_a_damaged_config_is_not_resumed(tiny_run, tmp_path, text, message):
@@ -385,4 +385,4 @@ def test_a_damaged_config_is_not_resumed(tiny_run, tmp_path, text, message):
     shutil.copytree(tiny_run, damaged)
     (damaged / CONFIG_FILE).write_text(text)
     with pytest.raises(QuadrupedError, match=message):
-        load_run_config(damaged)
+        resumed_config(damaged, TrainConfig())

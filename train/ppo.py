@@ -40,6 +40,8 @@ def parse(argv: list[str]) -> Args:
             parser.add_argument(option, type=int, nargs="+", default=default, help=text)
         elif field.name == "task":
             parser.add_argument(option, type=json.loads, default={}, metavar="JSON", help=text)
+        elif isinstance(default, bool):
+            parser.add_argument(option, action=argparse.BooleanOptionalAction, default=default, help=text)
         elif get_args(field.type) and isinstance(default, str):
             parser.add_argument(option, choices=get_args(field.type), default=default, help=text)
         else:

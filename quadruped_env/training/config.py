@@ -50,9 +50,10 @@ class TrainConfig:
     """Widths of the hidden layers, of the policy and of the value function"""
     activation: Literal["elu", "relu", "tanh"] = "elu"
     """Between layers"""
+    symmetric: bool = True
+    """Make the policy left/right symmetric by construction, as the robot is"""
     log_std_init: float | None = None
     """Logarithm of the exploration's first standard deviation; by default -1, and -2 where a gait walks already"""
-
     final_log_std: float = -3.0
     """Upper bound of that logarithm at the end, reached linearly. Noise slows a walk down, and a policy that learned
     with it overshoots its commands without it"""

@@ -8,7 +8,6 @@ import os
 import signal
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
 from types import FrameType
 from typing import Any, cast
@@ -24,7 +23,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.config import TrainConfig
-from quadruped_env.training.run import RESUME_FILE, Run, load_run_config
+from quadruped_env.training.run import RESUME_FILE, Run, resumed_config
 
 try:
     import torch
@@ -32,6 +31,8 @@ try:
     from stable_baselines3.common.callbacks import BaseCallback
     from stable_baselines3.common.logger import configure
     from tqdm import tqdm
+
+    from quadruped_env.training.symmetric import SymmetricPolicy, symmetrized
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
@@ -93,7 +94,7 @@ def make_model(config: TrainConfig, env: Any) -> NativePPO:
     """A fresh PPO for a training."""
     torch.distributions.Distribution.set_default_validate_args(False)
     model = NativePPO(
-        "MlpPolicy",
+        SymmetricPolicy if config.symmetric else "MlpPolicy",
         env,
         seed=config.seed,
         device="cpu",
@@ -120,10 +121,13 @@ def make_model(config: TrainConfig, env: Any) -> NativePPO:
 def export_policy(model: PPO, task: TaskConfig, activation: str, card: dict[str, Any]) -> Policy:
     """The deterministic part of SB3's policy as plain arrays."""
     network = model.policy.mlp_extractor.policy_net
-    layers = [layer for layer in network if isinstance(layer, torch.nn.Linear)] + [model.policy.action_net]
+    linear = [layer for layer in network if isinstance(layer, torch.nn.Linear)] + [model.policy.action_net]
+    layers = [(layer.weight.detach().numpy().T.copy(), layer.bias.detach().numpy().copy()) for layer in linear]
+    if isinstance(model.policy, SymmetricPolicy):
+        layers = symmetrized(layers)
     return Policy(
-        weights=tuple(layer.weight.detach().numpy().T.copy() for layer in layers),
-        biases=tuple(layer.bias.detach().numpy().copy() for layer in layers),
+        weights=tuple(weight for weight, _ in layers),
+        biases=tuple(bias for _, bias in layers),
         activation=activation,
         config=task,
         card=card,
@@ -146,11 +150,7 @@ def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = N
         QuadrupedError: if something asked for is not possible, or the run to resume is not complete.
     """
     if resume is not None:
-        document = load_run_config(resume)
-        config = replace(
-            config, task=document["task"], action_mode=document["task"]["action"]["mode"],
-            hidden=tuple(document["training"]["hidden"]), activation=document["training"]["activation"],
-        )  # fmt: skip
+        config = resumed_config(resume, config)
     env = make_sb3_vec_env(config.num_envs, seed=config.seed, action_mode=config.action_mode, config=config.task)
     task = env.task.config
     model = make_model(config, env)

@@ -6,13 +6,14 @@ import os
 import platform
 import subprocess
 import time
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from importlib import metadata
 from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.task import TaskConfig
 from quadruped_env.training.config import TrainConfig
 
 CONFIG_FILE: Final = "config.json"
@@ -29,6 +30,8 @@ PROGRESS_COLUMNS: Final = (
 """Of progress.csv, each since the row before: s; reward of a whole episode at the present rate; falls in the time of a
 whole episode; velocity errors in m/s and rad/s, root mean square, with the exploration's noise"""
 
+_RESUMED_FIELDS: Final = {"training": ("hidden", "activation", "symmetric"), "task": ("action",)}
+"""What a run's config.json must have for the run to be resumed"""
 _LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
 
 
@@ -56,11 +59,11 @@ class Run:
         self._progress.close()
 
 
-def load_run_config(directory: Path) -> dict[str, Any]:
-    """The config.json of a run that can be resumed.
+def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
+    """The training that goes on from a run: a config with the task and the network of that run.
 
     Raises:
-        QuadrupedError: if the directory is not a complete run; the message names the missing file and the cure.
+        QuadrupedError: if the directory is not a complete run; the message names the file, the field and the cure.
     """
     if not directory.is_dir():
         raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
@@ -70,14 +73,24 @@ def load_run_config(directory: Path) -> dict[str, Any]:
                 f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its checkpoints/, "
                 f"or train anew"
             )
+    path = directory / CONFIG_FILE
     try:
-        document = json.loads((directory / CONFIG_FILE).read_text())
+        document = json.loads(path.read_text())
     except (json.JSONDecodeError, UnicodeDecodeError) as error:
-        raise QuadrupedError(f"{directory / CONFIG_FILE}: not valid JSON ({error}); train anew") from error
-    missing = {"training", "task"} - set(document)
-    if missing:
-        raise QuadrupedError(f"{directory / CONFIG_FILE}: field {sorted(missing)[0]!r} is missing; train anew")
-    return document
+        raise QuadrupedError(f"{path}: not valid JSON ({error}); train anew") from error
+    for section, fields in _RESUMED_FIELDS.items():
+        for field in fields:
+            if not isinstance(document, dict) or field not in (document.get(section) or {}):
+                raise QuadrupedError(f"{path}: field '{section}.{field}' is missing; train anew")
+    training, task = document["training"], TaskConfig.from_dict(document["task"])
+    return replace(
+        config,
+        task=task.to_dict(),
+        action_mode=task.action.mode,
+        hidden=tuple(training["hidden"]),
+        activation=training["activation"],
+        symmetric=training["symmetric"],
+    )
 
 
 def _new_directory(parent: Path, name: str) -> Path:

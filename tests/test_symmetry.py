@@ -1,0 +1,71 @@
+"""Left/right symmetry: of the task, and of a policy that is built for it."""
+
+import math
+
+import gymnasium
+import numpy as np
+import pytest
+from conftest import mirrored
+
+import quadruped_env  # noqa: F401  registers the environment
+from quadruped_env.robot import STANCE
+from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH
+from quadruped_env.task.symmetry import mirror_action, mirror_observation
+
+ROW = np.array([0])
+
+
+@pytest.mark.parametrize("mode", ["position", "residual"])
+@pytest.mark.parametrize("command", [(0.4, 0.5), (-0.2, -0.3), (0.0, 0.0)])
+def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, command):
+    rng = np.random.default_rng(0)
+    robot, mirror = (gymnasium.make("MiniQuadruped-v0", action_mode=mode).unwrapped for _ in range(2))
+    robot.reset(seed=0, options={"command": command})
+    mirror.reset(seed=1, options={"command": (command[0], -command[1])})
+    qpos, qvel, _ = mirrored(robot.data.qpos, robot.data.qvel, STANCE)
+    mirror.task.simulation.reset(ROW, qpos[None], qvel[None])
+    mirror.task.phase[:] = (robot.task.phase + math.pi) % math.tau
+    for _ in range(25):
+        action = rng.uniform(-1, 1, ACTION_WIDTH)
+        observation, reward, fallen, _, info = robot.step(action)
+        other, other_reward, other_fallen, _, other_info = mirror.step(mirror_action(action))
+        np.testing.assert_allclose(other, mirror_observation(observation), atol=1e-5)
+        assert other_reward == pytest.approx(reward, abs=1e-6)
+        terms = {name: value for name, value in info.items() if name.startswith("reward_")}
+        assert {name: other_info[name] for name in terms} == pytest.approx(terms, abs=1e-6)
+        assert other_fallen == fallen
+        if fallen:
+            break
+
+
+def test_mirroring_twice_changes_nothing():
+    rng = np.random.default_rng(0)
+    observation, action = rng.normal(size=(3, OBSERVATION_WIDTH)), rng.normal(size=(3, ACTION_WIDTH))
+    np.testing.assert_array_equal(mirror_observation(mirror_observation(observation)), observation)
+    np.testing.assert_array_equal(mirror_action(mirror_action(action)), action)
+    assert (mirror_observation(observation) != observation).any()
+    assert (mirror_action(action) != action).any()
+
+
+def test_a_symmetric_policy_acts_and_values_alike_on_both_sides():
+    import torch
+
+    from quadruped_env.envs import make_sb3_vec_env
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import make_model
+
+    observation = np.random.default_rng(0).uniform(-1, 1, (50, OBSERVATION_WIDTH)).astype(np.float32)
+    both = torch.as_tensor(np.stack([observation, mirror_observation(observation)]))
+    differs = {}
+    for symmetric in (True, False):
+        torch.manual_seed(0)
+        config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
+        model = make_model(config, make_sb3_vec_env(2, seed=0))
+        with torch.no_grad():
+            for parameter in model.policy.parameters():
+                parameter.add_(0.1 * torch.randn_like(parameter))
+            mean = [model.policy.get_distribution(side).distribution.mean.numpy() for side in both]
+            value = [model.policy.predict_values(side).numpy() for side in both]
+        differs[symmetric] = max(abs(mean[1] - mirror_action(mean[0])).max(), abs(value[1] - value[0]).max())
+    assert differs[True] < 1e-6
+    assert differs[False] > 0.01
