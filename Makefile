@@ -8,7 +8,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help install walk test test-all check format bench clean
+.PHONY: help install walk view test test-all check format bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -25,6 +25,9 @@ $(INSTALLED): pyproject.toml constraints.txt
 walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write report.html
 	$(BIN)/python train/ppo.py
 	$(BIN)/python evaluate/policy.py
+
+view: $(INSTALLED)  ## watch the robot live in a browser
+	@$(BIN)/python evaluate/view.py
 
 check: $(INSTALLED)  ## lint, format, types, layer contract
 	$(BIN)/ruff check .

@@ -29,9 +29,10 @@ MAX_SECONDS: Final = 6 * 3600.0
 """A longer recording is more likely a stamp from another clock (a first stamp of 0, say) than a walk."""
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
-_STILL: Final = RandomizationConfig(
+STILL: Final = RandomizationConfig(
     start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
 )
+"""Nothing random"""
 
 
 @dataclass(frozen=True)
@@ -123,7 +124,7 @@ def record(
     Raises:
         QuadrupedError: if the command is outside the task's ranges.
     """
-    config = replace(task_config(controller.action_mode, config), randomization=_STILL)
+    config = replace(task_config(controller.action_mode, config), randomization=STILL)
     task = Task(SingleSimulation(load_model(config.physics_timestep, config.motor)), config)
     task.reset(_ROW, seeds=[0], command=command)
     # An episode begins facing anywhere; this one begins facing along x.

@@ -168,6 +168,16 @@ class Task:
         else:
             self._set_command(rows, np.broadcast_to(command, (len(rows), 2)))
 
+    def set_command(self, rows: NDArray[np.intp], command: Sequence[float] | NDArray[np.float64]) -> None:
+        """Give some rows (R,) another command within their episodes, which stays fixed from then on.
+
+        Raises:
+            QuadrupedError: if the command is not one of the task's; no row has changed then.
+        """
+        command = commands.check_command(command, self.config.command)
+        self._fixed[rows] = True
+        self._set_command(rows, np.broadcast_to(command, (len(rows), 2)))
+
     def step(self, action: ArrayLike) -> Transition:
         """Advance every row by one control step. Resets nothing.
 

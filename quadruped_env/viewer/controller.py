@@ -1,0 +1,420 @@
+"""The show without its browser: robots, their command, a clock, and everything that a person may ask of them.
+
+Every method may be called from any thread.
+"""
+
+import math
+import threading
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.recording import STILL
+from quadruped_env.task import CommandConfig, RandomizationConfig
+from quadruped_env.viewer.gaits import GaitSettings
+from quadruped_env.viewer.robot import Robot
+from quadruped_env.viewer.sample import Sample
+from quadruped_env.viewer.sources import Source, pick
+from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
+
+MAX_ROBOTS: Final = 3
+SPEEDS: Final = (0.1, 4.0)
+"""Playback, as a multiple of real time"""
+FORWARD_STEP: Final = 0.1
+"""m/s, of one press of a key"""
+TURN_STEP: Final = 0.2
+"""rad/s, likewise"""
+MAX_PUSH: Final = 1.5
+"""m/s"""
+RESTART_AFTER: Final = 2.0
+"""s that a robot lies where it fell"""
+RANDOMIZATIONS: Final[dict[str, RandomizationConfig | None]] = {
+    "off": STILL,
+    "start": RandomizationConfig(),
+    "start, ground, payload, noise, pushes": RandomizationConfig(
+        friction=(0.4, 1.2), payload=(0.0, 1.0), push_velocity=0.4, observation_noise=1.0
+    ),
+    "as trained": None,
+}
+"""Name -> what is random; None is the source's own"""
+
+_LARGEST_LAG: Final = 0.25
+"""s of playback that are caught up after a delay; what is beyond is left out"""
+_MESSAGES: Final = 20
+
+Command = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class RobotView:
+    """A robot at one moment, to draw it; copies."""
+
+    source: str
+    body_position: NDArray[np.float64]
+    """m, world (bodies, 3)"""
+    body_rotation: NDArray[np.float64]
+    """World (bodies, 3, 3)"""
+    heading: float
+    """rad from the world's x"""
+    contact_points: NDArray[np.float64]
+    """m, world (K, 3)"""
+    contact_forces: NDArray[np.float64]
+    """N, world (K, 3)"""
+    history: tuple[Sample, ...]
+    """The last seconds, oldest first, the present last"""
+    timestep: float
+    """s between them"""
+    term_names: tuple[str, ...]
+    """Of the samples' reward terms"""
+    gait: GaitSettings | None
+    complaints: tuple[str, ...]
+    """What its gait asks for beyond the limits of the joints"""
+    fell_at: float | None
+    """s of its episode, or None while it is on its feet"""
+
+    @property
+    def now(self) -> Sample:
+        """The present."""
+        return self.history[-1]
+
+
+@dataclass(frozen=True)
+class View:
+    """Everything at one moment."""
+
+    time: float
+    """s since the last reset"""
+    paused: bool
+    speed: float
+    command: Command
+    robots: tuple[RobotView, ...]
+    watched: int
+    """The robot that plots and camera follow"""
+    recorded: float | None
+    """s of the take that is being made, or None"""
+    lag: float
+    """s of playback that were left out since the last reset, because the machine was too slow"""
+
+
+@dataclass
+class _Slot:
+    robot: Robot
+    clock: float
+    """s of the show that the robot has done"""
+
+
+class ViewController:
+    """Robots under one command.
+
+    Args:
+        sources: what there is to choose from, by name.
+        chosen: the names of the sources to begin with, one a robot.
+        results: where recordings go.
+
+    Raises:
+        QuadrupedError: if a source is unknown or does not fit this robot.
+    """
+
+    def __init__(self, sources: dict[str, Source], chosen: Sequence[str], results: Path = RESULTS) -> None:
+        if not 1 <= len(chosen) <= MAX_ROBOTS:
+            raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
+        self.sources = sources
+        self.command_ranges = CommandConfig()
+        self._lock = threading.RLock()
+        self._messages: deque[str] = deque(maxlen=_MESSAGES)
+        self._saver = TakeSaver(results, self._messages.append)
+        self._time = self._budget = self._lag = 0.0
+        self._seed = 0
+        self._paused = False
+        self._speed = 1.0
+        self._command: Command = (0.0, 0.0)
+        self._watched = 0
+        self._randomization = next(iter(RANDOMIZATIONS))
+        self.restart_after_fall = True
+        self._take: Take | None = None
+        try:
+            self._slots = [_Slot(self._make(name), 0.0) for name in chosen]
+        except Exception:
+            self._saver.close()
+            raise
+
+    # --- the robots
+
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """The name of each robot's source."""
+        with self._lock:
+            return tuple(slot.robot.source.name for slot in self._slots)
+
+    def set_source(self, index: int, name: str | None) -> None:
+        """Let another source drive a robot, from a new start of that robot; None takes the robot away.
+
+        An index one beyond the last robot adds one.
+
+        Raises:
+            QuadrupedError: if there is no such robot or source, or the source does not fit this robot; nothing has
+                changed then.
+        """
+        robot = None if name is None else self._make(name)
+        with self._lock:
+            if not 0 <= index <= min(len(self._slots), MAX_ROBOTS - 1) or (robot is None and not index):
+                raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)} of up to {MAX_ROBOTS}")
+            if index == self._watched:
+                self.stop_recording()
+            if robot is not None:
+                robot.reset(self._seed, self._command)
+                self._slots[index : index + 1] = [_Slot(robot, self._time)]
+            else:
+                del self._slots[index : index + 1]
+                self.watch(min(self._watched, len(self._slots) - 1))
+
+    def watch(self, index: int) -> None:
+        """Let plots, camera, gait settings and recordings be of this robot."""
+        with self._lock:
+            if not 0 <= index < len(self._slots):
+                raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)}")
+            if index != self._watched:
+                self.stop_recording()
+            self._watched = index
+
+    def set_gait(self, settings: GaitSettings) -> None:
+        """Change the scripted gait of the watched robot.
+
+        Raises:
+            QuadrupedError: if it has none.
+        """
+        with self._lock:
+            self._watched_robot.gait = settings
+
+    @property
+    def gait(self) -> GaitSettings | None:
+        """The settings of the watched robot's scripted gait, or None."""
+        with self._lock:
+            return self._watched_robot.gait
+
+    def set_randomization(self, name: str) -> None:
+        """Choose what is random, a key of `RANDOMIZATIONS`, and begin again."""
+        if name not in RANDOMIZATIONS:
+            raise QuadrupedError(f"randomization: there is no {name!r}; there are {', '.join(RANDOMIZATIONS)}")
+        with self._lock:
+            self._randomization = name
+            self.stop_recording()
+            self._slots = [_Slot(self._make(source), 0.0) for source in self.robots]
+            self.reset()
+
+    # --- the command and the clock
+
+    @property
+    def command(self) -> Command:
+        """Forward velocity in m/s and yaw rate in rad/s that every robot is asked for."""
+        with self._lock:
+            return self._command
+
+    def set_command(self, forward_velocity: float, yaw_rate: float) -> Command:
+        """Ask every robot for a forward velocity in m/s and a yaw rate in rad/s, cut to their ranges.
+
+        Raises:
+            QuadrupedError: if a number is not finite.
+        """
+        if not (math.isfinite(forward_velocity) and math.isfinite(yaw_rate)):
+            raise QuadrupedError(f"command: expected finite numbers; found {forward_velocity} and {yaw_rate}")
+        ranges = self.command_ranges
+        with self._lock:
+            self._command = (_cut(forward_velocity, ranges.forward_velocity), _cut(yaw_rate, ranges.yaw_rate))
+            for slot in self._slots:
+                slot.robot.set_command(self._command)
+            return self._command
+
+    def nudge(self, forward: int, left: int) -> Command:
+        """Change the command by a number of steps, as a key does; it stays on whole steps."""
+        with self._lock:
+            velocity, yaw_rate = self._command
+            return self.set_command(_next_step(velocity, FORWARD_STEP, forward), _next_step(yaw_rate, TURN_STEP, left))
+
+    def set_speed(self, speed: float) -> None:
+        """Play slower or faster than real time."""
+        with self._lock:
+            self._speed = _cut(speed, SPEEDS)
+
+    @property
+    def paused(self) -> bool:
+        """Whether the clock stands."""
+        with self._lock:
+            return self._paused
+
+    @paused.setter
+    def paused(self, paused: bool) -> None:
+        with self._lock:
+            self._paused = bool(paused)
+            self._budget = 0.0
+
+    def toggle_pause(self) -> bool:
+        """Stop or start the clock; says whether it stands now."""
+        with self._lock:
+            self.paused = not self._paused
+            return self._paused
+
+    def reset(self) -> None:
+        """Put every robot back to the start and the clock to zero."""
+        with self._lock:
+            self.stop_recording()
+            self._seed += 1
+            self._time = self._budget = self._lag = 0.0
+            for slot in self._slots:
+                slot.robot.reset(self._seed, self._command)
+                slot.clock = 0.0
+
+    def step(self) -> None:
+        """Advance by one control step and stay there."""
+        with self._lock:
+            self.paused = True
+            self._tick()
+
+    def advance(self, elapsed: float) -> int:
+        """Let time pass.
+
+        Args:
+            elapsed: s of real time since the last call.
+
+        Returns:
+            How many control steps that made.
+        """
+        with self._lock:
+            if self._paused:
+                return 0
+            self._budget += elapsed * self._speed
+            left_out = max(0.0, self._budget - _LARGEST_LAG * max(1.0, self._speed))
+            self._budget -= left_out
+            self._lag += left_out
+            steps = int(self._budget / self._timestep + 1e-9)
+            self._budget -= steps * self._timestep
+            for _ in range(steps):
+                self._tick()
+            return steps
+
+    def push(self, direction: float, strength: float) -> None:
+        """Push every robot.
+
+        Args:
+            direction: where to, rad to the left of where the robot faces.
+            strength: velocity that the base gains, m/s.
+        """
+        strength = _cut(strength, (0.0, MAX_PUSH))
+        velocity = (strength * math.cos(direction), strength * math.sin(direction))
+        with self._lock:
+            for slot in self._slots:
+                slot.robot.push(velocity)
+
+    # --- recordings
+
+    def start_recording(self) -> None:
+        """Begin to record the watched robot; does nothing while one is recorded."""
+        with self._lock:
+            if self._take is None:
+                robot = self._watched_robot
+                self._take = Take(robot.source.name, robot.timestep, [robot.history[-1]])
+
+    def stop_recording(self) -> None:
+        """End the recording, if there is one, and have it saved."""
+        with self._lock:
+            take, self._take = self._take, None
+            if take is not None:
+                self._saver.save(take)
+
+    def messages(self) -> list[str]:
+        """What there is to say since the last call."""
+        said = []
+        while self._messages:
+            said.append(self._messages.popleft())
+        return said
+
+    def close(self) -> None:
+        """End the recording and wait until it is saved."""
+        self.stop_recording()
+        self._saver.close()
+
+    # --- what there is to see
+
+    def view(self) -> View:
+        """A copy of everything that is drawn."""
+        with self._lock:
+            return View(
+                self._time,
+                self._paused,
+                self._speed,
+                self._command,
+                tuple(_view(slot.robot) for slot in self._slots),
+                self._watched,
+                None if self._take is None else self._take.seconds,
+                self._lag,
+            )
+
+    def model(self) -> mujoco.MjModel:
+        """A model like the robots', of the caller's own."""
+        with self._lock:
+            return self._slots[0].robot.copy_model()
+
+    # --- inside
+
+    @property
+    def _watched_robot(self) -> Robot:
+        return self._slots[self._watched].robot
+
+    @property
+    def _timestep(self) -> float:
+        return self._slots[0].robot.timestep
+
+    def _make(self, name: str) -> Robot:
+        return Robot(pick(self.sources, name), RANDOMIZATIONS[self._randomization])
+
+    def _tick(self) -> None:
+        self._time += self._timestep
+        for index, slot in enumerate(self._slots):
+            while slot.clock + slot.robot.timestep <= self._time + 1e-9:
+                slot.clock += slot.robot.timestep
+                self._step(index, slot.robot)
+
+    def _step(self, index: int, robot: Robot) -> None:
+        moment = robot.step()
+        if index == self._watched and self._take is not None:
+            self._take.samples.append(moment)
+            if self._take.seconds >= MAX_SECONDS:
+                self.stop_recording()
+        fallen_for = 0.0 if robot.fell_at is None else moment.time - robot.fell_at
+        if robot.diverged or (self.restart_after_fall and fallen_for >= RESTART_AFTER):
+            if index == self._watched:
+                self.stop_recording()
+            robot.reset(self._seed, self._command)
+
+
+def _view(robot: Robot) -> RobotView:
+    points, forces = robot.contact_forces()
+    return RobotView(
+        robot.source.name,
+        robot.data.xpos.copy(),
+        robot.data.xmat.reshape(-1, 3, 3).copy(),
+        robot.heading,
+        points,
+        forces,
+        tuple(robot.history),
+        robot.timestep,
+        robot.task.term_names,
+        robot.gait,
+        tuple(robot.complaints()),
+        robot.fell_at,
+    )
+
+
+def _cut(value: float, bounds: tuple[float, float]) -> float:
+    return min(max(float(value), bounds[0]), bounds[1])
+
+
+def _next_step(value: float, size: float, steps: int) -> float:
+    return round((round(value / size) + steps) * size, 6) if steps else value

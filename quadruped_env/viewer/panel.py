@@ -1,0 +1,313 @@
+"""The controls in the browser: each hands a value on to the `ViewController`, and knows nothing else."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from html import escape
+from typing import TYPE_CHECKING, Any, Final
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.colours import GREY, INK, LIMIT
+from quadruped_env.robot import LEG_NAMES
+from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, View, ViewController
+from quadruped_env.viewer.gaits import AMPLITUDES, FREQUENCIES
+from quadruped_env.viewer.keys import ARROWS_FIRST
+from quadruped_env.viewer.scene import Scene
+
+if TYPE_CHECKING:
+    import viser
+
+NONE: Final = "none"
+PAUSE, RESUME, STEP, RESET = "Pause", "Resume", "Step", "Reset"
+RECORD, SAVE = "Record", "Stop and save"
+
+_KEYS: Final = (
+    "<b>↑ ↓</b> faster, slower &ensp; <b>← →</b> turn &ensp; <b>0</b> stand<br>"
+    "<b>Space</b> pause &ensp; <b>N</b> step &ensp; <b>R</b> reset &ensp; <b>P</b> push &ensp; <b>V</b> record"
+)
+_WIDTH: Final = 310
+"""pixels"""
+_SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
+
+
+class Panel:
+    """The controls of one show.
+
+    Args:
+        server: where they are shown.
+        controller: what they act on.
+        scene: what shows and hides the overlays.
+    """
+
+    def __init__(self, server: "viser.ViserServer", controller: ViewController, scene: Scene) -> None:
+        self._server = server
+        self._controller = controller
+        self._scene = scene
+        self._setting = False
+        gui = server.gui
+        gui.main_panel.dock_right()
+        gui.main_panel.set_width(_WIDTH)
+        gui.add_html(ARROWS_FIRST)
+        self._status = gui.add_html("")
+        self._clock_buttons = gui.add_button_group("", (PAUSE, STEP, RESET))
+        self._clock_buttons.on_click(lambda event: self._press(event.target.value))
+        self._record = gui.add_button(RECORD, color="red", icon="player-record")
+        self._on(self._record, self._toggle_recording)
+        tabs = gui.add_tab_group()
+        with tabs.add_tab("Drive"):
+            self._add_command()
+            self._add_push()
+            self._add_playback()
+        with tabs.add_tab("Robots"):
+            self._add_robots()
+            self._add_gait()
+            self._add_randomization()
+        with tabs.add_tab("Show"):
+            self._add_overlays()
+        self._add_keys()
+        self._show_robots()
+
+    def tell(self, message: str, bad: bool = False) -> None:
+        """Say something in every browser."""
+        for client in self._server.get_clients().values():
+            client.add_notification(
+                "Not possible" if bad else "MiniQuadruped",
+                message,
+                color="red" if bad else "blue",
+                auto_close_seconds=12.0,
+            )
+
+    def update(self, view: View) -> None:
+        """Show how things are."""
+        self._status.content = _status(view)
+        _set(self._clock_buttons, "options", (RESUME if view.paused else PAUSE, STEP, RESET))
+        _set(self._record, "label", RECORD if view.recorded is None else SAVE)
+        for message in self._controller.messages():
+            self.tell(message)
+
+    # --- controls
+
+    def _add_command(self) -> None:
+        gui, ranges = self._server.gui, self._controller.command_ranges
+        velocity, yaw_rate = self._controller.command
+        with gui.add_folder("Command"):
+            low, high = ranges.forward_velocity
+            self._velocity = gui.add_slider("Forward, m/s", min=low, max=high, step=0.01, initial_value=velocity)
+            low, high = ranges.yaw_rate
+            self._yaw_rate = gui.add_slider("Turn left, rad/s", min=low, max=high, step=0.01, initial_value=yaw_rate)
+            gui.add_html(f'<div style="{_SMALL};color:{INK}">{_KEYS}</div>')
+        for slider in (self._velocity, self._yaw_rate):
+            self._on(slider, lambda: self._controller.set_command(self._velocity.value, self._yaw_rate.value))
+
+    def _add_push(self) -> None:
+        gui = self._server.gui
+        with gui.add_folder("Push"):
+            self._direction = gui.add_slider(
+                "To, degrees", min=-180, max=180, step=5, initial_value=90,
+                hint="0 pushes forwards, 90 to the left, -90 to the right, 180 backwards.",
+            )  # fmt: skip
+            self._strength = gui.add_slider("Strength, m/s", min=0.0, max=MAX_PUSH, step=0.05, initial_value=0.5)
+            self._on(gui.add_button("Push", icon="arrow-big-right"), self._push)
+
+    def _add_playback(self) -> None:
+        with self._server.gui.add_folder("Playback"):
+            speed = self._server.gui.add_slider("Speed", min=SPEEDS[0], max=SPEEDS[1], step=0.1, initial_value=1.0)
+        self._on(speed, lambda: self._controller.set_speed(speed.value))
+
+    def _add_robots(self) -> None:
+        gui, names = self._server.gui, tuple(self._controller.sources)
+        with gui.add_folder("Side by side"):
+            self._sources = [
+                gui.add_dropdown(f"Robot {i + 1}", names if not i else (NONE, *names)) for i in range(MAX_ROBOTS)
+            ]
+            self._watched = gui.add_dropdown("Watch", ("1",), hint="Whom the camera, the plots and a recording follow")
+        for index, dropdown in enumerate(self._sources):
+            self._on(dropdown, partial(self._choose, index))
+        self._on(self._watched, self._watch)
+
+    def _add_gait(self) -> None:
+        gui = self._server.gui
+        self._gait_folder = gui.add_folder("Scripted gait")
+        with self._gait_folder:
+            (low, high), (slow, fast) = AMPLITUDES, FREQUENCIES
+            amplitude = gui.add_slider("Amplitude", min=low, max=high, step=0.05, initial_value=1.0)
+            frequency = gui.add_slider("Frequency, Hz", min=slow, max=fast, step=0.05, initial_value=slow)
+            phases = [
+                gui.add_slider(f"Phase {leg}, cycles", min=0.0, max=1.0, step=0.01, initial_value=0.0)
+                for leg in LEG_NAMES
+            ]
+        self._amplitude, self._frequency, self._phases = amplitude, frequency, phases
+        self._on(amplitude, lambda: self._set_gait(amplitude=amplitude.value))
+        self._on(frequency, lambda: self._set_gait(frequency=frequency.value))
+        for slider in phases:
+            self._on(slider, lambda: self._set_gait(phases=self._shown_phases()))
+
+    def _add_randomization(self) -> None:
+        gui = self._server.gui
+        with gui.add_folder("Episodes"):
+            choice = gui.add_dropdown("Randomize", tuple(RANDOMIZATIONS))
+            restart = gui.add_checkbox("Stand up after a fall", self._controller.restart_after_fall)
+        self._on(choice, lambda: self._controller.set_randomization(choice.value))
+        self._on(restart, lambda: setattr(self._controller, "restart_after_fall", restart.value))
+
+    def _add_overlays(self) -> None:
+        gui = self._server.gui
+        for name in self._scene.visible:
+            box = gui.add_checkbox(name.capitalize(), True)
+            self._on(box, partial(self._show_overlay, name, box))
+        follow = gui.add_checkbox("Camera follows", True)
+        abreast = gui.add_checkbox(
+            "Keep robots abreast", True, hint="Draw every robot in its lane, however far ahead another one is."
+        )
+        self._on(abreast, lambda: setattr(self._scene, "abreast", abreast.value))
+        self._on(follow, lambda: setattr(self._scene, "follow", follow.value))
+
+    def _add_keys(self) -> None:
+        for label, key, action in (
+            ("Faster", "arrowup", lambda: self._nudge(1, 0)),
+            ("Slower, backwards", "arrowdown", lambda: self._nudge(-1, 0)),
+            ("Turn left", "arrowleft", lambda: self._nudge(0, 1)),
+            ("Turn right", "arrowright", lambda: self._nudge(0, -1)),
+            ("Stand", "0", self._stand),
+            ("Pause or resume", "space", self._controller.toggle_pause),
+            ("One step", "N", self._controller.step),
+            ("Reset", "R", self._controller.reset),
+            ("Push", "P", self._push),
+            ("Record or save", "V", self._toggle_recording),
+        ):
+            command = self._server.gui.add_command(label, hotkey=key)
+            command.on_trigger(self._guarded(action))
+
+    # --- what they do
+
+    def _press(self, button: str) -> None:
+        actions = {STEP: self._controller.step, RESET: self._controller.reset}
+        actions.get(button, self._controller.toggle_pause)()
+
+    def _toggle_recording(self) -> None:
+        if self._record.label == RECORD:
+            self._controller.start_recording()
+            self._record.label = SAVE
+        else:
+            self._controller.stop_recording()
+            self._record.label = RECORD
+
+    def _nudge(self, forward: int, left: int) -> None:
+        self._show_command(self._controller.nudge(forward, left))
+
+    def _stand(self) -> None:
+        self._show_command(self._controller.set_command(0.0, 0.0))
+
+    def _show_command(self, command: tuple[float, float]) -> None:
+        def show() -> None:
+            self._velocity.value, self._yaw_rate.value = command
+
+        self._show(show)
+
+    def _show_overlay(self, name: str, box: Any) -> None:
+        self._scene.visible[name] = box.value
+
+    def _push(self) -> None:
+        direction = math.radians(self._direction.value)
+        self._controller.push(direction, self._strength.value)
+        self._scene.show_push(direction, self._strength.value)
+
+    def _choose(self, index: int) -> None:
+        name = self._sources[index].value
+        try:
+            if name != NONE or index < len(self._controller.robots):
+                self._controller.set_source(index, None if name == NONE else name)
+        finally:
+            self._show_robots()
+
+    def _watch(self) -> None:
+        self._controller.watch(int(self._watched.value) - 1)
+        self._show_gait()
+
+    def _set_gait(self, **changes: Any) -> None:
+        gait = self._controller.gait
+        if gait is not None:
+            self._controller.set_gait(replace(gait, **changes))
+
+    def _shown_phases(self) -> tuple[float, ...]:
+        return tuple(slider.value for slider in self._phases)
+
+    # --- what they show
+
+    def _show_robots(self) -> None:
+        names = self._controller.robots
+
+        def show() -> None:
+            for index, dropdown in enumerate(self._sources):
+                _set(dropdown, "value", names[index] if index < len(names) else NONE)
+            _set(self._watched, "options", tuple(str(i + 1) for i in range(len(names))))
+
+        self._show(show)
+        self._show_gait()
+
+    def _show_gait(self) -> None:
+        gait = self._controller.gait
+        self._gait_folder.visible = gait is not None
+        if gait is None:
+            return
+
+        def show() -> None:
+            self._amplitude.value, self._frequency.value = gait.amplitude, gait.frequency
+            for slider, phase in zip(self._phases, gait.phases, strict=True):
+                slider.value = phase
+
+        self._show(show)
+
+    def _show(self, change: Callable[[], object]) -> None:
+        """Change controls without doing what they would do if a person changed them."""
+        self._setting = True
+        try:
+            change()
+        finally:
+            self._setting = False
+
+    def _on(self, control: Any, action: Callable[[], object]) -> None:
+        """Run an action when a control is used."""
+        guarded = self._guarded(action)
+        (control.on_click if hasattr(control, "on_click") else control.on_update)(guarded)
+
+    def _guarded(self, action: Callable[[], object]) -> Callable[[Any], None]:
+        def run(_: Any) -> None:
+            if self._setting:
+                return
+            try:
+                action()
+            except QuadrupedError as error:
+                self.tell(str(error), bad=True)
+
+        return run
+
+
+def _set(control: Any, name: str, value: Any) -> None:
+    """Set a property where it differs: browsers draw anew what is set."""
+    if getattr(control, name) != value:
+        setattr(control, name, value)
+
+
+def _status(view: View) -> str:
+    """The first lines of the panel, as HTML."""
+    robot = view.robots[view.watched]
+    (velocity, yaw_rate), (asked_velocity, asked_yaw_rate) = robot.now.smooth_velocity, robot.now.command
+    number = "font-size:22px;font-variant-numeric:tabular-nums"
+    pace = "paused" if view.paused else f"{view.speed:g} &times; real time"
+    lines = [
+        f'<span style="color:{GREY}">{escape(robot.source)} &ensp; {view.time:.1f} s &ensp; {pace}</span>',
+        f'<span style="{number}">{velocity:z.2f}</span> of {asked_velocity:z.2f} m/s &ensp; '
+        f'<span style="{number}">{yaw_rate:z.2f}</span> of {asked_yaw_rate:z.2f} rad/s',
+    ]
+    warnings = []
+    if robot.fell_at is not None:
+        warnings.append(f"fell at {robot.fell_at:.1f} s")
+    if view.recorded is not None:
+        warnings.append(f"&#9679; recording, {view.recorded:.1f} s")
+    if robot.complaints:
+        more = f", and {len(robot.complaints) - 1} more" if len(robot.complaints) > 1 else ""
+        warnings.append(escape(f"The gait asks too much: {robot.complaints[0]}{more}"))
+    lines += [f'<span style="color:{LIMIT}">{warning}</span>' for warning in warnings]
+    return f'<div style="{_SMALL};padding-top:8px;color:{INK}" data-status>{"<br>".join(lines)}</div>'

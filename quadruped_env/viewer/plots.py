@@ -1,0 +1,195 @@
+"""The live plots: velocities, the gait diagram, joints with their limits, and reward terms."""
+
+import math
+from collections.abc import Sequence
+from html import escape
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.colours import BLUE, GREEN, GREY, INK, LEG_COLOURS, LIMIT, VERMILION
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
+from quadruped_env.task import CommandConfig
+from quadruped_env.viewer.controller import RobotView
+from quadruped_env.viewer.robot import HISTORY_SECONDS
+from quadruped_env.viewer.sample import Sample, over_time
+
+if TYPE_CHECKING:
+    import viser
+
+GAIT_SECONDS: Final = 2.5
+"""s that the gait diagram looks back"""
+_WIDTH: Final = 350
+"""pixels"""
+_CHART_HEIGHT: Final = 150
+_REWARD_SECONDS: Final = 1.0
+"""s that the reward's bars are a mean over"""
+_POINTS: Final = 125
+"""in a line of a chart"""
+
+
+class Plots:
+    """A panel of charts at the left edge."""
+
+    def __init__(self, server: "viser.ViserServer", commands: CommandConfig) -> None:
+        panel = server.gui.add_panel()
+        panel.dock_left()
+        panel.set_width(_WIDTH)
+        ahead, turn = (_padded(bounds) for bounds in (commands.forward_velocity, commands.yaw_rate))
+        with panel.add_tab("Walk"):
+            self._forward = _Chart(server, "Forward velocity, m/s", _VELOCITY_LINES, ahead)
+            self._yaw = _Chart(server, "Yaw rate, rad/s", _VELOCITY_LINES, turn)
+            self._gait = server.gui.add_html(gait_diagram((), 0.02))
+        with panel.add_tab("Joints"):
+            self._hips = _Chart(server, "Hip positions, rad", _JOINT_LINES, _limits(0))
+            self._knees = _Chart(server, "Knee positions, rad", _JOINT_LINES, _limits(1))
+            self._speeds = _Chart(
+                server, "Fastest joint of each leg, rad/s", (*_LEG_LINES, ("limit", LIMIT, (4, 4))), (0.0, 6.0)
+            )
+        with panel.add_tab("Reward"):
+            self._reward = server.gui.add_html("")
+
+    def update(self, robot: RobotView) -> None:
+        """Show the last seconds of a robot."""
+        stride = max(1, round(HISTORY_SECONDS / robot.timestep / _POINTS))
+        # Counted from the present, so that the drawn samples do not change as they age.
+        shown = robot.history[::-1][::stride][::-1]
+        times = over_time(shown, "time")
+        command, velocity, smooth = (over_time(shown, name) for name in ("command", "velocity", "smooth_velocity"))
+        for i, chart in enumerate((self._forward, self._yaw)):
+            chart.show(times, velocity[:, i], smooth[:, i], command[:, i])
+        joints = over_time(shown, "joint_position")
+        for i, chart in enumerate((self._hips, self._knees)):
+            limits = np.full(len(times), JOINT_POSITION_LOW[i]), np.full(len(times), JOINT_POSITION_HIGH[i])
+            chart.show(times, *joints[:, i::2].T, *limits)
+        speeds = np.abs(over_time(shown, "joint_velocity")).reshape(len(times), len(LEG_NAMES), 2).max(axis=2)
+        self._speeds.show(times, *speeds.T, np.full(len(times), VELOCITY_LIMIT))
+        self._gait.content = gait_diagram(robot.history, robot.timestep)
+        recent = robot.history[-round(_REWARD_SECONDS / robot.timestep) :]
+        terms = over_time(recent, "reward_terms").mean(axis=0) / robot.timestep
+        self._reward.content = reward_bars(robot.term_names, terms)
+
+
+_Line = tuple[str, str, tuple[int, ...]]
+"""Name, colour and dashes"""
+
+_VELOCITY_LINES: Final[tuple[_Line, ...]] = (
+    ("now", "#B7CDE0", ()),
+    ("mean", BLUE, ()),
+    ("command", GREEN, (6, 4)),
+)
+_LEG_LINES: Final[tuple[_Line, ...]] = tuple((leg, colour, ()) for leg, colour in LEG_COLOURS.items())
+_JOINT_LINES: Final[tuple[_Line, ...]] = (*_LEG_LINES, ("limits", LIMIT, (4, 4)), ("", LIMIT, (4, 4)))
+
+
+class _Chart:
+    """Lines over the last seconds."""
+
+    def __init__(
+        self, server: "viser.ViserServer", title: str, lines: Sequence[_Line], bounds: tuple[float, float]
+    ) -> None:
+        server.gui.add_html(_heading(title, lines))
+        series: list[dict[str, Any]] = [{}]
+        for _, colour, dashes in lines:
+            series.append({"stroke": colour, "width": 1.5, "points": {"show": False}, "dash": list(dashes)})
+        self._handle: Any = server.gui.add_uplot(
+            (np.array([0.0, HISTORY_SECONDS]), *(np.zeros(2) for _ in lines)),
+            tuple(series),
+            scales={
+                "x": {"time": False},
+                "y": {"range": bounds},
+            },
+            axes=(
+                {"size": 28, "font": "11px sans-serif"},
+                {"size": 38, "font": "11px sans-serif"},
+            ),
+            legend={"show": False},
+            cursor={"show": False},
+            height=_CHART_HEIGHT,
+            padding=(8, 10, 0, 0),
+        )
+
+    def show(self, times: NDArray[np.float64], *lines: NDArray[np.float64]) -> None:
+        """Draw lines over times (s) (T,)."""
+        self._handle.data = (times, *lines)
+
+
+def gait_diagram(history: Sequence[Sample], timestep: float) -> str:
+    """Which feet were on the ground, as SVG: a bar a foot and stance, time to the right, the present at the edge."""
+    left, right, top, row, bar = 30, 360, 4, 22, 14
+    bottom = top + row * len(LEG_NAMES)
+    scale = (right - left) / GAIT_SECONDS
+    recent = history[-round(GAIT_SECONDS / timestep) :]
+    parts = []
+    contact = over_time(recent, "contact").astype(bool).reshape(-1, len(LEG_NAMES))
+    for leg, (name, colour) in enumerate(LEG_COLOURS.items()):
+        y = top + row * leg
+        parts.append(f'<text x="{left - 8}" y="{y + bar - 2}" text-anchor="end">{name}</text>')
+        parts.append(f'<rect x="{left}" y="{y}" width="{right - left}" height="{bar}" fill="#EEF1F4"/>')
+        # From the first sample on the ground to the first one off it.
+        edges = np.flatnonzero(np.diff(contact[:, leg].astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
+        for start, stop in edges:
+            x = right - (len(contact) - start) * timestep * scale
+            parts.append(
+                f'<rect x="{x:.1f}" y="{y}" width="{(stop - start) * timestep * scale:.1f}" height="{bar}" '
+                f'fill="{colour}"/>'
+            )
+    for second in range(math.floor(GAIT_SECONDS) + 1):
+        x = right - second * scale
+        parts.append(f'<text x="{x:.1f}" y="{bottom + 12}" text-anchor="middle">{-second if second else "now"}</text>')
+    return (
+        f'{_heading("Feet on the ground, s", ())}<svg viewBox="0 0 380 {bottom + 18}" width="100%" '
+        f'style="{_FONT};padding:0 6px" fill="{INK}" data-plot="gait">{"".join(parts)}</svg>'
+    )
+
+
+def reward_bars(names: Sequence[str], values: NDArray[np.float64]) -> str:
+    """The reward terms (T,) per second as a table with bars, the sum last."""
+    most = max(4.0, float(np.abs(values).max(initial=0.0)))
+    rows = []
+    for name, value in zip(names, values, strict=True):
+        width = 50.0 * min(abs(value) / most, 1.0)
+        side = "left" if value >= 0 else "right"
+        colour = GREEN if value >= 0 else VERMILION
+        rows.append(
+            f'<tr><td style="padding-right:6px;white-space:nowrap">{escape(name.replace("_", " "))}</td>'
+            f'<td style="width:45%;position:relative"><div style="position:absolute;top:4px;bottom:4px;{side}:50%;'
+            f'width:{width:.1f}%;background:{colour}"></div>'
+            f'<div style="position:absolute;top:0;bottom:0;left:50%;width:1px;background:{GREY}"></div></td>'
+            f'<td style="text-align:right;font-variant-numeric:tabular-nums">{value:+z.2f}</td></tr>'
+        )
+    rows.append(
+        f'<tr style="font-weight:bold"><td>sum</td><td></td>'
+        f'<td style="text-align:right;font-variant-numeric:tabular-nums">{values.sum():+z.2f}</td></tr>'
+    )
+    return (
+        f"{_heading('Reward per second, mean of the last second', ())}"
+        f'<table data-plot="reward" style="{_FONT};width:100%;padding:0 12px;line-height:1.7">{"".join(rows)}</table>'
+    )
+
+
+_FONT: Final = "font:12px sans-serif"
+
+
+def _heading(title: str, lines: Sequence[_Line]) -> str:
+    keys = "".join(
+        f'<span style="margin-left:8px;white-space:nowrap;color:{colour}">{"&#9476;" if dashes else "&#9473;"} '
+        f"{escape(name)}</span>"
+        for name, colour, dashes in lines
+        if name
+    )
+    return (
+        f'<div style="{_FONT};display:flex;flex-wrap:wrap;padding:8px 12px 2px 12px;color:{INK}">'
+        f'<b style="flex-grow:1">{escape(title)}</b>{keys}</div>'
+    )
+
+
+def _limits(first: int) -> tuple[float, float]:
+    """Bounds of a chart that shows the limits of the hips (0) or of the knees (1)."""
+    return _padded((JOINT_POSITION_LOW[first], JOINT_POSITION_HIGH[first]))
+
+
+def _padded(bounds: tuple[float, float]) -> tuple[float, float]:
+    margin = 0.15 * (bounds[1] - bounds[0])
+    return float(bounds[0] - margin), float(bounds[1] + margin)

@@ -1,0 +1,162 @@
+"""One robot of the viewer: a source, the task that it runs on, and what it did lately."""
+
+import copy
+from collections import deque
+from dataclasses import replace
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.envs.spaces import task_config
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.metrics import heading_of
+from quadruped_env.robot import load_model
+from quadruped_env.simulation import SingleSimulation
+from quadruped_env.task import RandomizationConfig, Task
+from quadruped_env.viewer.gaits import EditableGaitController, GaitSettings
+from quadruped_env.viewer.sample import Sample, sample
+from quadruped_env.viewer.sources import Source
+
+HISTORY_SECONDS: Final = 5.0
+
+_ROW: Final = np.zeros(1, dtype=np.intp)
+
+
+class Robot:
+    """A robot on its own ground, which no other robot is on.
+
+    Args:
+        source: what drives it.
+        randomization: in place of the source's own, if given.
+
+    Raises:
+        QuadrupedError: if the source does not fit this robot.
+    """
+
+    def __init__(self, source: Source, randomization: RandomizationConfig | None = None) -> None:
+        self.source = source
+        controller, config = source.make()
+        config = task_config(controller.action_mode, config)
+        if randomization is not None:
+            config = replace(config, randomization=randomization)
+        self._controller = controller
+        self._simulation = SingleSimulation(load_model(config.physics_timestep, config.motor))
+        self.task = Task(self._simulation, config)
+        self._forces = mujoco.MjData(self._simulation.model)
+        self.timestep = config.control_timestep
+        self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
+        self.fell_at: float | None = None
+        """s of the episode, or None while it is on its feet"""
+        self.diverged = False
+        self.reset(0, (0.0, 0.0))
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model."""
+        return self._simulation.model
+
+    def copy_model(self) -> mujoco.MjModel:
+        """A copy of the model, to draw with."""
+        return copy.copy(self.model)
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's data."""
+        return self._simulation.data
+
+    @property
+    def time(self) -> float:
+        """Time since its episode began, s."""
+        return self.history[-1].time
+
+    @property
+    def gait(self) -> GaitSettings | None:
+        """The settings of its scripted gait; None if it has none."""
+        return self._controller.settings if isinstance(self._controller, EditableGaitController) else None
+
+    @gait.setter
+    def gait(self, settings: GaitSettings) -> None:
+        if not isinstance(self._controller, EditableGaitController):
+            raise QuadrupedError(f"gait: {self.source.name!r} is no scripted gait; choose one to change its gait")
+        self._controller.settings = settings
+
+    def complaints(self) -> list[str]:
+        """What its scripted gait asks for beyond the limits of the joints."""
+        return self._controller.complaints() if isinstance(self._controller, EditableGaitController) else []
+
+    def reset(self, seed: int, command: tuple[float, float]) -> None:
+        """Begin an episode at the origin, facing along x. Robots with the same seed start alike."""
+        self.task.reset(_ROW, seeds=[seed], command=self._within(command))
+        self._face_ahead()
+        self.observation = self.task.observe()
+        self.history.clear()
+        self.history.append(sample(self.task))
+        self.fell_at, self.diverged = None, False
+
+    def set_command(self, command: tuple[float, float]) -> None:
+        """Ask for a forward velocity in m/s and a yaw rate in rad/s, or the nearest that its task knows."""
+        self.task.set_command(_ROW, self._within(command))
+        self.observation = self.task.observe()
+
+    def push(self, velocity: tuple[float, float]) -> None:
+        """Add a velocity (forwards, to the left) in m/s, as the robot faces, to its base."""
+        heading = self.heading
+        c, s = np.cos(heading), np.sin(heading)
+        world = np.array([[c * velocity[0] - s * velocity[1], s * velocity[0] + c * velocity[1], 0.0]])
+        self._simulation.push(_ROW, world)
+        self.observation = self.task.observe()
+
+    def step(self) -> Sample:
+        """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
+        if self.diverged:
+            return self.history[-1]
+        transition = self._controller.step(self.task, self.observation)
+        self.observation = transition.observation
+        self.diverged = bool(transition.diverged[0])
+        moment = sample(self.task, transition)
+        self.history.append(moment)
+        if self.fell_at is None and transition.terminated[0]:
+            self.fell_at = moment.time
+        return moment
+
+    @property
+    def heading(self) -> float:
+        """Direction that it faces, rad from the world's x."""
+        return float(heading_of(self.data.qpos[None, None, 3:7])[0, 0])
+
+    def contact_forces(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Where the ground presses on the robot, m (K, 3), and with what force, N (K, 3), in the world."""
+        model, data = self.model, self._forces
+        # A control step ends before the forces of its last state are known: they are found on a copy.
+        mujoco.mj_copyState(model, self.data, data, mujoco.mjtState.mjSTATE_INTEGRATION)
+        mujoco.mj_forward(model, data)
+        points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))
+        wrench = np.empty(6)
+        touching = 0
+        for i, contact in enumerate(data.contact):
+            first, second = model.geom_bodyid[contact.geom]
+            if first and second:
+                continue
+            mujoco.mj_contactForce(model, data, i, wrench)
+            points[touching] = contact.pos
+            # The force acts on the second geom, in a frame that is the matrix's rows.
+            forces[touching] = contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0)
+            touching += 1
+        return points[:touching], forces[:touching]
+
+    def _within(self, command: tuple[float, float]) -> tuple[float, float]:
+        ranges = self.task.config.command
+        (slow, fast), (right, left) = ranges.forward_velocity, ranges.yaw_rate
+        return float(np.clip(command[0], slow, fast)), float(np.clip(command[1], right, left))
+
+    def _face_ahead(self) -> None:
+        """Turn the start, which faces anywhere, to the x direction, the velocity of the base with it."""
+        heading = self.heading
+        qpos, qvel = self.data.qpos.copy(), self.data.qvel.copy()
+        back = np.array([np.cos(heading / 2), 0.0, 0.0, -np.sin(heading / 2)])
+        mujoco.mju_mulQuat(qpos[3:7], back, self.data.qpos[3:7])
+        # The rotation's own part of the velocity is in the body frame and turns with it.
+        mujoco.mju_rotVecQuat(qvel[:3], self.data.qvel[:3], back)
+        self._simulation.reset(_ROW, qpos[None], qvel[None])

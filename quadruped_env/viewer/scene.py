@@ -1,0 +1,253 @@
+"""The robots and what is drawn around them, in the browser's 3D scene."""
+
+import math
+import time
+from typing import TYPE_CHECKING, Any, Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.robot import LEG_NAMES
+from quadruped_env.viewer.colours import ACTUAL, COMMANDED, CONTACT, LEGS, PUSH
+from quadruped_env.viewer.controller import RobotView, View
+from quadruped_env.viewer.sample import over_time
+
+if TYPE_CHECKING:
+    import viser
+
+OVERLAYS: Final = ("contact forces", "velocity arrows", "foot trails", "names")
+
+_LANE: Final = 0.6
+"""m between robots side by side"""
+_FOLLOW_TIME: Final = 0.3
+"""s: how far the camera lags behind, so that the picture does not sway with every step"""
+_JUMP: Final = 0.6
+"""m that no robot walks within that time"""
+_TRAIL_SECONDS: Final = 2.0
+_TRAIL_STRIDE: Final = 2
+"""samples a segment"""
+_METRES_PER_NEWTON: Final = 0.006
+_BESIDE: Final = 0.035
+"""m outwards from the contact, where the leg does not hide the arrow"""
+_METRES_PER_VELOCITY: Final = 0.6
+"""m of arrow for 1 m/s"""
+_ARROW_HEIGHT: Final = 0.14
+"""m over the base's centre"""
+_TURN_RADII: Final = (0.30, 0.33)
+"""m of the arcs on the ground that span the turn in a second, commanded and actual"""
+_TURN_HEIGHT: Final = 0.004
+"""m over the ground"""
+_ARC_POINTS: Final = 16
+_PUSH_SHOWN: Final = 0.8
+"""s"""
+_LABEL_HEIGHT: Final = 0.24
+"""m over the base's centre"""
+_CAMERAS: Final = ((0.75, -1.45, 0.62), (1.1, -1.9, 1.0), (1.35, -2.3, 1.3))
+"""Where the camera begins, m from the middle of one, two or three robots"""
+
+Points = NDArray[np.float64]
+
+
+class Scene:
+    """Draws views.
+
+    Args:
+        server: where to.
+        model: a model that is drawn with and changed.
+    """
+
+    def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel) -> None:
+        from mjviser import ViserMujocoScene
+
+        self.visible = dict.fromkeys(OVERLAYS, True)
+        self.follow = True
+        self.abreast = True
+        self._server = server
+        self._robots = ViserMujocoScene(server, model, num_envs=1)
+        self._robots.camera_tracking_enabled = False
+        server.scene.configure_environment_map("studio", environment_intensity=0.3)
+        self._offsets = np.zeros((1, 3))
+        self._drawn_at = -math.inf
+        self._push: tuple[float, float, float] | None = None
+        self._ground()
+        self._aim(1)
+        server.initial_camera.look_at = (0.0, 0.0, 0.1)
+        server.initial_camera.fov = math.radians(45.0)
+        one = np.zeros((1, 2, 3), np.float32)
+        add = server.scene
+        thin = {"shaft_radius": 0.004, "head_radius": 0.011, "head_length": 0.025}
+        thick = {"shaft_radius": 0.008, "head_radius": 0.022, "head_length": 0.05}
+        self._contacts = add.add_arrows("/overlay/contact", one, CONTACT, visible=False, **thin)
+        self._pushes = add.add_arrows("/overlay/push", one, PUSH, visible=False, **thick)
+        self._velocities = add.add_arrows("/overlay/velocity", one, COMMANDED, visible=False, **thick)
+        self._turns = add.add_line_segments("/overlay/turn", one, COMMANDED, thickness=0.012, visible=False)
+        self._turn_heads = add.add_arrows(
+            "/overlay/turn_head",
+            one,
+            COMMANDED,
+            visible=False,
+            shaft_radius=0.001,
+            head_radius=0.022,
+            head_length=0.045,
+        )
+        self._trails = add.add_line_segments("/overlay/trail", one, (0, 0, 0), thickness=0.004, visible=False)
+        self._labels: list[Any] = []
+
+    def show_push(self, direction: float, strength: float) -> None:
+        """Show for a moment that the robots were pushed; see `ViewController.push`."""
+        self._push = direction, strength, time.monotonic() + _PUSH_SHOWN
+
+    def update(self, view: View) -> None:
+        """Draw a view."""
+        robots = view.robots
+        lanes = np.zeros((len(robots), 3))
+        lanes[:, 1] = _LANE * ((len(robots) - 1) / 2 - np.arange(len(robots)))
+        self._go_along(np.array([robot.now.base_pose[:2] for robot in robots]), view.watched)
+        shift = lanes + self._offsets
+        with self._server.atomic():
+            self._draw_robots(robots, shift)
+            self._robots.fixed_bodies_frame.position = self._offsets[view.watched]
+            self._draw_contacts(robots, shift)
+            self._draw_velocities(robots, shift)
+            self._draw_trails(robots, shift)
+            self._draw_push(robots, shift)
+            self._draw_labels(robots, shift)
+
+    def _go_along(self, positions: Points, watched: int) -> None:
+        """Move each robot's world so that its position (2,) is in the middle of its lane.
+
+        The worlds move, and not the cameras of the browsers, which people turn as they like. Robots that are not
+        kept abreast share the watched one's world.
+        """
+        now = time.monotonic()
+        if len(self._offsets) != len(positions):
+            self._offsets = np.zeros((len(positions), 3))
+        if self.follow:
+            away = -positions - self._offsets[:, :2]
+            share = 1.0 - math.exp(-(now - self._drawn_at) / _FOLLOW_TIME)
+            # After a reset the robot is somewhere else at once.
+            jumped = np.abs(away).max(axis=1, keepdims=True) > _JUMP
+            self._offsets[:, :2] += away * np.where(jumped, 1.0, share)
+            if not self.abreast:
+                self._offsets[:] = self._offsets[watched]
+        self._drawn_at = now
+
+    def _aim(self, robots: int) -> None:
+        """Choose where a browser that comes now begins to look from."""
+        self._server.initial_camera.position = _CAMERAS[robots - 1]
+
+    def _ground(self) -> None:
+        self._server.scene.add_grid(
+            "/fixed_bodies/world/ground",
+            infinite_grid=True,
+            cell_size=0.1,
+            cell_color=(226, 230, 234),
+            section_size=0.5,
+            section_color=(190, 198, 206),
+            fade_distance=12.0,
+            shadow_opacity=0.25,
+            plane_color=(246, 247, 249),
+            plane_opacity=1.0,
+        )
+
+    def _draw_robots(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+        if self._robots.num_envs != len(robots):
+            self._robots.num_envs = len(robots)
+            self._robots.rebuild_visual_handles()
+            self._ground()
+            self._aim(len(robots))
+        positions = np.stack([robot.body_position + shift[i] for i, robot in enumerate(robots)])
+        self._robots.update_from_arrays(positions, np.stack([robot.body_rotation for robot in robots]))
+
+    def _draw_contacts(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+        arrows = []
+        for i, robot in enumerate(robots):
+            left = _direction(robot.heading + math.pi / 2)
+            side = np.sign((robot.contact_points - robot.now.base_pose[:3]) @ left)
+            start = robot.contact_points + _BESIDE * side[:, None] * left + shift[i]
+            arrows.append(np.stack([start, start + _METRES_PER_NEWTON * robot.contact_forces], axis=1))
+        _draw(self._contacts, np.concatenate(arrows), visible=self.visible["contact forces"])
+
+    def _draw_velocities(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+        arrows, arcs, heads = [], [], []
+        for i, robot in enumerate(robots):
+            above = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _ARROW_HEIGHT)
+            for lane, (velocity, yaw_rate) in enumerate((robot.now.command, robot.now.smooth_velocity)):
+                # Side by side, or one would hide the other.
+                origin = above + np.array([0.0, 0.0, 0.028 * lane])
+                tip = _METRES_PER_VELOCITY * velocity * _direction(robot.heading)
+                arrows.append([origin, origin + tip])
+                centre = np.array([*above[:2], _TURN_HEIGHT])
+                angles = robot.heading + yaw_rate * np.linspace(0.0, 1.0, _ARC_POINTS + 1)
+                arc = centre + _TURN_RADII[lane] * _direction(angles)
+                arcs.append(np.stack([arc[:-1], arc[1:]], axis=1))
+                # A short piece past the end turns the head along the arc.
+                beyond = _TURN_RADII[lane] * _direction(angles[-1] + math.copysign(0.17, yaw_rate))
+                heads.append([arc[-1], centre + beyond])
+        visible = self.visible["velocity arrows"]
+        colours = np.tile(np.array([COMMANDED, ACTUAL], np.uint8), (len(robots), 1))
+        moving = np.abs([v for robot in robots for v in (robot.now.command[0], robot.now.smooth_velocity[0])]) > 0.03
+        turning = np.abs([v for robot in robots for v in (robot.now.command[1], robot.now.smooth_velocity[1])]) > 0.06
+        _draw(self._velocities, np.array(arrows)[moving], colours[moving], visible)
+        kept = np.repeat(colours[turning], _ARC_POINTS, axis=0)
+        segments = np.array(arcs)[turning].reshape(-1, 2, 3)
+        _draw(self._turns, segments, np.repeat(kept[:, None], 2, axis=1), visible)
+        _draw(self._turn_heads, np.array(heads)[turning], colours[turning], visible)
+
+    def _draw_trails(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+        segments, colours = [], []
+        for i, robot in enumerate(robots):
+            count = round(_TRAIL_SECONDS / robot.timestep)
+            # From the present backwards, so that old points stay where they are.
+            feet = over_time(robot.history[-count:][::-1][::_TRAIL_STRIDE], "foot_position") + shift[i]
+            for leg in range(len(LEG_NAMES)):
+                path = feet[:, leg]
+                segments.append(np.stack([path[:-1], path[1:]], axis=1))
+                colours.append(np.broadcast_to(np.array(LEGS[leg], np.uint8), (len(path) - 1, 2, 3)))
+        _draw(self._trails, np.concatenate(segments), np.concatenate(colours), self.visible["foot trails"])
+
+    def _draw_push(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+        if self._push is None or time.monotonic() > self._push[2]:
+            self._pushes.visible = False
+            return
+        direction, strength, _ = self._push
+        arrows = []
+        for i, robot in enumerate(robots):
+            way = _direction(robot.heading + direction)
+            # It ends where it hits the base.
+            end = robot.now.base_pose[:3] + shift[i] - 0.12 * way
+            arrows.append([end - 0.35 * strength * way, end])
+        _draw(self._pushes, np.array(arrows))
+
+    def _draw_labels(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+        while len(self._labels) > len(robots):
+            self._labels.pop().remove()
+        while len(self._labels) < len(robots):
+            self._labels.append(
+                self._server.scene.add_label(f"/overlay/name_{len(self._labels)}", "", anchor="bottom-center")
+            )
+        for i, robot in enumerate(robots):
+            velocity = robot.now.smooth_velocity[0]
+            state = f"{velocity:z.1f} m/s" if robot.fell_at is None else "fell"
+            text = f"{robot.source}: {state}"
+            if self._labels[i].text != text:
+                self._labels[i].text = text
+            self._labels[i].position = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _LABEL_HEIGHT)
+            self._labels[i].visible = self.visible["names"] and len(robots) > 1
+
+
+def _direction(angle: Any) -> Any:
+    """Level unit vectors (..., 3) at angles (...,) in rad from x."""
+    return np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
+
+
+def _draw(handle: Any, points: Points, colours: NDArray[np.uint8] | None = None, visible: bool = True) -> None:
+    """Give arrows or segments (N, 2, 3) to a handle; none of them are hidden, as viser cannot draw nothing."""
+    visible = visible and bool(len(points))
+    if visible:
+        handle.points = points.astype(np.float32)
+        if colours is not None:
+            handle.colors = colours
+    if handle.visible != visible:
+        handle.visible = visible

@@ -1,0 +1,78 @@
+"""The web server of the viewer: on this machine only, unless asked, and never shared through another."""
+
+import contextlib
+import errno
+import io
+import socket
+from typing import TYPE_CHECKING, Any, Final
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+
+if TYPE_CHECKING:
+    import viser
+
+LOOPBACK: Final = "127.0.0.1"
+PORT: Final = 8080
+_PORTS_TRIED: Final = 100
+
+
+def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
+    """A server on the first free port from `port` on.
+
+    Args:
+        host: the address to listen on; anything but loopback lets other machines control the show.
+        port: 0 takes any free one.
+
+    Raises:
+        MissingExtraError: if viser is not installed.
+        QuadrupedError: if there is no such address here, or no port is free.
+    """
+
+    class LocalServer(import_viser().ViserServer):  # type: ignore[misc]
+        def request_share_url(self, verbose: bool = True) -> None:
+            """Refuse: a browser may ask for a public address even where it shows no button for it."""
+
+    port = _free_port(host, port)
+    # viser prints a panel of its own.
+    with contextlib.redirect_stdout(io.StringIO()):
+        server: viser.ViserServer = LocalServer(host, port, label="MiniQuadruped", verbose=False)
+    server.gui.configure_theme(show_logo=False, show_share_button=False, brand_color=(0, 114, 178))
+    return server
+
+
+def stop_server(server: "viser.ViserServer") -> None:
+    """End the server without a word."""
+    with contextlib.redirect_stdout(io.StringIO()):
+        server.stop()
+
+
+def import_viser() -> Any:
+    """The module `viser`.
+
+    Raises:
+        MissingExtraError: if it, or mjviser, is not installed.
+    """
+    try:
+        import mjviser  # noqa: F401
+        import viser
+    except ImportError as error:
+        raise MissingExtraError("The viewer", "viewer") from error
+    return viser
+
+
+def _free_port(host: str, port: int) -> int:
+    if not 0 <= port <= 65535 - _PORTS_TRIED:
+        raise QuadrupedError(f"--port: expected 0 to {65535 - _PORTS_TRIED}; found {port}")
+    for candidate in range(port, port + _PORTS_TRIED):
+        try:
+            family = socket.getaddrinfo(host, candidate, type=socket.SOCK_STREAM)[0][0]
+            with socket.socket(family, socket.SOCK_STREAM) as probe:
+                probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+                probe.bind((host, candidate))
+                return int(probe.getsockname()[1])
+        except OSError as error:
+            if error.errno not in (errno.EADDRINUSE, errno.EACCES):
+                raise QuadrupedError(
+                    f"--host: cannot listen on {host!r} ({error.strerror}); leave it out for {LOOPBACK}"
+                ) from error
+    raise QuadrupedError(f"--port: none of {port} to {port + _PORTS_TRIED - 1} is free; name another one")

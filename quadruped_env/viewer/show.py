@@ -1,0 +1,151 @@
+"""The viewer: a `ViewController` in real time, its scene, controls and plots in every browser that looks."""
+
+import threading
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.viewer.controller import Command, View, ViewController
+from quadruped_env.viewer.panel import Panel
+from quadruped_env.viewer.plots import Plots
+from quadruped_env.viewer.scene import Scene
+from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_server, stop_server
+from quadruped_env.viewer.sources import find_sources
+from quadruped_env.viewer.take import RESULTS
+
+TICK: Final = 0.02
+"""s between looks at the clock: a control step at normal speed"""
+TICKS_PER_FRAME: Final = 2
+TICKS_PER_PLOT: Final = 5
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How a stretch of the show kept time."""
+
+    seconds: float
+    """of real time"""
+    processor_seconds: float
+    """that this process computed"""
+    control_steps: int
+    frames: int
+    latest: float
+    """s by which the latest tick came too late"""
+
+    def __str__(self) -> str:
+        return (
+            f"{self.control_steps / self.seconds:.2f} control steps/s and {self.frames / self.seconds:.1f} frames/s "
+            f"over {self.seconds:.1f} s; latest tick {1e3 * self.latest:.1f} ms late; "
+            f"{self.processor_seconds / self.seconds:.0%} of one core"
+        )
+
+
+class Show:
+    """A running viewer.
+
+    Args:
+        controller: what is shown; `close` closes it too.
+        host: the address to listen on.
+        port: the first one to try.
+
+    Raises:
+        MissingExtraError: if viser or mjviser is not installed.
+        QuadrupedError: if there is no such address, or no free port.
+    """
+
+    def __init__(self, controller: ViewController, host: str = LOOPBACK, port: int = PORT) -> None:
+        self.controller = controller
+        self._stop = threading.Event()
+        self._server = start_server(host, port)
+        self._scene = Scene(self._server, controller.model())
+        self.panel = Panel(self._server, controller, self._scene)
+        self._plots = Plots(self._server, controller.command_ranges)
+        self._server.on_client_disconnect(lambda _: self._left())
+        self.draw(controller.view())
+
+    @property
+    def port(self) -> int:
+        """Where it listens."""
+        return self._server.get_port()
+
+    def draw(self, view: View) -> None:
+        """Draw everything."""
+        self._scene.update(view)
+        self.panel.update(view)
+        self._plots.update(view.robots[view.watched])
+
+    def run(self, seconds: float | None = None) -> Pace:
+        """Play in real time until `stop` is called, or for a time."""
+        start = last = time.perf_counter()
+        processor = time.process_time()
+        ticks = frames = steps = 0
+        latest = 0.0
+        while not self._stop.is_set() and (seconds is None or last - start < seconds):
+            now = time.perf_counter()
+            steps += self.controller.advance(now - last)
+            last = now
+            if ticks % TICKS_PER_FRAME == 0:
+                view = self.controller.view()
+                self._scene.update(view)
+                frames += 1
+                if ticks % (TICKS_PER_FRAME * TICKS_PER_PLOT) == 0:
+                    self.panel.update(view)
+                    self._plots.update(view.robots[view.watched])
+            ticks += 1
+            due = start + ticks * TICK
+            late = time.perf_counter() - due
+            if late > 0.0:
+                latest = max(latest, late)
+                if late > TICK:
+                    # What was missed is missed: the controller catches up by itself.
+                    ticks += int(late / TICK)
+            else:
+                self._stop.wait(-late)
+        return Pace(last - start, time.process_time() - processor, steps, frames, latest)
+
+    def stop(self) -> None:
+        """Let `run` return; may be called from a signal handler."""
+        self._stop.set()
+
+    def close(self) -> None:
+        """Save what is being recorded, and end the server."""
+        self.controller.close()
+        stop_server(self._server)
+
+    def _left(self) -> None:
+        """A browser went: with the last one nobody is left to end a recording."""
+        if not self._server.get_clients():
+            self.controller.stop_recording()
+
+
+def open_show(
+    asked: Sequence[str] = (),
+    command: Command = (0.0, 0.0),
+    host: str = LOOPBACK,
+    port: int = PORT,
+    results: Path = RESULTS,
+) -> Show:
+    """A show of what a person asked for, ready to run.
+
+    Args:
+        asked: up to three of: a run's directory, a shipped policy, a scripted gait, a file of joint states. With
+            nothing it is the latest run, or else the shipped policy.
+        command: forward velocity in m/s and yaw rate in rad/s to begin with.
+        host: the address to listen on.
+        port: the first one to try; 0 takes any.
+        results: where recordings go.
+
+    Raises:
+        MissingExtraError: if viser or mjviser is not installed.
+        QuadrupedError: if something that was asked for cannot be used.
+    """
+    import_viser()
+    controller = ViewController(*find_sources(asked), results)
+    try:
+        controller.set_command(*command)
+        return Show(controller, host, port)
+    except BaseException:
+        controller.close()
+        raise

@@ -1,0 +1,107 @@
+"""A recording made in the viewer, and the thread that saves it."""
+
+import queue
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.evaluation.film import Motion
+from quadruped_env.evaluation.results import free_path
+from quadruped_env.evaluation.video import save_film
+from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.trajectory.joint_trajectory import NANOSECONDS
+from quadruped_env.viewer.sample import Sample, over_time
+
+MAX_SECONDS: Final = 300.0
+"""A longer take ends by itself."""
+RESULTS: Final = Path("results")
+TRAJECTORY_FILE: Final = "joint_states.csv"
+VIDEO_FILE: Final = "video.mp4"
+
+
+@dataclass
+class Take:
+    """What one robot did while it was recorded."""
+
+    title: str
+    timestep: float
+    """s between samples"""
+    samples: list[Sample] = field(default_factory=list)
+
+    @property
+    def seconds(self) -> float:
+        """Time from its first sample to its last."""
+        return (len(self.samples) - 1) * self.timestep
+
+    def trajectory(self) -> JointTrajectory:
+        """The joints as measured; the stamps begin at 0."""
+        stamps = np.rint(np.arange(len(self.samples)) * self.timestep * NANOSECONDS).astype(np.int64)
+        return JointTrajectory(
+            stamps,
+            JOINT_NAMES,
+            over_time(self.samples, "joint_position"),
+            over_time(self.samples, "joint_velocity"),
+            over_time(self.samples, "joint_torque"),
+        )
+
+    def motion(self) -> Motion:
+        """The robot over time, as a film shows it."""
+        return Motion(
+            self.title,
+            self.timestep,
+            over_time(self.samples, "base_pose"),
+            over_time(self.samples, "joint_position"),
+            over_time(self.samples, "velocity"),
+            over_time(self.samples, "command"),
+            over_time(self.samples, "contact") > 0,
+        )
+
+
+class TakeSaver:
+    """Saves takes one after the other, beside the running simulation.
+
+    Args:
+        results: the directory to make each take's own directory in.
+        tell: is told, from the saver's thread, what was saved and what was not.
+    """
+
+    def __init__(self, results: Path, tell: Callable[[str], None]) -> None:
+        self._results = results
+        self._tell = tell
+        self._takes: queue.Queue[Take | None] = queue.Queue()
+        self._thread = threading.Thread(target=self._run, name="take saver")
+        self._thread.start()
+
+    def save(self, take: Take) -> None:
+        """Save a take soon."""
+        self._takes.put(take)
+
+    def close(self) -> None:
+        """Wait until everything is saved."""
+        self._takes.put(None)
+        self._thread.join()
+
+    def _run(self) -> None:
+        while (take := self._takes.get()) is not None:
+            directory = free_path(self._results / time.strftime("view-%Y%m%d-%H%M%S"))
+            try:
+                take.trajectory().save(directory / TRAJECTORY_FILE)
+                self._tell(f"{take.seconds:.1f} s recorded: {directory / TRAJECTORY_FILE}")
+                self._film(take, directory / VIDEO_FILE)
+            except (QuadrupedError, MissingExtraError, OSError) as error:
+                self._tell(f"Not saved: {error}")
+
+    def _film(self, take: Take, path: Path) -> None:
+        try:
+            save_film(path, [take.motion()])
+        except (QuadrupedError, MissingExtraError) as error:
+            self._tell(f"No video: {error}")
+        else:
+            self._tell(f"Video: {path}")
