@@ -14,6 +14,7 @@ from quadruped_env.robot.facts import (
     TOTAL_MASS,
     VELOCITY_LIMIT,
 )
+from quadruped_env.robot.ground import resting_pose, sole_heights
 from quadruped_env.robot.kinematics import forward_kinematics
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.transforms import Transform, fixed_transforms, joint_transforms
@@ -39,4 +40,6 @@ __all__ = [
     "forward_kinematics",
     "joint_transforms",
     "load_model",
+    "resting_pose",
+    "sole_heights",
 ]

@@ -1,0 +1,338 @@
+"""The least-squares problem of identification, in the terms of MuJoCo's toolbox `mujoco.sysid`."""
+
+import io
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.identification.quantities import (
+    DELAY,
+    HIGHEST,
+    LOWEST,
+    MAX_FIT_DELAY,
+    coordinate_derivatives,
+    from_coordinates,
+    names_of,
+    quantity,
+    to_coordinates,
+    value_of,
+    with_values,
+)
+from quadruped_env.evaluation.identification.recorded import Recorded, columns
+from quadruped_env.evaluation.rollout import Progress
+from quadruped_env.robot import JOINT_NAMES, MotorConfig, asset_path, resting_pose
+from quadruped_env.robot.motors import fill_command_history
+
+_UNDETERMINED: Final = 0.5
+"""A 95 % interval that reaches this share of the value to either side, or of the scale, tells nothing."""
+_STEP: Final = 1e-3
+"""of the finite differences, in coordinates"""
+_TOLERANCE: Final = 1e-4
+"""of the step, relative"""
+_ITERATIONS: Final = 30
+_ROUNDS: Final = 4
+"""A fit that got stuck on the roughness of the error goes on from there, unregularized."""
+_IMPROVEMENT: Final = 0.005
+"""A round that reduces the error by less than this share is the last."""
+_ITERATIONS_A_DELAY: Final = 8
+_DELAY_SECONDS: Final = 6.0
+"""s of the recording that the search for the delay uses"""
+_FINEST_DELAY: Final = 0.001
+"""s"""
+_EXPECTED_ITERATIONS: Final = 120
+
+
+class MotorFit:
+    """Motors that do what was recorded.
+
+    Args:
+        recorded: what the robot did.
+        base: `fixed` or `free`.
+        start: where the fit begins.
+        fitted: names in `QUANTITIES`.
+        progress: is told about how far the fit is.
+    """
+
+    def __init__(
+        self, recorded: Recorded, base: str, start: MotorConfig, fitted: Sequence[str], progress: Progress | None = None
+    ) -> None:
+        from mujoco import sysid
+
+        self.sysid = sysid
+        self.recorded = recorded
+        self.base = base
+        self.start = start
+        self.names = names_of(fitted)
+        self.half_width: dict[str, float] = {}
+        self._progress = progress
+        self._iterations = 0
+        self._spec = joint_spec(base, recorded.timestep)
+        self._max_delay = max(MAX_FIT_DELAY, start.delay)
+        self._weights = np.ones(recorded.measured.shape[1])
+        self._horizon = np.inf
+        """s; how much of the fit's time counts"""
+
+    def run(self) -> MotorConfig:
+        """The motors at the optimum; `half_width` then holds 95 % intervals of all that the recording determines.
+
+        What it does not determine (a motor's strength, where no motor was at its limit) is put back to the start, and
+        the rest is fitted again.
+        """
+        values = {name: value_of(self.start, name) for name in self.names}
+        train = self.recorded.measured[self.recorded.train]
+        # Before the noise is known, every signal counts by how much of its motion is explained.
+        self._weights = self._inverse_spread(train - train.mean(axis=0))
+        if DELAY in values:
+            self._horizon = _DELAY_SECONDS
+            values = self._find_delay(values)
+            self._horizon = np.inf
+        while values:
+            values, _ = self._solve(values)
+            # The most likely motors, if what is left unexplained is noise.
+            self._weights = self._inverse_spread(
+                self.predict(with_values(self.start, values))[self.recorded.train] - train
+            )
+            values, jacobian = self._solve_thoroughly(values)
+            self.half_width = self._intervals(values, jacobian)
+            allowed = {name: _UNDETERMINED * max(value, quantity(name).scale) for name, value in values.items()}
+            doubt = {name: self.half_width[name] / allowed[name] for name in values}
+            worst = max(doubt.values())
+            if worst <= 1.0:
+                break
+            # Of two numbers that only their sum is known of, the first to go determines the other.
+            values = {name: value for name, value in values.items() if doubt[name] < min(worst, 10.0)}
+            self.half_width = {}
+        if self._progress is not None:
+            self._progress(1.0)
+        return with_values(self.start, values)
+
+    def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
+        """What the simulator does over the whole recording, (T, 24) at the times of the measurements."""
+        trajectory = self._sequences(len(self.recorded.control)).measured_rollout[0]
+        model = self._model(motors)
+        (rollout,) = self.sysid.sysid_rollout(
+            [model], [mujoco.MjData(model)], [trajectory.control], [trajectory.initial_state]
+        )
+        return self._at(self.recorded.times, self._signals(rollout.state.data, rollout.sensordata.data))
+
+    def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
+        """Values fitted at the best of many fixed delays.
+
+        Free from the start, the delay gets caught between two physics steps, where the motion has a kink.
+        """
+        delay = self._scan_delay(values)
+        error, values = self._solve_at(delay, values)
+        step = max(self.recorded.timestep, _FINEST_DELAY)
+        while step >= _FINEST_DELAY:
+            improved = False
+            for direction in (-step, step):
+                while not improved or direction * (values[DELAY] - delay) > 0:
+                    nearby = values[DELAY] + direction
+                    if not 0.0 <= nearby <= MAX_FIT_DELAY:
+                        break
+                    found, candidate = self._solve_at(nearby, values)
+                    if found >= error:
+                        break
+                    error, values, improved = found, candidate, True
+                if improved:
+                    break
+            delay = values[DELAY]
+            step *= 0.5
+        return values
+
+    def _scan_delay(self, values: dict[str, float]) -> float:
+        """The best of a row of delays, with all else at the start."""
+        parameters = self._parameters(values)
+        candidates = np.arange(0.0, 0.5 * MAX_FIT_DELAY, max(self.recorded.timestep, _FINEST_DELAY))
+        points = np.tile(parameters.as_vector()[:, None], (1, len(candidates)))
+        points[list(values).index(DELAY)] = candidates / quantity(DELAY).scale
+        residuals, _, _ = self._residual_function()(points, parameters)
+        self._tell(())
+        return float(candidates[np.argmin((residuals[0] ** 2).sum(axis=0))])
+
+    def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
+        """The error of the best values at a fixed delay, and they."""
+        found, _ = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
+        return self._error(found), found
+
+    def _error(self, values: Mapping[str, float]) -> float:
+        """The sum of the squares that the fit minimizes."""
+        return float((self._residuals(values)[0] ** 2).sum())
+
+    def _residuals(self, values: Mapping[str, float]) -> Any:
+        parameters = self._parameters(values)
+        return self._residual_function()(parameters.as_vector(), parameters)[0]
+
+    def _solve_thoroughly(self, values: dict[str, float]) -> tuple[dict[str, float], NDArray[np.float64]]:
+        """As `_solve`, in rounds, until nothing is gained any more."""
+        error = self._error(values)
+        for _ in range(_ROUNDS):
+            values, jacobian = self._solve(values)
+            before, error = error, self._error(values)
+            if error > (1.0 - _IMPROVEMENT) * before:
+                break
+        return values, jacobian
+
+    def _solve(
+        self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
+    ) -> tuple[dict[str, float], NDArray[np.float64]]:
+        """Values at an optimum, and the Jacobian there."""
+        parameters = self._parameters(values, frozen)
+        found, result = self.sysid.optimize(
+            parameters,
+            self._residual_function(),
+            optimizer="mujoco",
+            verbose=False,
+            max_iters=iterations,
+            eps=_STEP,
+            xtol=_TOLERANCE,
+            x_scale="jac",
+            output=io.StringIO(),
+            iter_callback=self._tell,
+        )
+        return _values_of(found), result.jac
+
+    def _tell(self, trace: Sequence[Any]) -> None:
+        self._iterations += 1
+        if self._progress is not None:
+            # How many it takes is not known; the guess grows when it is passed.
+            self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
+
+    def _intervals(self, values: Mapping[str, float], jacobian: NDArray[np.float64]) -> dict[str, float]:
+        """Half-widths of the 95 % intervals; infinite for what has no influence."""
+        residuals = self._residuals(values)
+        jacobian = jacobian @ coordinate_derivatives(values)
+        jacobian *= [quantity(name).scale for name in values]
+        influence = np.linalg.norm(jacobian, axis=0)
+        acts = influence > 1e-9 * influence.max()
+        widths = np.full(len(values), np.inf)
+        with np.errstate(all="ignore"):  # what two numbers can only share has an infinite interval
+            widths[acts] = self.sysid.calculate_intervals(residuals, jacobian[:, acts])[1]
+        return {name: float(width) * quantity(name).scale for name, width in zip(values, widths, strict=True)}
+
+    def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Weights (24,): one over the root mean square of each signal in values (T, 24), 0 for what is missing."""
+        weights = np.zeros(values.shape[1])
+        for name in self.recorded.signals:
+            weights[columns(name)] = 1.0 / max(np.sqrt(np.nanmean(values[:, columns(name)] ** 2)), 1e-9)
+        return weights
+
+    def _parameters(self, values: Mapping[str, float], frozen: Sequence[str] = ()) -> Any:
+        parameters = self.sysid.ParameterDict()
+        for name, coordinate in to_coordinates(values).items():
+            low = LOWEST if quantity(name).positive else 0.0
+            high = MAX_FIT_DELAY / quantity(name).scale if name == DELAY else HIGHEST
+            # On a bound the fit could stall.
+            margin = 0.0 if name in frozen else 2e-3 * (high - low)
+            inside = float(np.clip(coordinate, low + margin, high - margin))
+            parameters.add(self.sysid.Parameter(name, inside, low, high, frozen=name in frozen))
+        return parameters
+
+    def _residual_function(self) -> Any:
+        def build(parameters: Any, spec: mujoco.MjSpec) -> mujoco.MjModel:
+            return self._model(with_values(self.start, _values_of(parameters)))
+
+        steps = int(np.ceil(self.recorded.times[self._rows()][-1] / self.recorded.timestep)) + 1
+        return self.sysid.build_residual_fn(
+            models_sequences=[self._sequences(steps)],
+            build_model=build,
+            modify_residual=self._residual,
+            resample_true=False,
+        )
+
+    def _residual(
+        self, params: Any, predicted: Any, measured: Any, model: Any, return_all: bool, state: Any
+    ) -> tuple[NDArray[np.float64], Any, Any]:
+        """The toolbox's `ModifyResidualFn`: weighted differences over the fit's time."""
+        rows = self._rows()
+        signals = self._at(self.recorded.times[rows], self._signals(state, predicted.data))
+        difference = np.nan_to_num((signals - self.recorded.measured[rows]) * self._weights)
+        series = self.sysid.TimeSeries(self.recorded.times[rows], difference)
+        return difference / np.sqrt(len(difference)), series, series
+
+    def _rows(self) -> NDArray[np.bool_]:
+        """The measurements that count (T,)."""
+        times = self.recorded.times
+        return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
+
+    def _model(self, motors: MotorConfig) -> mujoco.MjModel:
+        spec = self._spec.copy()
+        motors.write(spec, self._max_delay)
+        return spec.compile()
+
+    def _sequences(self, steps: int) -> Any:
+        """The recording's first physics steps, for the toolbox."""
+        spec = self._spec.copy()
+        self.start.write(spec, self._max_delay)
+        model = spec.compile()
+        data = mujoco.MjData(model)
+        positions = self.recorded.measured[0, columns("position")]
+        if self.base == "free":
+            data.qpos[:7] = resting_pose(positions)
+        data.qpos[-len(JOINT_NAMES) :] = positions
+        data.qvel[-len(JOINT_NAMES) :] = np.nan_to_num(self.recorded.measured[0, columns("velocity")])
+        fill_command_history(model, data.history[None], self.recorded.control[:1])
+        kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
+        state = np.empty(mujoco.mj_stateSize(model, kind))
+        mujoco.mj_getState(model, data, state, kind)
+        # The toolbox drops the last control: it expects no measurement after it.
+        control = self.recorded.control[:steps]
+        control = np.concatenate([control, control[-1:]])
+        clock = np.arange(len(control)) * self.recorded.timestep
+        measured = self.sysid.TimeSeries(self.recorded.times, self.recorded.measured)
+        return self.sysid.ModelSequences(
+            "mini_quadruped", spec, "recording", state, self.sysid.TimeSeries(clock, control), measured
+        )
+
+    def _signals(self, state: NDArray[np.float64], sensordata: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Positions, velocities and efforts (K, 24) after each physics step, from the toolbox's rollout."""
+        joints = len(JOINT_NAMES)
+        positions, velocities = (joints, joints) if self.base == "fixed" else (joints + 7, joints + 6)
+        # A state is the time, the positions, the velocities, and what the motors remember.
+        after_positions = 1 + positions
+        after_velocities = after_positions + velocities
+        return np.concatenate(
+            [
+                state[:, after_positions - joints : after_positions],
+                state[:, after_velocities - joints : after_velocities],
+                sensordata[:, columns("effort")],
+            ],
+            axis=1,
+        )
+
+    def _at(self, times: NDArray[np.float64], signals: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Signals (K, 24) after each physics step, at times (T,) in s; linear in between."""
+        place = np.clip(times / self.recorded.timestep - 1.0, 0.0, len(signals) - 1.0)
+        whole = np.rint(place)
+        place = np.where(np.abs(place - whole) < 1e-6, whole, place)
+        before = place.astype(np.intp)
+        after = np.minimum(before + 1, len(signals) - 1)
+        share = (place - before)[:, None]
+        return (1.0 - share) * signals[before] + share * signals[after]
+
+
+def _values_of(parameters: Any) -> dict[str, float]:
+    """The values behind the toolbox's parameters."""
+    return from_coordinates({name: float(parameter.value[0]) for name, parameter in parameters.items()})
+
+
+def joint_spec(base: str, timestep: float) -> mujoco.MjSpec:
+    """The robot with no sensors but those of its joints, on a stand (`fixed`) or on its ground (`free`)."""
+    spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
+    spec.option.timestep = timestep
+    wanted = {
+        name.removesuffix("joint") + signal for name in JOINT_NAMES for signal in ("position", "velocity", "torque")
+    }
+    for sensor in list(spec.sensors):
+        if sensor.name not in wanted:
+            spec.delete(sensor)
+    if base == "fixed":
+        for key in list(spec.keys):
+            spec.delete(key)
+        spec.delete(spec.joint("floating_base"))
+        # In the air there is nothing to touch, and without contacts the motion is a smooth function of the motors.
+        spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+    return spec

@@ -1,0 +1,118 @@
+"""What the fit can estimate, by name: `delay`, or kind of joint and field of `JointMotor`, as in `hip.kp`."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import JOINT_KINDS, MotorConfig
+
+DELAY: Final = "delay"
+MAX_FIT_DELAY: Final = 0.2
+"""s"""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """How something is estimated."""
+
+    unit: str
+    scale: float
+    """What it is counted in, so that all coordinates of the fit are near 1"""
+    positive: bool = False
+    """Whether it cannot be 0"""
+    torque: bool = True
+    """Whether it is a torque, for each unit of something"""
+
+
+QUANTITIES: Final = {
+    "stall_torque": Quantity("N m", 10.0, positive=True),
+    "no_load_speed": Quantity("rad/s", 5.0, positive=True, torque=False),
+    "kp": Quantity("N m/rad", 40.0, positive=True),
+    "kd": Quantity("N m s/rad", 1.0),
+    "damping": Quantity("N m s/rad", 0.1),
+    "friction_loss": Quantity("N m", 0.1),
+    "armature": Quantity("kg m^2", 0.01, positive=True, torque=False),
+    DELAY: Quantity("s", 0.01, torque=False),
+}
+LOWEST: Final = 0.02
+HIGHEST: Final = 50.0
+"""Limits of a coordinate: they stop a fit that runs away"""
+
+FITTED: Final = ("stall_torque", "kp", "kd", "damping", "friction_loss", "armature", DELAY)
+"""What is estimated unless other names are given. A no-load speed shows only in motion close to it."""
+
+
+def names_of(fitted: Sequence[str]) -> list[str]:
+    """The numbers behind the names of quantities: one for the hips and one for the knees, and one delay.
+
+    Raises:
+        QuadrupedError: if there is no such quantity.
+    """
+    for field in fitted:
+        if field not in QUANTITIES:
+            raise QuadrupedError(f"identify: cannot estimate {field!r}; valid names are {', '.join(QUANTITIES)}")
+    return [name for field in fitted for name in ([DELAY] if field == DELAY else [f"{k}.{field}" for k in JOINT_KINDS])]
+
+
+def quantity(name: str) -> Quantity:
+    """How a number is estimated."""
+    return QUANTITIES[name.rpartition(".")[2]]
+
+
+def to_coordinates(values: Mapping[str, float]) -> dict[str, float]:
+    """What the fit works in: torques are counted relative to the armature, where that is fitted.
+
+    Positions and velocities hardly change when all torques and the armature grow alike. In these coordinates that is
+    the direction of one axis, and not a narrow valley across all of them.
+    """
+    return {name: value / quantity(name).scale / _armature(name, values) for name, value in values.items()}
+
+
+def from_coordinates(coordinates: Mapping[str, float]) -> dict[str, float]:
+    """The inverse of `to_coordinates`."""
+    armatures = {
+        name: value * quantity(name).scale for name, value in coordinates.items() if name.endswith(".armature")
+    }
+    return {name: value * quantity(name).scale * _armature(name, armatures) for name, value in coordinates.items()}
+
+
+def coordinate_derivatives(values: Mapping[str, float]) -> NDArray[np.float64]:
+    """Derivatives of the coordinates with respect to the values, (n, n)."""
+    names = list(values)
+    coordinates = to_coordinates(values)
+    derivatives = np.diag([1.0 / quantity(name).scale / _armature(name, values) for name in names])
+    for i, name in enumerate(names):
+        armature = f"{name.rpartition('.')[0]}.armature"
+        if quantity(name).torque and armature in values:
+            derivatives[i, names.index(armature)] = -coordinates[name] / values[armature]
+    return derivatives
+
+
+def _armature(name: str, values: Mapping[str, float]) -> float:
+    """What a torque is counted relative to; 1 for all else."""
+    armature = f"{name.rpartition('.')[0]}.armature"
+    if not quantity(name).torque or armature not in values:
+        return 1.0
+    return values[armature] / QUANTITIES["armature"].scale
+
+
+def value_of(motors: MotorConfig, name: str) -> float:
+    """A number of some motors."""
+    kind, _, field = name.rpartition(".")
+    return float(getattr(getattr(motors, kind) if kind else motors, field))
+
+
+def with_values(motors: MotorConfig, values: Mapping[str, float]) -> MotorConfig:
+    """The motors with some numbers changed."""
+    kinds = {
+        kind: replace(
+            getattr(motors, kind),
+            **{name.rpartition(".")[2]: value for name, value in values.items() if name.startswith(f"{kind}.")},
+        )
+        for kind in JOINT_KINDS
+    }
+    return MotorConfig(**kinds, delay=values.get(DELAY, motors.delay))

@@ -1,0 +1,107 @@
+"""How the robot rests on flat ground, for given joint positions."""
+
+import itertools
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env.robot.facts import BASE_SIZE, FOOT_RADIUS, HIP_RADIUS, LEG_LENGTH, LEG_NAMES, LEG_RADIUS
+from quadruped_env.robot.kinematics import forward_kinematics, skeleton
+
+_BALL: Final = -(LEG_LENGTH - FOOT_RADIUS)
+"""z of the centre of a foot's ball in the leg's frame, m"""
+_EDGE: Final = 1e-9
+"""m; how far outside its feet the centre of mass may lie for rounding's sake"""
+
+
+def foot_centres(positions: ArrayLike, base_pose: ArrayLike | None = None) -> NDArray[np.float64]:
+    """Centres of the feet's balls (..., 4, 3) in m, in the order of `LEG_NAMES`; arguments as `forward_kinematics`."""
+    return _leg_points(positions, base_pose, _BALL)
+
+
+def sole_heights(positions: ArrayLike, base_pose: ArrayLike) -> NDArray[np.float64]:
+    """Height (..., 4) in m of the lowest point of every foot over the ground; arguments as `forward_kinematics`."""
+    return foot_centres(positions, base_pose)[..., 2] - FOOT_RADIUS
+
+
+def resting_pose(positions: ArrayLike) -> NDArray[np.float64]:
+    """The pose (7,) of the base in which the robot rests on its feet, over the origin and facing along x.
+
+    Three feet touch the ground, those between which the centre of mass lies, and the fourth touches it or is in the
+    air. Where no three feet can carry the robot, its base is level. Nothing is below the ground: where a hip, a knee or
+    the base would be, the robot is higher, and lies on that.
+
+    Args:
+        positions: joint positions in rad (8,), in the order of `JOINT_NAMES`.
+
+    Returns:
+        Position in m and quaternion wxyz.
+
+    Raises:
+        QuadrupedError: as `forward_kinematics`.
+    """
+    up = _support_normal(foot_centres(positions), _centre_of_mass(positions))
+    # World axes, seen from the base: up is the ground's normal, and x as close to the base's own as it can be.
+    y = np.cross(up, [1.0, 0.0, 0.0])
+    y /= np.linalg.norm(y)
+    rotation = np.stack([np.cross(y, up), y, up])
+    pose = np.zeros(7)
+    mujoco.mju_mat2Quat(pose[3:], rotation.ravel())
+    pose[2] = -_lowest(positions, up)
+    return pose
+
+
+def _support_normal(feet: NDArray[np.float64], centre: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The ground's normal (3,) in the base's frame, for feet (4, 3) under a centre of mass (3,)."""
+    for i, j, k in itertools.combinations(range(len(feet)), 3):
+        normal = np.cross(feet[j] - feet[i], feet[k] - feet[i])
+        length = np.linalg.norm(normal)
+        if length < _EDGE:
+            continue
+        normal *= np.sign(normal[2]) / length
+        if normal[2] <= 0.0 or ((feet - feet[i]) @ normal).min() < -_EDGE:
+            continue
+        corners = feet[[i, j, k]]
+        # Seen along the normal, the centre of mass lies on the same side of all three edges.
+        sides = [np.cross(b - a, centre - a) @ normal for a, b in itertools.pairwise([*corners, corners[0]])]
+        if min(sides) >= -_EDGE or max(sides) <= _EDGE:
+            return normal
+    return np.array([0.0, 0.0, 1.0])
+
+
+def _lowest(positions: ArrayLike, up: NDArray[np.float64]) -> float:
+    """Height in m of the robot's lowest point over its base's centre, along a direction (3,) of the base's frame."""
+    poses = forward_kinematics(positions)
+    hips = np.stack([poses[f"{leg}_hip"][0] for leg in LEG_NAMES])
+    corners = np.array(list(itertools.product(*([-0.5 * size, 0.5 * size] for size in BASE_SIZE))))
+    return float(
+        min(
+            (foot_centres(positions) @ up).min() - FOOT_RADIUS,
+            (_leg_points(positions, None, -LEG_RADIUS) @ up).min() - LEG_RADIUS,
+            (hips @ up).min() - HIP_RADIUS,
+            (corners @ up).min(),
+        )
+    )
+
+
+def _leg_points(positions: ArrayLike, base_pose: ArrayLike | None, z: float) -> NDArray[np.float64]:
+    """Points (..., 4, 3) on the axes of the legs, at a z in their own frames."""
+    poses = forward_kinematics(positions, base_pose)
+    points = []
+    for leg in LEG_NAMES:
+        origin, (w, x, y, q) = poses[f"{leg}_leg"][0], np.moveaxis(poses[f"{leg}_leg"][1], -1, 0)
+        axis = np.stack([2 * (x * q + w * y), 2 * (y * q - w * x), 1 - 2 * (x * x + y * y)], axis=-1)
+        points.append(origin + z * axis)
+    return np.stack(points, axis=-2)
+
+
+def _centre_of_mass(positions: ArrayLike) -> NDArray[np.float64]:
+    """The robot's centre of mass (3,) in the frame of its base, m."""
+    model = skeleton()
+    data = mujoco.MjData(model)
+    data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    return data.subtree_com[model.body("base_link").id].copy()
