@@ -96,11 +96,14 @@ def random_state(rng, rows):
 def random_memory(rng, rows):
     command = rng.uniform(-0.5, 0.5, (rows, 2))
     command[::5] = 0.0
+    scale, whole = rewards.progress_scale(command)
     return rewards.Memory(
         action=rng.uniform(-1, 1, (rows, 8)),
         last_action=rng.uniform(-1, 1, (rows, 8)),
         joint_offset=rng.standard_normal((rows, 8)),
         command=command,
+        progress_scale=scale,
+        progress_whole=whole,
         velocity=rng.standard_normal((rows, 2)) * 0.3,
         smooth_velocity=rng.standard_normal((rows, 2)) * 0.3,
         moving=(command != 0).any(axis=1) * 1.0,
@@ -122,6 +125,12 @@ def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
     np.testing.assert_allclose(value, [1.0, math.exp(-1), math.exp(-1), math.exp(-4)], rtol=1e-12)
 
 
+def progress(velocity, command, overshoot):
+    """Progress at forward velocities under one command."""
+    scale, whole = rewards.progress_scale(np.array([[command, 0.0]]))
+    return rewards.progress(np.asarray(velocity) * scale[0, 0], whole[0, 0], overshoot)
+
+
 @pytest.mark.parametrize(
     ("velocity", "command", "expected"),
     [
@@ -137,35 +146,37 @@ def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
 )
 @pytest.mark.parametrize("overshoot", [0.0, 1.0])
 def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command, expected, overshoot):
-    value = rewards.progress(np.array([velocity]), np.array([command]), 0.1, overshoot)
-    assert value == pytest.approx(expected, abs=1e-12)
+    assert progress(velocity, command, overshoot) == pytest.approx(expected, abs=1e-12)
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 def test_progress_beyond_the_command_stays_or_falls_as_it_rose(direction):
-    velocity, command = direction * np.array([0.4, 0.5, 0.6, 0.8, 5.0]), direction * np.full(5, 0.4)
-    np.testing.assert_allclose(rewards.progress(velocity, command, 0.1, 0.0), 1.0)
-    np.testing.assert_allclose(rewards.progress(velocity, command, 0.1, 1.0), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
+    velocity, command = direction * np.array([0.4, 0.5, 0.6, 0.8, 5.0]), direction * 0.4
+    np.testing.assert_allclose(progress(velocity, command, 0.0), 1.0)
+    np.testing.assert_allclose(progress(velocity, command, 1.0), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
 
 
 def test_progress_pays_small_commands_in_proportion():
-    small = np.array([0.05, 0.01])
-    np.testing.assert_allclose(rewards.progress(small, small, 0.1, 1.0), [0.5, 0.1])
+    assert progress(0.05, 0.05, 1.0) == pytest.approx(0.5)
+    assert progress(0.01, 0.01, 1.0) == pytest.approx(0.1)
+    # A yaw rate is small under 0.2 rad/s.
+    scale, whole = rewards.progress_scale(np.array([[0.0, 0.05]]))
+    np.testing.assert_allclose((scale, whole), ([[0.0, 5.0]], [[0.0, 0.25]]))
 
 
 def test_gait_clock_agrees_when_the_swinging_feet_are_up():
     sine = np.array([[1.0, -1.0, -1.0, 1.0]] * 4)
-    lift = np.array([[1, 0, 0, 1], [0, 1, 1, 0], [0.5] * 4, [1, 0, 0, 1]])
+    lift = np.array([[1, -1, -1, 1], [-1, 1, 1, -1], [0] * 4, [1, -1, -1, 1]])
     moving = np.array([1.0, 1.0, 1.0, 0.0])
     np.testing.assert_allclose(rewards.gait_clock(lift, sine, moving), [1.0, -1.0, 0.0, 0.0])
-    assert rewards.gait_clock(np.array([[1.0, 1.0, 0.0, 0.0]]), np.array([[0.5, -0.25, 1.0, 0.0]]), 1.0) == (
+    assert rewards.gait_clock(np.array([[1.0, 1.0, -1.0, -1.0]]), np.array([[0.5, -0.25, 1.0, 0.0]]), 1.0) == (
         pytest.approx((0.5 - 0.25 - 1.0) / 4)
     )
 
 
-def test_foot_lift_is_the_soles_height_as_a_share():
+def test_foot_lift_goes_from_the_ground_to_a_full_lift():
     height = FOOT_RADIUS + np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.021, 1.0]])
-    np.testing.assert_allclose(rewards.foot_lift(height, 0.02), [[0, 0, 0.25, 1], [0.5, 0.75, 1, 1]], atol=1e-12)
+    np.testing.assert_allclose(rewards.foot_lift(height, 0.02), [[-1, -1, -0.5, 1], [0, 0.5, 1, 1]], atol=1e-12)
 
 
 def test_sum_of_squares():
@@ -222,6 +233,8 @@ def test_every_term_reads_what_its_name_says():
         last_action=np.full((1, 8), 0.25),
         joint_offset=np.full((1, 8), 0.1),
         command=np.array([[0.2, 0.5]]),
+        progress_scale=np.array([[5.0, 2.0]]),
+        progress_whole=np.ones((1, 2)),
         velocity=np.array([[0.1, 0.25]]),
         smooth_velocity=np.array([[0.1, 0.25]]),
         moving=np.array([0.75]),

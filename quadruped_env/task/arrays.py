@@ -13,19 +13,14 @@ def exp(x: Any) -> Any:
     return np.exp(x) if isinstance(x, np.ndarray) else x.exp()
 
 
-def positive(x: Any) -> Any:
-    """Elementwise x where it is positive, else 0."""
-    return np.maximum(x, 0.0) if isinstance(x, np.ndarray) else x.clip(0.0)
-
-
 def clip(x: Any, low: float, high: float) -> Any:
     """Elementwise x, kept within [low, high]."""
     return np.minimum(np.maximum(x, low), high) if isinstance(x, np.ndarray) else x.clip(low, high)
 
 
-def sign(x: Any) -> Any:
-    """Elementwise -1, 0 or 1."""
-    return np.sign(x) if isinstance(x, np.ndarray) else x.sign()
+def at_least(x: Any, low: float) -> Any:
+    """Elementwise x, or low where x is less."""
+    return np.maximum(x, low) if isinstance(x, np.ndarray) else x.clip(low)
 
 
 def any_of(x: Any) -> Any:
@@ -36,6 +31,21 @@ def any_of(x: Any) -> Any:
 def total(x: Any) -> Any:
     """Sum over the last axis."""
     return np.add.reduce(x, -1) if isinstance(x, np.ndarray) else x.sum(-1)
+
+
+def dot(x: Any, y: Any) -> Any:
+    """Sum of the products over the last axis, row by row: one call where `total(x * y)` takes two."""
+    return np.vecdot(x, y) if isinstance(x, np.ndarray) else (x * y).sum(-1)
+
+
+def reverse(x: Any) -> Any:
+    """The last axis backwards."""
+    return x[..., ::-1] if isinstance(x, np.ndarray) else x.flip(-1)
+
+
+def as_number(mask: Any, x: Any) -> Any:
+    """1 where true and 0 elsewhere, in the kind of number that x has."""
+    return mask.astype(x.dtype) if isinstance(x, np.ndarray) else mask.to(x.dtype)
 
 
 def like(constant: np.ndarray, x: Any) -> Any:

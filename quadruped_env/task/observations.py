@@ -61,13 +61,19 @@ OBSERVATION_OFFSET: Final = np.concatenate(
 
 def raw_observation(state: State, last_action: Any, command: Any, clock: Any, out: NDArray[np.float64]) -> None:
     """Write the unscaled readings, in the order of the layout, to out (N, OBSERVATION_WIDTH)."""
-    np.negative(state.up_b, out=out[:, 0:3])
-    out[:, 3:6] = state.angular_velocity_b
-    out[:, 6:14] = state.joint_position
-    out[:, 14:22] = state.joint_velocity
-    out[:, 22:30] = last_action
-    out[:, 30:32] = command
-    out[:, 32:34] = clock
+    np.concatenate(
+        (
+            -state.up_b,
+            state.angular_velocity_b,
+            state.joint_position,
+            state.joint_velocity,
+            last_action,
+            command,
+            clock,
+        ),
+        axis=1,
+        out=out,
+    )
 
 
 def scale_observation(raw: NDArray[np.float64]) -> NDArray[np.float32]:

@@ -4,14 +4,16 @@ NumPy arrays and torch tensors go in, and the same kind comes out. Reductions ru
 a row's value does not depend on how many rows there are.
 """
 
+import functools
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.robot import FOOT_RADIUS, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from quadruped_env.simulation import State
-from quadruped_env.task.arrays import clip, exp, like, positive, sign, total
+from quadruped_env.task.arrays import as_number, at_least, clip, dot, exp, like, reverse, total
 from quadruped_env.task.config import RewardConfig
 
 _JOINT_MIDDLE: Final = (JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2.0
@@ -23,6 +25,9 @@ _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 _OVERSHOOT: Final = np.array([1.0, 0.0])
 """Going too fast does not pay. The yaw rate sways by more than its command, and a peak there would hardly be felt."""
 
+_SOLE: Final = np.array([-FOOT_RADIUS, FOOT_RADIUS])
+"""m; turns angular velocity about (y, x) into velocity of a foot's lowest point along (x, y)"""
+
 
 def tracking_kernel(value: Any, target: Any, std: Any) -> Any:
     """Score in (0, 1]: how close a velocity is to its command; 1/e at an error of std. Elementwise, (N, 2)."""
@@ -30,51 +35,57 @@ def tracking_kernel(value: Any, target: Any, std: Any) -> Any:
     return exp(-(error * error))
 
 
-def progress(value: Any, target: Any, smallest: Any, overshoot: Any) -> Any:
+def progress_scale(command: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """What `progress` needs of a command (N, 2): share per velocity, and the share that is the whole command.
+
+    The whole is 1, and less under `_SMALLEST_COMMAND`, where a command counts in proportion.
+    """
+    size = np.maximum(np.abs(command), _SMALLEST_COMMAND)
+    return np.sign(command) / size, np.abs(command) / size
+
+
+def progress(share: Any, whole: Any, overshoot: Any) -> Any:
     """Share of a commanded velocity that is reached, in [-1, 1]; 0 where none is commanded. Elementwise, (N, 2).
 
-    Linear, so it shows the way from standing, where a tracking kernel is flat. What is beyond the command counts
-    -overshoot: 0 stays at the full share, 1 falls as it rose. Commands under `smallest` count in proportion.
+    Linear, so it shows the way from standing, where a tracking kernel is flat. What is beyond the whole counts
+    -overshoot: 0 stays there, 1 falls as it rose.
     """
-    commanded = abs(target)
-    size = commanded + positive(smallest - commanded)
-    share = sign(target) * value / size
-    return clip(share - (1.0 + overshoot) * positive(share - commanded / size), -1.0, 1.0)
+    return at_least(share - (1.0 + overshoot) * at_least(share - whole, 0.0), -1.0)
 
 
 def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
     """Agreement of the feet with the trot's clock, in [-1, 1], shape (N,).
 
     Args:
-        lift: 1.0 for a foot in the air, 0.0 on the ground, or anything between (N, 4).
+        lift: 1 for a foot in the air, -1 on the ground, or anything between (N, 4).
         clock_sine: positive while the foot should swing (N, 4).
         moving: 1.0 where a motion is commanded (N,).
     """
-    return total(clock_sine * (2.0 * lift - 1.0)) * moving * 0.25
+    return dot(clock_sine, lift) * moving * 0.25
 
 
 def foot_lift(foot_height: Any, full: float) -> Any:
-    """Height of each foot's sole over flat ground as a share of a full lift (m), in [0, 1], shape (N, 4).
+    """Height of each foot's sole over flat ground: -1 on the ground to 1 at a full lift (m) and above, shape (N, 4).
 
     Smooth where contact is a switch, so that a little more lift already pays.
     """
-    return clip((foot_height - FOOT_RADIUS) * (1.0 / full), 0.0, 1.0)
+    return clip(foot_height * (2.0 / full) - (2.0 * FOOT_RADIUS / full + 1.0), -1.0, 1.0)
 
 
 def sum_of_squares(x: Any) -> Any:
     """Sum over the last axis of x^2, shape (N,)."""
-    return total(x * x)
+    return dot(x, x)
 
 
 def base_height_error(height: Any, target: float) -> Any:
     """Square of the missing height in m^2, shape (N,); standing taller is free."""
-    missing = positive(target - height)
+    missing = at_least(target - height, 0.0)
     return missing * missing
 
 
 def mechanical_power(torque: Any, velocity: Any) -> Any:
     """Power that the motors put in, W, shape (N,); braking gives nothing back."""
-    return total(positive(torque * velocity))
+    return total(at_least(torque * velocity, 0.0))
 
 
 def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> Any:
@@ -82,15 +93,20 @@ def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> A
 
     The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r).
     """
-    x = foot_velocity[..., 0] - FOOT_RADIUS * foot_angular_velocity[..., 1]
-    y = foot_velocity[..., 1] + FOOT_RADIUS * foot_angular_velocity[..., 0]
-    return total((x * x + y * y) * contact)
+    spin = reverse(foot_angular_velocity[..., :2])
+    sliding = foot_velocity[..., :2] + spin * like(_SOLE, spin)
+    return dot(dot(sliding, sliding), contact)
 
 
 def joint_limit_excess(position: Any, margin: float) -> Any:
     """How far the joints are inside a margin (rad) of their limits, summed, rad, shape (N,)."""
     from_middle = abs(position - like(_JOINT_MIDDLE, position))
-    return total(positive(from_middle - like(_JOINT_HALF_RANGE - margin, position)))
+    return total(at_least(from_middle - like(_free_half_range(margin), position), 0.0))
+
+
+@functools.cache
+def _free_half_range(margin: float) -> NDArray[np.float64]:
+    return _JOINT_HALF_RANGE - margin
 
 
 @dataclass(slots=True)
@@ -105,6 +121,10 @@ class Memory:
     """Joint positions relative to the stance, rad (N, 8)"""
     command: Any
     """m/s and rad/s (N, 2)"""
+    progress_scale: Any
+    """`progress_scale` of that command: shares per m/s and rad/s (N, 2)"""
+    progress_whole: Any
+    """And what the whole command is as a share (N, 2)"""
     velocity: Any
     """Forward velocity and yaw rate, m/s and rad/s (N, 2)"""
     smooth_velocity: Any
@@ -119,11 +139,11 @@ class Memory:
 
 def reward_terms(state: State, memory: Memory, config: RewardConfig) -> dict[str, Any]:
     """Every term, unweighted, shape (N,) each, in the order in which they are added."""
-    contact = (state.foot_force > config.contact_threshold) * 1.0
+    contact = as_number(state.foot_force > config.contact_threshold, state.foot_force)
     command = memory.command
     std = like(config.velocity_std, command)
     tracked = tracking_kernel(memory.smooth_velocity, command, std)
-    reached = progress(memory.velocity, command, like(_SMALLEST_COMMAND, command), like(_OVERSHOOT, command))
+    reached = progress(memory.velocity * memory.progress_scale, memory.progress_whole, like(_OVERSHOOT, command))
     velocity_squared = state.linear_velocity_b * state.linear_velocity_b
     return {
         "track_forward_velocity": tracked[:, 0],

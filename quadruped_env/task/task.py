@@ -29,6 +29,8 @@ _EPISODE_ARRAYS: Final = (
     "_smooth_velocity",
     "_command",
     "_moving",
+    "_progress_scale",
+    "_progress_whole",
     "_fixed",
     "_phase",
     "_steps",
@@ -92,6 +94,8 @@ class Task:
         self._command = np.zeros((n, 2))
         self._smooth_velocity = np.zeros((n, 2))
         self._moving = np.zeros(n)
+        self._progress_scale = np.zeros((n, 2))
+        self._progress_whole = np.zeros((n, 2))
         self._fixed = np.zeros(n, dtype=np.bool_)
         self._phase = np.zeros(n)
         self._steps = np.zeros(n, dtype=np.int64)
@@ -291,11 +295,13 @@ class Task:
             last_action=self._last_action,
             joint_offset=state.joint_position - STANCE,
             command=self._command,
+            progress_scale=self._progress_scale,
+            progress_whole=self._progress_whole,
             velocity=self._velocity,
             smooth_velocity=self._smooth_velocity,
             moving=self._moving,
             clock_sine=np.sin(self._phase[:, None] + _LEG_PHASES),
-            fallen=terminated * 1.0,
+            fallen=terminated.astype(np.float64),
         )
         terms = rewards.reward_terms(state, memory, self.config.reward)
         # One concatenation is cheaper than a write a term.
@@ -319,6 +325,7 @@ class Task:
     def _set_command(self, rows: NDArray[np.intp], command: NDArray[np.float64]) -> None:
         self._command[rows] = command
         self._moving[rows] = (abs(command) > commands.MOVING_THRESHOLD).any(axis=1)
+        self._progress_scale[rows], self._progress_whole[rows] = rewards.progress_scale(command)
         if self._residual:
             self._gait_sine[rows], self._gait_cosine[rows], self._gait_offset[rows] = self._gait.waves(command)
 
