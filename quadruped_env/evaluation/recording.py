@@ -1,8 +1,8 @@
 """One robot's joints over time: what a scripted gait asks for, and what a controller made of it.
 
-Every recording begins alike: the robot at rest in its stance, on its soles, facing along x, and nothing in it is
-random. So the motion is a function of the controller alone, and a replay of the same joint targets repeats it to
-the last bit.
+Every recording begins alike: the robot at rest on its feet, facing along x, and nothing in it is random. A controller
+begins in the stance, recorded joint positions in their own first row. So the motion is a function of the controller
+alone, and a replay of the same joint targets repeats it to the last bit.
 """
 
 import math
@@ -17,7 +17,17 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
-from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, STANCE, STANCE_HEIGHT, load_model
+from quadruped_env.robot import (
+    JOINT_NAMES,
+    JOINT_POSITION_HIGH,
+    JOINT_POSITION_LOW,
+    LEG_NAMES,
+    STANCE,
+    STANCE_HEIGHT,
+    MotorConfig,
+    load_model,
+    resting_pose,
+)
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.trajectory import JointTrajectory
@@ -84,10 +94,21 @@ def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajector
     return JointTrajectory(_stamps(times), JOINT_NAMES, gait.positions(times), gait.velocities(times))
 
 
-def play(trajectory: JointTrajectory, name: str = "recording", progress: Progress | None = None) -> Recording:
+def play(
+    trajectory: JointTrajectory,
+    name: str = "recording",
+    progress: Progress | None = None,
+    motors: MotorConfig | None = None,
+) -> Recording:
     """Play joint positions through the motors, with gravity and ground, and record it.
 
-    The recording's stamps begin with the trajectory's first.
+    The robot starts in the first row's positions, on its feet; the recording's first stamp is the trajectory's.
+
+    Args:
+        trajectory: all eight joints; another that the robot does not have is left out.
+        name: what reports call it.
+        progress: is told how far it is.
+        motors: other motors than the model file's.
 
     Raises:
         QuadrupedError: if a joint is unknown or missing, or the trajectory is too long.
@@ -99,8 +120,14 @@ def play(trajectory: JointTrajectory, name: str = "recording", progress: Progres
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
             f"cut it there, or mend the stamps"
         )
-    controller = TrajectoryController(trajectory, name)
-    return record(controller, trajectory.duration, first_stamp=int(trajectory.stamps[0]), progress=progress)
+    return record(
+        TrajectoryController(trajectory, name),
+        trajectory.duration,
+        config=TaskConfig() if motors is None else TaskConfig(motor=motors),
+        first_stamp=int(trajectory.stamps[0]),
+        progress=progress,
+        start=trajectory.positions_at(0.0),
+    )
 
 
 def record(
@@ -110,6 +137,7 @@ def record(
     config: TaskConfig | None = None,
     first_stamp: int = 0,
     progress: Progress | None = None,
+    start: NDArray[np.float64] | None = None,
 ) -> Recording:
     """Run a controller on one robot from the start that every recording has.
 
@@ -120,6 +148,7 @@ def record(
         config: the task, of which the randomization is left out; the action mode is the controller's own.
         first_stamp: ns, of the start.
         progress: is told how far it is.
+        start: joint positions (8,) in rad to start in; None is the stance.
 
     Raises:
         QuadrupedError: if the command is outside the task's ranges.
@@ -128,7 +157,7 @@ def record(
     task = Task(SingleSimulation(load_model(config.physics_timestep, config.motor)), config)
     task.reset(_ROW, seeds=[0], command=command)
     # An episode begins facing anywhere; this one begins facing along x.
-    task.simulation.reset(_ROW, np.array([[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]]), np.zeros((1, 14)))
+    task.simulation.reset(_ROW, _start(start)[None], np.zeros((1, 14)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
     position, velocity, torque = np.empty((3, steps + 1, len(JOINT_NAMES)))
@@ -159,6 +188,14 @@ def record(
     stamps = first_stamp + _stamps(np.arange(rows) * config.control_timestep)
     joints = JointTrajectory(stamps, JOINT_NAMES, position[:rows], velocity[:rows], torque[:rows])
     return Recording(controller.name, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at)
+
+
+def _start(positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """All coordinates (15,) of the robot at rest on its feet."""
+    if positions is None:
+        return np.array([0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE])
+    within = positions.clip(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+    return np.concatenate([resting_pose(within), within])
 
 
 def _stamps(times: NDArray[np.floating[Any]]) -> NDArray[np.int64]:

@@ -1,0 +1,129 @@
+"""Joint signals side by side: what was recorded and what was simulated."""
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.trajectory import JointTrajectory
+
+SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
+"""Array of a `JointTrajectory` -> unit"""
+
+MAX_LAG: Final = 0.4
+"""s"""
+_LAG_STEP: Final = 0.002
+"""s"""
+_MOVES: Final = 0.01
+"""rad; a joint that moves less has no lag to be found"""
+
+
+@dataclass(frozen=True)
+class Signals:
+    """Recorded and simulated joint states at the same times.
+
+    Arrays are (T, 8), in the order of `JOINT_NAMES`; a signal that one side does not have is left out.
+    """
+
+    times: NDArray[np.float64]
+    """s from the simulation's start (T,)"""
+    recorded: dict[str, NDArray[np.float64]]
+    simulated: dict[str, NDArray[np.float64]]
+    derived: bool
+    """Whether the recorded velocities were made from the recorded positions"""
+
+    def difference(self, signal: str) -> NDArray[np.float64]:
+        """Simulated minus recorded (T, 8); NaN where nothing was recorded."""
+        return self.simulated[signal] - self.recorded[signal]
+
+    def report(self) -> dict[str, Any]:
+        """The comparison in numbers, as JSON takes them."""
+        return {
+            signal: {
+                "unit": SIGNALS[signal],
+                "joints": {
+                    name: _agreement(self.recorded[signal][:, i], self.simulated[signal][:, i])
+                    for i, name in enumerate(JOINT_NAMES)
+                },
+            }
+            for signal in self.recorded
+        }
+
+    def table(self) -> str:
+        """The comparison for people."""
+        lines = [f"{'simulated - recorded':<22}{'joint':<16}{'RMS':>10}{'mean':>10}{'max':>10}{'correlation':>13}"]
+        for signal, entry in self.report().items():
+            title = f"{signal} ({entry['unit']})"
+            for name, found in entry["joints"].items():
+                cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
+                texts = ["-" if cell is None else f"{cell:.4f}" for cell in cells]
+                lines.append(f"{title:<22}{name:<16}{texts[0]:>10}{texts[1]:>10}{texts[2]:>10}{texts[3]:>13}")
+                title = ""
+        if self.derived:
+            lines.append("The recording has no velocities: they were made from its positions.")
+        return "\n".join(lines)
+
+
+def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signals:
+    """Both at the times of the simulation that the recording covers.
+
+    Args:
+        recorded: all eight joints, on the clock of the simulation. Without velocities, they are made from positions.
+        simulated: in the order of `JOINT_NAMES`.
+
+    Raises:
+        QuadrupedError: if they have no time in common, or a joint is missing.
+    """
+    inside = (simulated.stamps >= recorded.stamps[0]) & (simulated.stamps <= recorded.stamps[-1])
+    if np.count_nonzero(inside) < 2:
+        raise QuadrupedError(
+            f"{recorded.source.name}: lasts from {recorded.stamps[0]} to {recorded.stamps[-1]} ns, the simulation from "
+            f"{simulated.stamps[0]} to {simulated.stamps[-1]} ns; compare recordings that were made on one clock"
+        )
+    ordered = recorded.in_joint_order()
+    derived = ordered.velocities is None and len(ordered) > 1
+    if derived:
+        ordered = ordered.differentiate()
+    at = ordered.at(simulated.stamps[inside])
+    here, there = ({kind: getattr(part, kind) for kind in SIGNALS} for part in (at, simulated))
+    both = [kind for kind in SIGNALS if here[kind] is not None and there[kind] is not None]
+    return Signals(simulated.times[inside], {k: here[k] for k in both}, {k: there[k][inside] for k in both}, derived)
+
+
+def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
+    """How long after the target each joint does the same, s: the shift with the least error, up to `MAX_LAG`.
+
+    None for a joint that hardly moves. Both in the order of `JOINT_NAMES`.
+    """
+    shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
+    # The start is the same on both sides, whatever comes after.
+    rows = played.times >= MAX_LAG
+    if np.count_nonzero(rows) < 2:
+        return [None] * len(JOINT_NAMES)
+    offset = (int(played.stamps[0]) - int(target.stamps[0])) / 1e9
+    errors = np.array(
+        [
+            np.mean((played.positions[rows] - target.positions_at(played.times[rows] + offset - shift)) ** 2, axis=0)
+            for shift in shifts
+        ]
+    )
+    best = shifts[errors.argmin(axis=0)]
+    moves = np.ptp(target.positions, axis=0) > _MOVES
+    return [float(shift) if moving else None for shift, moving in zip(best, moves, strict=True)]
+
+
+def _agreement(recorded: NDArray[np.float64], simulated: NDArray[np.float64]) -> dict[str, float | None]:
+    known = np.isfinite(recorded)
+    if not known.any():
+        return {"rms": None, "mean": None, "max": None, "correlation": None}
+    difference = (simulated - recorded)[known]
+    vary = min(np.ptp(recorded[known]), np.ptp(simulated[known])) > 1e-9
+    return {
+        "rms": float(np.sqrt(np.mean(difference**2))),
+        "mean": float(np.mean(difference)),
+        "max": float(np.max(np.abs(difference))),
+        "correlation": float(np.corrcoef(recorded[known], simulated[known])[0, 1]) if vary else None,
+    }
