@@ -3,34 +3,9 @@ import time
 
 import numpy as np
 import pytest
+from trajectories import STAMPS, assert_same, random_trajectory
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, QuadrupedWarning
-
-STAMPS = [1_763_500_000_000_000_001, 1_763_500_000_020_000_003, 1_763_500_000_050_000_000, 1_763_500_001_000_000_000]
-"""ns: later than 2^53, where a float no longer holds every whole number, and unevenly spaced"""
-
-
-def random_trajectory(rows=4, names=JOINT_NAMES, **changes):
-    rng = np.random.default_rng(rows)
-    efforts = rng.normal(size=(rows, len(names)))
-    efforts[0, 1] = np.nan
-    arguments = {
-        "stamps": STAMPS if rows == 4 else STAMPS[0] + 20_000_000 * np.arange(rows),
-        "names": names,
-        "positions": rng.uniform(-1.0, 0.0, (rows, len(names))),
-        "velocities": rng.normal(size=(rows, len(names))) * 10.0 ** rng.integers(-300, 300, (rows, len(names))),
-        "efforts": efforts,
-    }
-    return JointTrajectory(**(arguments | changes))
-
-
-def assert_same(a, b):
-    """Equal to the last bit."""
-    assert a.names == b.names
-    for name in ("stamps", "positions", "velocities", "efforts"):
-        x, y = getattr(a, name), getattr(b, name)
-        assert (x is None) == (y is None), name
-        assert x is None or (x.dtype == y.dtype and x.shape == y.shape and x.tobytes() == y.tobytes()), name
 
 
 class TestType:
@@ -186,7 +161,9 @@ class TestCsv:
         numbers = [0.1 + 0.2, 5e-324, -0.0, 1.7976931348623157e308, 1 / 3, -1e-5, 123456789.0, np.nextafter(1, 2)]
         trajectory = JointTrajectory([0], [f"joint {i}é.x" for i in range(8)], [numbers])
         trajectory.save(tmp_path / "a.csv")
-        assert_same(JointTrajectory.load(tmp_path / "a.csv"), trajectory)
+        with pytest.raises(QuadrupedError, match=r"1\.79769e\+308 rad is more than two turns: .*--degrees.*--radians"):
+            JointTrajectory.load(tmp_path / "a.csv")
+        assert_same(JointTrajectory.load(tmp_path / "a.csv", degrees=False), trajectory)
 
     def test_is_the_documented_format(self, tmp_path):
         JointTrajectory([5], ["a", "b"], [[0.1, 0.2]], [[1.0, 2.0]], [[np.nan, 3.0]]).save(tmp_path / "a.csv")
@@ -213,7 +190,7 @@ class TestCsv:
     def test_says_where_it_cannot_write(self, tmp_path):
         write(tmp_path / "file", "")
         for name, message in {
-            "a.bag": r"a\.bag: end the name in \.csv; found '\.bag'",
+            "a.bag": r"a\.bag: unknown ending '\.bag'; a CSV ends in \.csv",
             "file/a.csv": r"a\.csv: cannot be written \(.+\); name another",
         }.items():
             with pytest.raises(QuadrupedError, match=message):
@@ -225,12 +202,13 @@ class TestCsv:
     @pytest.mark.parametrize(
         ("lines", "message"),
         [
-            ([], r"the file is empty; expected the header stamp_ns"),
+            ([], r"the file is empty; record again"),
             ([HEADER], r"there is a header and no row; .*record again"),
             ([HEADER.removesuffix("\n")], r"there is a header and no row"),
-            (["\n"], r"line 1, .*must be 'stamp_ns'; found ''; expected"),
-            (["time,position.a\n", "0,0\n"], r"line 1, .*must be 'stamp_ns'; found 'time'"),
-            (["0,0.1,0.2\n"], r"line 1, .*must be 'stamp_ns'; found '0'"),
+            (["\n"], r"text that begins with '' is no recording of joint states; known are"),
+            (["time,position.a\n", "0,0\n"], r"begins with 'time,position\.a'; .*a column map \(--columns FILE\)"),
+            (["0,0.1,0.2\n"], r"text that begins with '0,0\.1,0\.2'; if it is a CSV of other columns"),
+            (["stamp_ns_,position.a\n"], r"line 1, .*must be 'stamp_ns'; found 'stamp_ns_'"),
             (["stamp_ns\n", "0\n"], r"line 1, .*no position column"),
             (["stamp_ns,LF_hip_joint\n", "0,0\n"], r"line 1, .*column 'LF_hip_joint' is unknown; rename"),
             (["stamp_ns,position.a,position.\n"], r"line 1, .*column 'position\.' is unknown"),
@@ -244,7 +222,8 @@ class TestCsv:
                 ["stamp_ns,position.a,velocity.a,velocity.b\n"],
                 r"line 1, .*'b' has a velocity column and no position column",
             ),
-            ([HEADER, ROW, ROW[:10]], r"line 3: expected 9 columns.*found 3; .*delete it"),
+            ([HEADER, ROW, ROW[:10] + "\n"], r"line 3: expected 9 columns.*found 3; .*delete it"),
+            ([HEADER, ROW, ROW[:10]], r"line 3: the last line does not end, .*'-0\.', may be cut off"),
             ([HEADER, ROW, "\n"], r"line 3: expected 9 columns.*found 1"),
             ([HEADER, ROW.replace("\n", ",1\n"), ROW], r"line 2: expected 9 columns.*found 10"),
             ([HEADER, ROW.removesuffix("\n")], r"line 2: the last line does not end, .*'-0\.5', may be cut off"),
@@ -279,10 +258,10 @@ class TestCsv:
     def test_what_cannot_be_read_is_named(self, tmp_path):
         with pytest.raises(QuadrupedError, match=r"gone\.csv: there is no such file; check"):
             JointTrajectory.load(tmp_path / "gone.csv")
-        with pytest.raises(QuadrupedError, match=r"cannot be read \(.+\); name a CSV"):
+        with pytest.raises(QuadrupedError, match=r"the directory is no bag; expected metadata\.yaml"):
             JointTrajectory.load(tmp_path)
         (tmp_path / "a.csv").write_bytes(b"\x89PNG\r\n\x1a\n\xff\xfe")
-        with pytest.raises(QuadrupedError, match=r"a\.csv: not a text file .*expected a CSV"):
+        with pytest.raises(QuadrupedError, match=r"a\.csv: not a text file .*nor a known bag; known are"):
             JointTrajectory.load(tmp_path / "a.csv")
 
     def test_joints_are_checked_with_the_files_name(self, tmp_path):

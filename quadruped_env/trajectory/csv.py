@@ -10,76 +10,55 @@ too: that is how a file that was cut off is known.
 """
 
 import os
-from array import array
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from pathlib import Path
-from typing import Final, TextIO
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory.joint_trajectory import Source
+from quadruped_env.trajectory.delimited import Layout, blocks, lines, opened, parse_whole
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+from quadruped_env.trajectory.reading import KINDS, Block, Progress, Reading, short
 
 STAMP_COLUMN: Final = "stamp_ns"
-KINDS: Final = ("position", "velocity", "effort")
 
 _HEADER: Final = f"{STAMP_COLUMN},position.<joint>,...[,velocity.<joint>,...][,effort.<joint>,...]"
 _FIRST_ROW: Final = 2
 """The line of the first row; the header is line 1."""
 _ROWS_A_WRITE: Final = 1000
 
-Values = dict[str, NDArray[np.float64]]
 
-
-def read(path: Path) -> tuple[NDArray[np.int64], tuple[str, ...], Values, Source]:
-    """Stamps (T,), joint names (J,), arrays (T, J) by kind, and their source.
+def read(reading: Reading) -> Iterator[Block]:
+    """The rows of a file.
 
     Raises:
-        QuadrupedError: if the file is missing or damaged; whether its values make sense is for `JointTrajectory`.
+        QuadrupedError: if the file is missing or damaged; whether its values make sense is not checked here.
     """
-    try:
-        # A byte-order mark is what spreadsheets put in front of UTF-8.
-        with path.open(encoding="utf-8-sig") as file:
-            columns = _read_header(file, path)
-            stamps, numbers = _read_rows(file, columns, path)
-    except UnicodeDecodeError as error:
-        raise QuadrupedError(f"{path}: not a text file ({error.reason}); expected a CSV of joint states") from error
-    except FileNotFoundError as error:
-        raise QuadrupedError(f"{path}: there is no such file; check its name") from error
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be read ({error.strerror}); name a CSV of joint states") from error
-
-    table = np.frombuffer(numbers, dtype=np.float64).reshape(len(stamps), len(columns) - 1)
-    names = tuple(joint for kind, joint in columns[1:] if kind == "position")
-    values = {}
-    for kind in KINDS:
-        if any(kind == found for found, _ in columns):
-            values[kind] = table[:, [columns.index((kind, name)) - 1 for name in names]]
-    return np.frombuffer(stamps, dtype=np.int64), names, values, Source(str(path), "line", _FIRST_ROW)
+    reading.row_name = "line"
+    with opened(reading) as file:
+        layout = _layout(_read_header(file.readline(), reading.path))
+        table = ((number, line.split(",")) for number, line in enumerate(lines(file, reading, _FIRST_ROW), _FIRST_ROW))
+        yield from blocks(table, layout, reading)
 
 
-def write(
-    path: Path,
-    stamps: NDArray[np.int64],
-    names: Sequence[str],
-    values: Mapping[str, NDArray[np.float64] | None],
-    overwrite: bool,
-) -> None:
-    """Write stamps (T,) and the arrays (T, J) that are not None; see `JointTrajectory.save`."""
-    check_name(path)
-    for name in names:
+def write(pieces: Iterable[JointTrajectory], path: Path, overwrite: bool) -> None:
+    """Write trajectories that follow each other, in full or not at all; see `JointTrajectory.save`."""
+    following = iter(pieces)
+    first = next(following)
+    for name in first.names:
         if name.splitlines() != [name] or not {",", '"'}.isdisjoint(name):
             raise QuadrupedError(f"{path}: joint name {name!r} cannot stand in a CSV header; rename the joint")
-    present = {kind: array for kind, array in values.items() if array is not None}
-    titles = [f"{kind}.{name}" for kind in present for name in names]
-    write_table(path, stamps, titles, np.concatenate(list(present.values()), axis=1), overwrite)
 
+    def kinds(piece: JointTrajectory) -> dict[str, NDArray[np.float64]]:
+        arrays = zip(KINDS, (piece.positions, piece.velocities, piece.efforts), strict=True)
+        return {kind: array for kind, array in arrays if array is not None}
 
-def check_name(path: Path) -> None:
-    """Raise a QuadrupedError if a file of this name would not be a CSV."""
-    if path.suffix.lower() != ".csv":
-        raise QuadrupedError(f"{path}: end the name in .csv; found {path.suffix!r}")
+    titles = [f"{kind}.{name}" for kind in kinds(first) for name in first.names]
+    rows = ((piece.stamps, np.concatenate(list(kinds(piece).values()), axis=1)) for piece in chain([first], following))
+    _write_rows(path, titles, rows, overwrite)
 
 
 def write_table(
@@ -88,7 +67,7 @@ def write_table(
     titles: Sequence[str],
     table: NDArray[np.float64],
     overwrite: bool = False,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> None:
     """Write a CSV of stamps (T,) and numbers (T, C) with a title a column, in full or not at all.
 
@@ -97,34 +76,61 @@ def write_table(
     Raises:
         QuadrupedError: if the file is there already and is not to be overwritten, or cannot be written.
     """
+
+    def rows() -> Iterator[tuple[NDArray[np.int64], NDArray[np.float64]]]:
+        for start in range(0, len(stamps), _ROWS_A_WRITE):
+            block = slice(start, start + _ROWS_A_WRITE)
+            yield stamps[block], table[block]
+            if progress is not None:
+                progress(min(block.stop / len(stamps), 1.0))
+
+    _write_rows(path, titles, rows(), overwrite)
+
+
+def check_name(path: Path) -> None:
+    """Raise a QuadrupedError if a file of this name would not be a CSV."""
+    if path.suffix.lower() != ".csv":
+        raise QuadrupedError(f"{path}: end the name in .csv; found {path.suffix!r}")
+
+
+def check_target(path: Path, overwrite: bool) -> None:
+    """Raise a QuadrupedError if something is at the path that is not to be replaced."""
     if path.is_dir() or (path.exists() and not overwrite):
-        raise QuadrupedError(f"{path}: exists already; name another file, or ask to overwrite it")
+        raise QuadrupedError(f"{path}: exists already; name another file, or ask to overwrite it (--overwrite)")
+
+
+def _write_rows(
+    path: Path,
+    titles: Sequence[str],
+    rows: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]],
+    overwrite: bool,
+) -> None:
+    check_target(path, overwrite)
     partial = path.with_name(path.name + ".partial")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with partial.open("w", encoding="utf-8", newline="\n") as file:
-            file.write(",".join([STAMP_COLUMN, *titles]) + "\n")
-            # In blocks: as Python objects, a long recording would not fit into memory.
-            for start in range(0, len(stamps), _ROWS_A_WRITE):
-                block = slice(start, start + _ROWS_A_WRITE)
-                for stamp, row in zip(stamps[block].tolist(), table[block].tolist(), strict=True):
-                    file.write(f"{stamp},{','.join(map(repr, row))}\n")
-                if progress is not None:
-                    progress(min(block.stop / len(stamps), 1.0))
-        os.replace(partial, path)
+        try:
+            with partial.open("w", encoding="utf-8", newline="\n") as file:
+                file.write(",".join([STAMP_COLUMN, *titles]) + "\n")
+                # In blocks: as Python objects, a long recording would not fit into memory.
+                for stamps, table in rows:
+                    for stamp, row in zip(stamps.tolist(), table.tolist(), strict=True):
+                        file.write(f"{stamp},{','.join(map(repr, row))}\n")
+            os.replace(partial, path)
+        finally:
+            partial.unlink(missing_ok=True)
     except OSError as error:
         raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
 
 
-def _read_header(file: TextIO, path: Path) -> list[tuple[str, str]]:
+def _read_header(line: str, path: Path) -> list[tuple[str, str]]:
     """(kind, joint) of every column; the first is (STAMP_COLUMN, "")."""
-    line = file.readline()
     if not line:
         raise QuadrupedError(f"{path}: the file is empty; expected the header {_HEADER} and a line a row")
     titles = line.removesuffix("\n").split(",")
     if titles[0] != STAMP_COLUMN:
         raise QuadrupedError(
-            f"{path}: line 1, the header: the first column must be {STAMP_COLUMN!r}; found {_short(titles[0])}; "
+            f"{path}: line 1, the header: the first column must be {STAMP_COLUMN!r}; found {short(titles[0])}; "
             f"expected {_HEADER}"
         )
     columns = [(STAMP_COLUMN, "")]
@@ -132,11 +138,11 @@ def _read_header(file: TextIO, path: Path) -> list[tuple[str, str]]:
         kind, _, joint = title.partition(".")
         if kind not in KINDS or not joint:
             raise QuadrupedError(
-                f"{path}: line 1, the header: column {_short(title)} is unknown; rename it, or leave it out; "
+                f"{path}: line 1, the header: column {short(title)} is unknown; rename it, or leave it out; "
                 f"expected {_HEADER}"
             )
         if (kind, joint) in columns:
-            raise QuadrupedError(f"{path}: line 1, the header: column {_short(title)} is there twice; keep one")
+            raise QuadrupedError(f"{path}: line 1, the header: column {short(title)} is there twice; keep one")
         columns.append((kind, joint))
     joints = {kind: {joint for found, joint in columns if found == kind} for kind in KINDS}
     if not joints["position"]:
@@ -146,61 +152,20 @@ def _read_header(file: TextIO, path: Path) -> list[tuple[str, str]]:
         if joints[kind] and unpaired:
             found, lacking = ("position", kind) if unpaired[0] in joints["position"] else (kind, "position")
             raise QuadrupedError(
-                f"{path}: line 1, the header: joint {_short(unpaired[0])} has a {found} column and no {lacking} "
+                f"{path}: line 1, the header: joint {short(unpaired[0])} has a {found} column and no {lacking} "
                 f"column; add it, or leave all {kind} columns out"
             )
     return columns
 
 
-def _read_rows(file: TextIO, columns: list[tuple[str, str]], path: Path) -> tuple["array[int]", "array[float]"]:
-    stamps, numbers = array("q"), array("d")
-    for number, line in enumerate(file, _FIRST_ROW):
-        cells = line.split(",")
-        if len(cells) != len(columns):
-            raise QuadrupedError(
-                f"{path}: line {number}: expected {len(columns)} columns, as in the header; found {len(cells)}; "
-                f"the line is damaged or cut off: mend it or delete it"
-            )
-        if not line.endswith("\n"):
-            raise QuadrupedError(
-                f"{path}: line {number}: the last line does not end, so its last number, {_short(cells[-1])}, may be "
-                f"cut off; delete the line, or end it if it is whole"
-            )
-        # Python's own numbers may hold underscores and the digits of other scripts: here those are damage.
-        if "_" in line or not line.isascii():
-            raise _bad_cell(cells, columns, number, path)
-        try:
-            stamps.append(int(cells[0]))
-            numbers.extend(map(float, cells[1:]))
-        except (ValueError, OverflowError):
-            raise _bad_cell(cells, columns, number, path) from None
-    if not stamps:
-        raise QuadrupedError(f"{path}: there is a header and no row; the recording is empty, record again")
-    return stamps, numbers
-
-
-def _bad_cell(cells: list[str], columns: list[tuple[str, str]], number: int, path: Path) -> QuadrupedError:
-    """The error for the first cell of a line that is not a number."""
-    title, cell, kind = next(
-        (".".join(column).rstrip("."), cell.strip("\n"), "a whole number of ns" if i == 0 else "a number")
-        for i, (column, cell) in enumerate(zip(columns, cells, strict=True))
-        if not _is_number(cell, whole=i == 0)
+def _layout(columns: list[tuple[str, str]]) -> Layout:
+    names = tuple(joint for kind, joint in columns if kind == "position")
+    present = [kind for kind in KINDS if any(kind == found for found, _ in columns)]
+    return Layout(
+        titles=[".".join(column).rstrip(".") for column in columns],
+        stamp=0,
+        parse_stamp=parse_whole,
+        stamp_form="a whole number of ns",
+        columns={kind: [columns.index((kind, name)) for name in names] for kind in present},
+        names=names,
     )
-    return QuadrupedError(
-        f"{path}: line {number}, {title}: {_short(cell)} is not {kind}; mend the value or delete the line"
-    )
-
-
-def _is_number(cell: str, whole: bool) -> bool:
-    if "_" in cell or not cell.isascii():
-        return False
-    try:
-        array("q", [int(cell)]) if whole else float(cell)
-    except (ValueError, OverflowError):
-        return False
-    return True
-
-
-def _short(text: str) -> str:
-    """Text from a file as a message may show it."""
-    return repr(text if len(text) <= 40 else text[:40] + "...")

@@ -1,12 +1,13 @@
 """The one trajectory type: joint states over time."""
 
+import builtins
 import operator
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,11 +17,14 @@ from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.signals import derivative, interpolate
 
+if TYPE_CHECKING:
+    from quadruped_env.trajectory.column_map import ColumnMap
+
 NANOSECONDS: Final = 1e9
 """in a second"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Source:
     """Where a trajectory's rows came from, as errors name it."""
 
@@ -30,10 +34,15 @@ class Source:
     """What the source calls a row"""
     first_row: int = 0
     """The number that it gives to the first one"""
+    rows: NDArray[np.int64] | None = None
+    """The numbers that it gives to all (T,), where they do not follow each other"""
+    notes: tuple[str, ...] = ()
+    """What to know about the numbers: rows that were left out, damage"""
 
     def row(self, index: int) -> str:
         """How to find one row."""
-        return f"{self.name}: {self.row_name} {self.first_row + index}"
+        number = self.first_row + index if self.rows is None else self.rows[index]
+        return f"{self.name}: {self.row_name} {number}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,32 +111,100 @@ class JointTrajectory:
             object.__setattr__(self, name, value)
 
     @classmethod
-    def load(cls, path: str | Path) -> Self:
-        """Read a trajectory from a file: see `quadruped_env.trajectory.csv` for the format.
+    def load(
+        cls,
+        path: str | Path,
+        *,
+        columns: "ColumnMap | str | Path | None" = None,
+        joint_map: JointMap | str | Path | None = None,
+        names: Sequence[str] | None = None,
+        topic: str | None = None,
+        stamps: str = "header",
+        degrees: bool | None = None,
+        ignore: Sequence[str] = (),
+        sort: bool = False,
+        drop: bool = False,
+        salvage: bool = False,
+        progress: Callable[[float], None] | None = None,
+    ) -> "JointTrajectory":
+        """Read a trajectory from a file or bag, whose format is recognised by what is in it.
+
+        Formats: this project's CSV (`quadruped_env.trajectory.csv`), any CSV with a column map, what `ros2 topic echo`
+        prints (YAML and `--csv`), rosbag2 bags (MCAP and sqlite3, compressed too), ROS 1 bags.
+
+        Args:
+            path: of the file, or of a bag's directory.
+            columns: which columns of a CSV are what, or the TOML file that says so (`trajectory.column_map`).
+            joint_map: takes another robot's joints to this one's, or the TOML file that does (`trajectory.joint_map`).
+            names: the joints in their order, for messages that have no names.
+            topic: of the joint states in a bag that has several.
+            stamps: `header`, or `log` for the time of recording, where publishers left the header's at 0.
+            degrees: whether positions and velocities are in degrees (/s) and to be converted; None takes them for
+                rad and refuses what looks like degrees; False does not look.
+            ignore: `velocity`, `effort` or both: not to be read.
+            sort: whether to put rows in the order of their stamps, rather than to refuse falling ones.
+            drop: whether to leave out rows that cannot be used, rather than to refuse them: stamps that do not rise,
+                numbers that are not finite, messages with other joints or unequal lengths.
+            salvage: whether to keep what can be read of a damaged file, rather than to refuse it.
+            progress: is told the share that is read.
+
+        Returns:
+            The trajectory; `source.notes` say what was left out.
 
         Raises:
             QuadrupedError: if there is no such file, or something in it is wrong; the message names the file, the
-                line, the field, the value and the cure.
+                line or message, the field, the value and the cure.
+            MissingExtraError: if the format needs libraries that are not installed.
         """
-        from quadruped_env.trajectory import csv
+        from quadruped_env.trajectory import formats
 
-        stamps, names, values, source = csv.read(Path(path))
-        return cls(stamps, names, values["position"], values.get("velocity"), values.get("effort"), source)
+        options = formats.options(
+            columns=columns,
+            joint_map=joint_map,
+            names=None if names is None else tuple(names),
+            topic=topic,
+            stamps=stamps,
+            degrees=degrees,
+            ignore=tuple(ignore),
+            sort=sort,
+            drop=drop,
+            salvage=salvage,
+        )
+        return formats.load(path, options, progress)
 
-    def save(self, path: str | Path, overwrite: bool = False) -> None:
-        """Write the trajectory to a file, in full or not at all; `load` gives it back to the last bit.
+    def save(
+        self,
+        path: str | Path,
+        overwrite: bool = False,
+        *,
+        storage: str | None = None,
+        tf_rate: float = 20.0,
+        compress: bool = False,
+        base_pose: ArrayLike | None = None,
+        progress: Callable[[float], None] | None = None,
+    ) -> None:
+        """Write the trajectory to a file or bag, in full or not at all; `load` gives it back to the last bit.
 
         Args:
-            path: ends in `.csv`; directories on the way are made.
-            overwrite: whether to replace a file that is already there.
+            path: `NAME.csv` is this project's CSV, `NAME` a directory with a rosbag2 bag, and `NAME.mcap` or `NAME.db3`
+                a bag's bare storage file. Directories on the way are made. Bags are for Humble and later, and hold
+                `/joint_states` and, for this robot's joints, `/robot_description`, `/tf` and `/tf_static`.
+            overwrite: whether to replace a file or bag that is already there.
+            storage: of a bag in a directory: `mcap` (unless said otherwise) or `sqlite3`.
+            tf_rate: Hz of `/tf`, which stands at multiples of its period; 0 leaves it out.
+            compress: whether to compress a bag with zstd.
+            base_pose: position in m and quaternion wxyz of `base_link` in `odom` (T, 7), to be part of `/tf`.
+            progress: is told the share that is written.
 
         Raises:
             QuadrupedError: if the file is there already, or cannot be written.
+            MissingExtraError: if a bag is to be written and the libraries for it are not installed.
         """
-        from quadruped_env.trajectory import csv
+        from quadruped_env.trajectory import saving
 
-        values = {"position": self.positions, "velocity": self.velocities, "effort": self.efforts}
-        csv.write(Path(path), self.stamps, self.names, values, overwrite)
+        base = None if base_pose is None else _checked_values("base_pose", base_pose, (len(self), 7), self.source)
+        options = saving.WriteOptions(storage, tf_rate, compress, overwrite)
+        saving.save(saving.pieces_of(self, base, progress), Path(path), options)
 
     def __repr__(self) -> str:
         kinds = [name for name in ("velocities", "efforts") if getattr(self, name) is not None]
@@ -272,10 +349,25 @@ class JointTrajectory:
             raise QuadrupedError(
                 f"{self.source.name}: slice: no row between {start} and {stop} s; it lasts {self.duration:g} s"
             )
-        rows = np.s_[first:last]
-        source = replace(self.source, first_row=self.source.first_row + first)
-        arrays = {kind: array[rows] for kind, array in self._arrays().items()}
-        return self._changed(stamps=self.stamps[rows], source=source, **arrays)
+        return self.rows(np.s_[first:last])
+
+    def rows(self, rows: builtins.slice) -> "JointTrajectory":
+        """Rows that follow each other, by their numbers, counted from 0.
+
+        Raises:
+            QuadrupedError: if it is none, or they do not follow each other.
+        """
+        start, stop, step = rows.indices(len(self))
+        if step != 1 or start >= stop:
+            raise QuadrupedError(f"{self.source.name}: rows: expected rows that follow each other; found {rows}")
+        known = self.source.rows
+        source = replace(
+            self.source,
+            first_row=self.source.first_row + start,
+            rows=None if known is None else known[start:stop],
+        )
+        arrays = {kind: array[start:stop] for kind, array in self._arrays().items()}
+        return self._changed(stamps=self.stamps[start:stop], source=source, **arrays)
 
     def differentiate(self, window: float = 0.05) -> "JointTrajectory":
         """The trajectory with velocities that are made of its positions, filtered and not delayed.
@@ -329,6 +421,11 @@ class JointTrajectory:
             velocities=None if self.velocities is None else of_sources(self.velocities, 0.0) * factors,
             efforts=None if self.efforts is None else of_sources(self.efforts, np.nan) / gears,
         )
+
+    def from_degrees(self) -> "JointTrajectory":
+        """The trajectory in rad and rad/s, for one whose numbers are degrees and degrees/s."""
+        velocities = None if self.velocities is None else np.radians(self.velocities)
+        return self._changed(positions=np.radians(self.positions), velocities=velocities)
 
     def gaps(self, factor: float = 3.0) -> tuple["Gap", ...]:
         """Where rows are missing: times between rows longer than `factor` times the usual (the median)."""
@@ -386,17 +483,22 @@ def _checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
             f"{source.name}: stamps must be whole ns within int64; found {raw.dtype}; "
             f"from seconds: np.rint(seconds * 1e9).astype(np.int64)"
         )
-    array = raw.astype(np.int64)
+    array = raw if raw.dtype == np.int64 and not raw.flags.writeable else raw.astype(np.int64)
     if array[0] < 0:
         raise QuadrupedError(f"{source.row(0)}, stamp_ns: {array[0]} is negative; count from 0 or later")
     falling = np.flatnonzero(array[1:] <= array[:-1])
     if len(falling):
         i = falling[0] + 1
-        raise QuadrupedError(
-            f"{source.row(i)}, stamp_ns: {array[i]} does not come after {array[i - 1]} of the row before; "
-            f"put the rows in order of time and keep one row a stamp"
-        )
+        raise falling_stamp(source, int(i), int(array[i]), int(array[i - 1]))
     return _read_only(array)
+
+
+def falling_stamp(source: Source, row: int, stamp: int, before: int) -> QuadrupedError:
+    """The error for a row whose stamp does not come after that of the row before."""
+    return QuadrupedError(
+        f"{source.row(row)}, stamp_ns: {stamp} does not come after {before} of the row before; put the rows in order "
+        f"of time (--sort), and keep one row a stamp (--drop leaves out those that are not later)"
+    )
 
 
 def _checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source: Source) -> NDArray[np.float64]:
@@ -410,6 +512,9 @@ def _checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source
             f"{source.name}: {name} must be numbers of shape {shape}, one row a stamp and one column a name; "
             f"found {found}; leave out what has no partner"
         )
+    # Of an array that nobody can write to, no copy is needed.
+    if raw.dtype == np.float64 and not raw.flags.writeable:
+        return raw
     return _read_only(np.array(raw, dtype=np.float64))
 
 

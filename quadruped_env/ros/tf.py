@@ -1,0 +1,56 @@
+"""The bytes of `tf2_msgs/msg/TFMessage`, fast: the same frames in every message, only times and numbers change."""
+
+import struct
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.ros.joint_state import NANOSECONDS
+
+_ENCAPSULATION: Final = b"\x00\x01\x00\x00"
+_STAMP: Final = struct.Struct("<iI")
+_COUNT: Final = struct.Struct("<I")
+_NUMBERS: Final = 7
+"""Of a transform: x, y, z, and the quaternion x, y, z, w"""
+
+
+class TfEncoder:
+    """Writes messages of one set of frames.
+
+    Args:
+        frames: (parent, child) of each transform.
+    """
+
+    def __init__(self, frames: Sequence[tuple[str, str]]) -> None:
+        data = bytearray(_COUNT.pack(len(frames)))
+        self._stamps, self._numbers = [], []
+        for parent, child in frames:
+            data += bytes(-len(data) % 4)
+            self._stamps.append(len(data) + len(_ENCAPSULATION))
+            data += bytes(_STAMP.size)
+            for name in (parent, child):
+                data += bytes(-len(data) % 4)
+                encoded = name.encode() + b"\x00"
+                data += _COUNT.pack(len(encoded)) + encoded
+            data += bytes(-len(data) % 8)
+            self._numbers.append(len(data) + len(_ENCAPSULATION))
+            data += bytes(8 * _NUMBERS)
+        self._template = _ENCAPSULATION + bytes(data)
+
+    def __call__(self, stamp: int, numbers: NDArray[np.float64]) -> bytes:
+        """The CDR bytes of one message.
+
+        Args:
+            stamp: ns, of all transforms.
+            numbers: (F, 7): translation in m, and quaternion in ROS's order, xyzw.
+        """
+        data = bytearray(self._template)
+        time = _STAMP.pack(*divmod(stamp, NANOSECONDS))
+        values = numbers.astype("<f8", copy=False).tobytes()
+        size = 8 * _NUMBERS
+        for i, (at, start) in enumerate(zip(self._stamps, self._numbers, strict=True)):
+            data[at : at + _STAMP.size] = time
+            data[start : start + size] = values[i * size : (i + 1) * size]
+        return bytes(data)

@@ -1,0 +1,135 @@
+"""Joint states of ROS bags: rosbag2 (MCAP and sqlite3, compressed or not) and ROS 1, through `rosbags`.
+
+A rosbag2 bag is a directory with `metadata.yaml`, or one bare storage file. Messages come in the order in which they
+were recorded; their stamps are the headers' own unless the options say otherwise, so stamps that fall are seen.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.ros.joint_state import Decoder, RawJointState, decode_ros1
+from quadruped_env.trajectory import salvage
+from quadruped_env.trajectory.reading import Reading, Sample
+from quadruped_env.trajectory.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
+from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC, zstd
+
+ROS1_DIGEST: Final = "3066dcd76a6cfaef579bd0f34173e9fd"
+"""md5 of ROS 1's definition of the message"""
+_MESSAGES_A_STEP: Final = 1000
+
+
+def read_rosbag2(reading: Reading) -> Iterator[Sample]:
+    """The joint states of a rosbag2 directory.
+
+    Raises:
+        QuadrupedError: if the bag is damaged; whether the values make sense is not checked here.
+        MissingExtraError: if rosbags is not installed.
+    """
+    return _samples(reading, DIRECTORY, Decoder())
+
+
+def read_mcap(reading: Reading) -> Iterator[Sample]:
+    """The joint states of a bare MCAP file; see `read_rosbag2`."""
+    return _samples(reading, MCAP, Decoder())
+
+
+def read_sqlite3(reading: Reading) -> Iterator[Sample]:
+    """The joint states of a bare sqlite3 file; see `read_rosbag2`."""
+    return _samples(reading, SQLITE3, Decoder())
+
+
+def read_ros1(reading: Reading) -> Iterator[Sample]:
+    """The joint states of a ROS 1 bag; see `read_rosbag2`."""
+    return _samples(reading, ROS1, decode_ros1)
+
+
+def _samples(reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]) -> Iterator[Sample]:
+    reading.row_name = "message"
+    number = 0
+    payloads = salvage.messages if reading.options.salvage else _indexed
+    for time, data in payloads(reading, storage):
+        try:
+            state = decode(_plain(data))
+        except QuadrupedError as error:
+            if not reading.options.salvage:
+                raise reading.error(number, f"{error}; leave damaged messages out (--salvage)") from error
+            reading.leave_out("the message is damaged")
+            reading.rows += 1
+        else:
+            yield Sample(number, state if reading.options.stamps == "header" else state._replace(stamp=time))
+        number += 1
+    if not number:
+        raise reading.error(None, "the topic has no message; record again, or name another topic (--topic)")
+
+
+def _indexed(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
+    """Time of recording in ns and bytes of every joint state, as rosbags finds them by the bag's index.
+
+    Raises:
+        QuadrupedError: if the bag is damaged; the message names the message.
+    """
+    found = None
+    try:
+        with ExitStack() as stack:
+            reader = _open(reading.path, storage, stack)
+            topic = choose_topic({one.topic: one.msgtype for one in reader.connections}, reading)
+            connections = [connection for connection in reader.connections if connection.topic == topic]
+            for connection in connections:
+                _check_connection(connection, reading)
+            total = max(sum(connection.msgcount for connection in connections), 1)
+            found = 0
+            for _, time, data in reader.messages(connections):
+                if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):
+                    raise TypeError("time or bytes of a message are of another type")
+                if found % _MESSAGES_A_STEP == 0:
+                    reading.at(found / total)
+                yield time, bytes(data)
+                found += 1
+    except (QuadrupedError, MissingExtraError):
+        raise
+    # rosbags reads damaged bytes until something gives, and it is not documented what.
+    except Exception as error:
+        reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
+        raise reading.error(
+            found,
+            f"the bag is damaged, cut off, or was not closed: {reason}; keep what can be read (--salvage), or record "
+            f"again",
+        ) from error
+
+
+def _open(path: Path, storage: str, stack: ExitStack) -> Any:
+    """A reader of rosbags that closes with the stack."""
+    try:
+        from rosbags.rosbag1 import Reader as Reader1
+        from rosbags.rosbag2 import Reader as Reader2
+    except ImportError as error:
+        raise MissingExtraError("reading bags", "ros") from error
+    # By what the file is, not by its name, as rosbags would.
+    reader = Reader1(path) if storage == ROS1 else Reader2.STORAGE_PLUGINS[storage](path)
+    reader.open()
+    stack.callback(reader.close)
+    return reader
+
+
+def _check_connection(connection: Any, reading: Reading) -> None:
+    """Raise a QuadrupedError if the messages are not in the form that is read here."""
+    form = getattr(connection.ext, "serialization_format", "cdr")
+    if form != "cdr":
+        raise reading.error(None, f"{connection.topic} is serialized as {form!r}; only 'cdr' is known: convert the bag")
+    if not hasattr(connection.ext, "serialization_format") and connection.digest != ROS1_DIGEST:
+        raise reading.error(
+            None, f"{connection.topic} has another definition of {connection.msgtype}, {connection.digest}"
+        )
+
+
+def _plain(data: bytes) -> bytes:
+    """A message without its zstd compression: only the metadata say that there is one, and may be lost."""
+    if not data.startswith(ZSTD_MAGIC):
+        return data
+    try:
+        return bytes(zstd().decompress(data))
+    except Exception as error:
+        raise QuadrupedError(f"byte 0: a compressed message: {error}") from error

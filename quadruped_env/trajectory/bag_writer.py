@@ -1,0 +1,242 @@
+"""rosbag2 bags for ROS 2 Humble and later: joint states, and what RViz needs to show them.
+
+    /joint_states        sensor_msgs/JointState, every row at its stamp
+    /robot_description   std_msgs/String, the URDF, latched, once
+    /tf                  tf2_msgs/TFMessage, what robot_state_publisher makes of the rows
+    /tf_static           tf2_msgs/TFMessage, latched, once
+
+The last three are there if the joints are this robot's. Metadata are of version 8: Humble cannot read the newer one's
+qualities of service (https://github.com/ros2/rosbag2/issues/2013). Messages stand in the order of their times.
+"""
+
+import shutil
+import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.robot import JOINT_NAMES, asset_path, fixed_transforms, joint_transforms
+from quadruped_env.robot.transforms import Transform
+from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
+from quadruped_env.ros.joint_state import Encoder
+from quadruped_env.ros.tf import TfEncoder
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+from quadruped_env.trajectory.signals import interpolate
+
+STORAGES: Final = {"mcap": ".mcap", "sqlite3": ".db3"}
+"""Storage -> suffix of its files"""
+METADATA_VERSION: Final = 8
+TF_RATE: Final = 20.0
+"""Hz; robot_state_publisher's default"""
+
+_NANOSECONDS: Final = 1_000_000_000
+_METADATA: Final = "metadata.yaml"
+_CHUNK_CRC_AT: Final = 9 + 24
+"""Where a chunk of MCAP has its checksum, counted from its beginning"""
+
+Piece = tuple[JointTrajectory, NDArray[np.float64] | None]
+"""Rows, and the base's pose (T, 7) at each if it is known"""
+
+
+@dataclass(frozen=True)
+class BagOptions:
+    """How a bag is written."""
+
+    storage: str = "mcap"
+    tf_rate: float = TF_RATE
+    """Hz, at multiples of its period; 0 writes no /tf"""
+    compress: bool = False
+    """zstd; readers of sqlite3 need rosbag2_compression_zstd"""
+
+    def __post_init__(self) -> None:
+        if self.storage not in STORAGES:
+            raise QuadrupedError(f"storage: expected one of {', '.join(STORAGES)}; found {self.storage!r}")
+        if not 0.0 <= self.tf_rate <= 1e6:
+            raise QuadrupedError(f"tf_rate: expected 0 to 1e6 Hz; found {self.tf_rate!r}")
+
+
+def write(pieces: Iterable[Piece], path: Path, options: BagOptions, overwrite: bool) -> None:
+    """Write a bag, in full or not at all: a directory, or one bare storage file if the path ends in its suffix.
+
+    Raises:
+        QuadrupedError: if it is there already and is not to be overwritten, or cannot be written.
+        MissingExtraError: if rosbags is not installed.
+    """
+    check_target(path, overwrite)
+    bare = path.suffix == STORAGES[options.storage]
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as directory:
+            bag = Path(directory) / (path.stem if bare else path.name)
+            with _writer(bag, options) as writer:
+                _write_messages(pieces, writer, options)
+            if path.is_dir():
+                shutil.rmtree(path)
+            (bag / f"{bag.name}{path.suffix}" if bare else bag).replace(path)
+    except OSError as error:
+        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+
+
+def check_target(path: Path, overwrite: bool) -> None:
+    """Raise a QuadrupedError if something is at the path that is not to be replaced."""
+    if not path.exists():
+        return
+    if not overwrite:
+        raise QuadrupedError(f"{path}: exists already; name another place, or ask to overwrite it (--overwrite)")
+    suffixes = (*STORAGES.values(), *(f"{suffix}.zstd" for suffix in STORAGES.values()))
+    if path.is_dir() and not all(entry.name == _METADATA or entry.name.endswith(suffixes) for entry in path.iterdir()):
+        raise QuadrupedError(f"{path}: is a directory that holds more than a bag; name another place")
+
+
+@contextmanager
+def _writer(bag: Path, options: BagOptions) -> Iterator[Any]:
+    """A writer of rosbags, whose chunks of MCAP have checksums: without one, damage would be read as numbers."""
+    try:
+        from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
+        from rosbags.rosbag2.storage_mcap import McapWriter
+    except ImportError as error:
+        raise MissingExtraError("writing bags", "ros") from error
+
+    class ChecksummedMcapWriter(McapWriter):
+        def close_chunk(self) -> None:
+            checksum, start = crc32(self.chunk.bio.getbuffer()), self.bio.tell()
+            super().close_chunk()
+            end = self.bio.tell()
+            self.bio.seek(start + _CHUNK_CRC_AT)
+            self.bio.write(checksum.to_bytes(4, "little"))
+            self.bio.seek(end)
+
+    class ChecksummedWriter(Writer):
+        STORAGE_PLUGINS = Writer.STORAGE_PLUGINS | {StoragePlugin.MCAP: ChecksummedMcapWriter}
+
+    plugin = StoragePlugin[options.storage.upper()]
+    writer = ChecksummedWriter(bag, version=METADATA_VERSION, storage_plugin=plugin)
+    if options.compress:
+        mode = CompressionMode.STORAGE if plugin is StoragePlugin.MCAP else CompressionMode.FILE
+        writer.set_compression(mode, CompressionFormat.ZSTD)
+    with writer:
+        yield writer
+
+
+def _write_messages(pieces: Iterable[Piece], writer: Any, options: BagOptions) -> None:
+    encode: Encoder | None = None
+    joints, tf = None, None
+    for piece, base in pieces:
+        if encode is None:
+            encode = Encoder(piece.names)
+            joints = _connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
+            if set(JOINT_NAMES) <= set(piece.names):
+                tf = _TfWriter(writer, options.tf_rate, int(piece.stamps[0]))
+        until = 0
+        transforms = iter(()) if tf is None else tf.messages(piece, base)
+        following = next(transforms, None)
+        width = 8 * len(piece.names)
+        arrays = [
+            b"" if values is None else values.astype("<f8", copy=False).tobytes()
+            for values in (piece.positions, piece.velocities, piece.efforts)
+        ]
+        for row, stamp in enumerate(piece.stamps.tolist()):
+            while tf is not None and following is not None and following[0] < stamp:
+                tf.write(*following)
+                following = next(transforms, None)
+            until = (row + 1) * width
+            writer.write(joints, stamp, encode(stamp, *(data[until - width : until] for data in arrays)))
+        while tf is not None and following is not None:
+            tf.write(*following)
+            following = next(transforms, None)
+
+
+class _TfWriter:
+    """Writes the robot's description and transforms beside its joint states."""
+
+    def __init__(self, writer: Any, rate: float, start: int) -> None:
+        self._writer = writer
+        self._period = round(_NANOSECONDS / rate) if rate else 0
+        self._last: tuple[int, NDArray[np.float64]] | None = None
+        self._encode: TfEncoder | None = None
+        description = _connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
+        urdf = asset_path("mini_quadruped.urdf").read_text()
+        writer.write(description, start, cdr.serialize(cdr.message("std_msgs/msg/String", data=urdf)))
+        fixed = fixed_transforms()
+        message = _encoder(fixed)(start, _numbers(fixed, 1)[0])
+        writer.write(_connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
+        self._topic = _connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
+
+    def messages(self, piece: JointTrajectory, base: NDArray[np.float64] | None) -> Iterator[tuple[int, bytes]]:
+        """Stamp and bytes of what is due up to the end of a piece."""
+        if self._topic is None:
+            return
+        stamps, rows = piece.stamps, piece.select(JOINT_NAMES).positions
+        if base is not None:
+            rows = np.concatenate([rows, base], axis=1)
+        first = -(-int(stamps[0]) // self._period) * self._period
+        if self._last is not None:
+            # Between the piece before and this one, too.
+            first = (self._last[0] // self._period + 1) * self._period
+            stamps = np.concatenate([[self._last[0]], stamps])
+            rows = np.concatenate([self._last[1][None], rows])
+        self._last = int(stamps[-1]), rows[-1]
+        due = np.arange(first, int(stamps[-1]) + 1, self._period)
+        if not len(due):
+            return
+        if base is not None:
+            rows = _continuous(rows)
+        values = interpolate((stamps - stamps[0]).astype(np.float64), rows, (due - stamps[0]).astype(np.float64))
+        poses = None if base is None else values[:, len(JOINT_NAMES) :]
+        if poses is not None:
+            poses[:, 3:] /= np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
+        transforms = joint_transforms(values[:, : len(JOINT_NAMES)], poses)
+        self._encode = self._encode or _encoder(transforms)
+        for stamp, numbers in zip(due.tolist(), _numbers(transforms, len(due)), strict=True):
+            yield stamp, self._encode(stamp, numbers)
+
+    def write(self, stamp: int, data: bytes) -> None:
+        """Write one message of `/tf`."""
+        self._writer.write(self._topic, stamp, data)
+
+
+def _encoder(transforms: Iterable[Transform]) -> TfEncoder:
+    return TfEncoder([(transform.parent, transform.child) for transform in transforms])
+
+
+def _numbers(transforms: Iterable[Transform], count: int) -> NDArray[np.float64]:
+    """Numbers of messages (count, F, 7), the quaternions in ROS's order."""
+    parts = [
+        np.concatenate([one.translation, one.rotation[..., [1, 2, 3, 0]]], axis=-1).reshape(-1, 7) for one in transforms
+    ]
+    return np.stack(parts, axis=1) if parts else np.empty((count, 0, 7))
+
+
+def _continuous(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rows of joints and base pose whose quaternions take the shorter way: q and -q are the same turn."""
+    quaternions = rows[:, -4:]
+    same = np.sum(quaternions[1:] * quaternions[:-1], axis=1) >= 0.0
+    signs = np.cumprod(np.concatenate([[1.0], np.where(same, 1.0, -1.0)]))
+    return np.concatenate([rows[:, :-4], quaternions * signs[:, None]], axis=1)
+
+
+def _connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
+    from rosbags.interfaces import Qos as BagQos
+    from rosbags.interfaces import QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
+
+    # rmw takes zeros for its defaults, which are unlimited; how "unlimited" is spelt differs between distributions.
+    unlimited = QosTime(0, 0)
+    profile = BagQos(
+        QosHistory.KEEP_LAST,
+        qos.depth,
+        QosReliability.RELIABLE if qos.reliable else QosReliability.BEST_EFFORT,
+        QosDurability.TRANSIENT_LOCAL if qos.transient_local else QosDurability.VOLATILE,
+        unlimited,
+        unlimited,
+        QosLiveliness.AUTOMATIC,
+        unlimited,
+        False,
+    )
+    return writer.add_connection(topic, message_type, typestore=cdr.typestore(), offered_qos_profiles=[profile])

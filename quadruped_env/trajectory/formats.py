@@ -1,0 +1,262 @@
+"""From a file of any known format to checked rows: recognised by what is in it, not by its name."""
+
+from array import array
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.trajectory import bag, column_map, csv, echo, salvage
+from quadruped_env.trajectory.column_map import ColumnMap
+from quadruped_env.trajectory.joint_map import JointMap
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory, Source, falling_stamp
+from quadruped_env.trajectory.reading import (
+    KINDS,
+    Block,
+    Progress,
+    Reading,
+    ReadOptions,
+    Sample,
+    assemble,
+    joined,
+    salvaged,
+    short,
+    without_ignored,
+)
+from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC
+
+SUSPICIOUS: Final = 4.0 * np.pi
+"""rad: two turns; no leg's joint goes there, and a log in degrees nearly always does"""
+
+_AS_IT_IS: Final = ReadOptions()
+_HEAD: Final = 65536
+"""Bytes that are enough to recognise a format"""
+_KNOWN: Final = (
+    "known are the project's CSV, any CSV with a column map, ros2 topic echo (YAML and --csv), rosbag2 (MCAP and "
+    "sqlite3) and ROS 1 bags"
+)
+
+_SampleReader = Callable[[Reading], Iterator[Sample]]
+_BlockReader = Callable[[Reading], Iterator[Block]]
+_MAGICS: Final[dict[bytes, _SampleReader]] = {
+    b"\x89MCAP0": bag.read_mcap,
+    b"SQLite format 3\x00": bag.read_sqlite3,
+    b"#ROSBAG V2.0": bag.read_ros1,
+}
+"""How a file begins -> its reader"""
+
+
+def options(
+    columns: ColumnMap | str | Path | None = None, joint_map: JointMap | str | Path | None = None, **others: Any
+) -> ReadOptions:
+    """Options for reading, with maps that may still be in TOML files; the others as `ReadOptions` has them.
+
+    Raises:
+        QuadrupedError: if a map or an option is wrong.
+    """
+    if columns is not None and not isinstance(columns, ColumnMap):
+        columns = ColumnMap.load(columns)
+    if joint_map is not None and not isinstance(joint_map, JointMap):
+        joint_map = JointMap.load(joint_map)
+    return ReadOptions(columns, joint_map, **others)
+
+
+def stream(path: str | Path, options: ReadOptions = _AS_IT_IS, progress: Progress | None = None) -> "Stream":
+    """The trajectory in a file, piece by piece: memory does not grow with the length of the recording.
+
+    Args:
+        path: of the file or bag.
+        options: as for `JointTrajectory.load`; `sort` is the one that needs the whole recording in memory.
+        progress: is told the share that is done.
+
+    Raises:
+        QuadrupedError: while it is read, if something in it is wrong.
+    """
+    return Stream(Reading(Path(path), options, progress))
+
+
+class Stream:
+    """Iterates over a recording as trajectories that follow each other; see `stream`."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+
+    def remarks(self) -> tuple[str, ...]:
+        """What to know about the numbers: rows left out, damage. Complete when the last piece was read."""
+        return self._reading.remarks()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the rows are those of the file, all and in their order."""
+        return not self._reading.left_out and not self._reading.options.sort
+
+    def __iter__(self) -> Iterator[JointTrajectory]:
+        reading = self._reading
+        with ExitStack() as stack:
+            path = reading.path
+            blocks = _blocks(reading, stack)
+            if reading.options.sort:
+                blocks = _sorted(blocks)
+            rows = 0
+            for trajectory in _checked(blocks, reading):
+                rows += len(trajectory)
+                yield trajectory
+        if not rows:
+            raise QuadrupedError(f"{path}: no row is left; {'; '.join(reading.remarks()) or 'record again'}")
+        reading.at(1.0)
+
+
+def load(path: str | Path, options: ReadOptions = _AS_IT_IS, progress: Progress | None = None) -> JointTrajectory:
+    """The trajectory in a file; see `JointTrajectory.load`."""
+    pieces = stream(path, options, progress)
+    stamps, numbers = array("q"), {kind: array("d") for kind in KINDS}
+    names: tuple[str, ...] = ()
+    first: Source | None = None
+    for piece in pieces:
+        names = piece.names
+        first = first or piece.source
+        stamps.frombytes(piece.stamps.tobytes())
+        for kind, values in zip(KINDS, (piece.positions, piece.velocities, piece.efforts), strict=True):
+            if values is not None:
+                numbers[kind].frombytes(values.tobytes())
+    shape = (len(stamps), len(names))
+    arrays = {kind: np.frombuffer(values).reshape(shape) for kind, values in numbers.items() if values}
+    result_stamps = np.frombuffer(stamps, np.int64)
+    # Read-only arrays are shared and not copied: a long recording would not fit into memory twice.
+    for shared in (result_stamps, *arrays.values()):
+        shared.flags.writeable = False
+    remarks = pieces.remarks()
+    source = Source(str(path), "kept row", 0, notes=remarks)
+    if pieces.is_complete and first is not None and first.rows is not None:
+        source = replace(source, row_name=first.row_name, first_row=int(first.rows[0]))
+    return JointTrajectory(
+        result_stamps, names, arrays["position"], arrays.get("velocity"), arrays.get("effort"), source
+    )
+
+
+def _blocks(reading: Reading, stack: ExitStack) -> Iterator[Block]:
+    """The rows of a file as they are."""
+    while True:
+        head = _head(reading)
+        if not head.startswith(ZSTD_MAGIC):
+            break
+        reading.path = salvage.decompressed(reading.path, stack, reading)
+    read_blocks: _BlockReader | None = None
+    if reading.options.columns is not None:
+        read_blocks = column_map.read
+    elif head.startswith((csv.STAMP_COLUMN.encode(), b"\xef\xbb\xbf" + csv.STAMP_COLUMN.encode())):
+        read_blocks = csv.read
+    if read_blocks is not None:
+        return without_ignored(salvaged(read_blocks(reading), reading), reading)
+    return assemble(salvaged(_sample_reader(head, reading)(reading), reading), reading)
+
+
+def _head(reading: Reading) -> bytes:
+    """The first bytes of a file, or b"" for a directory."""
+    try:
+        if reading.path.is_dir():
+            return b""
+        with reading.path.open("rb") as file:
+            head = file.read(_HEAD)
+    except FileNotFoundError as error:
+        raise reading.error(None, "there is no such file; check its name") from error
+    except OSError as error:
+        raise reading.error(None, f"cannot be read ({error.strerror}); name a file of joint states") from error
+    if not head:
+        raise reading.error(None, "the file is empty; record again")
+    return head
+
+
+def _sample_reader(head: bytes, reading: Reading) -> _SampleReader:
+    """The reader of messages for a file that begins so."""
+    if reading.path.is_dir():
+        if not salvage.storage_files(reading.path):
+            raise reading.error(None, "the directory is no bag; expected metadata.yaml and .mcap or .db3 files")
+        return bag.read_rosbag2
+    for magic, reader in _MAGICS.items():
+        if head.startswith(magic):
+            return reader
+    if head.startswith(b"#ROSBAG"):
+        raise reading.error(
+            None, f"a bag of an old version, {short(head[:13].decode(errors='replace'))}; rosbag migrate"
+        )
+    try:
+        # The last character may be cut in two.
+        text = head.decode("utf-8-sig", errors="strict" if len(head) < _HEAD else "ignore")
+    except UnicodeDecodeError as error:
+        raise reading.error(None, f"not a text file ({error.reason}) nor a known bag; {_KNOWN}") from error
+    line = next((line for line in text.splitlines() if line.strip(" -") and not line.startswith((echo.LOST, "\t"))), "")
+    cells = line.split(",")
+    if line.rstrip() == "header:" or line.startswith(("header: {", "{header:")):
+        return echo.read_yaml
+    if len(cells) >= 7 and all(cell.lstrip("-").isdecimal() for cell in cells[:2]):
+        return echo.read_csv
+    if len(cells) > 1:
+        raise reading.error(
+            None,
+            f"text that begins with {short(line)}; if it is a CSV of other columns, say which is which with a column "
+            f"map (--columns FILE); {_KNOWN}",
+        )
+    raise reading.error(None, f"text that begins with {short(line)} is no recording of joint states; {_KNOWN}")
+
+
+def _sorted(blocks: Iterator[Block]) -> Iterator[Block]:
+    """All rows in the order of their stamps; equal stamps in the order of the file."""
+    found = list(blocks)
+    if found:
+        whole = joined(found)
+        yield whole.take(np.argsort(whole.stamps, kind="stable"))
+
+
+def _checked(blocks: Iterator[Block], reading: Reading) -> Iterator[JointTrajectory]:
+    """The rows as trajectories in rad, each beginning later than the one before ends."""
+    last: int | None = None
+    for found in blocks:
+        block = _without_bad_rows(found, last, reading) if reading.options.drop else found
+        if not len(block.rows):
+            continue
+        if last is not None and block.stamps[0] <= last:
+            raise falling_stamp(reading.source(block.rows), 0, int(block.stamps[0]), last)
+        yield _in_rad(block.trajectory(reading), reading.options)
+        last = int(block.stamps[-1])
+
+
+def _without_bad_rows(block: Block, last: int | None, reading: Reading) -> Block:
+    """The rows that a trajectory may have: known positions and velocities, rising stamps."""
+    known = np.ones(len(block.rows), dtype=bool)
+    for kind, values in block.values.items():
+        bad = np.isinf(values) if kind == "effort" else ~np.isfinite(values)
+        known &= ~bad.any(axis=1)
+    known &= block.stamps >= 0
+    reading.leave_out("a number is not finite, or a stamp negative", int((~known).sum()))
+    block = block.take(known)
+    latest = np.maximum.accumulate(np.concatenate([[-1 if last is None else last], block.stamps]))[:-1]
+    rising = block.stamps > latest
+    reading.leave_out("the stamp is not later than those before", int((~rising).sum()))
+    return block.take(rising)
+
+
+def _in_rad(trajectory: JointTrajectory, options: ReadOptions) -> JointTrajectory:
+    """The trajectory in rad, on the joints of the map if there is one.
+
+    Raises:
+        QuadrupedError: if the numbers look like degrees and nobody said what they are.
+    """
+    if options.degrees:
+        trajectory = trajectory.from_degrees()
+    if options.joint_map is not None:
+        trajectory = trajectory.retarget(options.joint_map)
+    if options.degrees is None:
+        size = np.abs(trajectory.positions)
+        if size.max() > SUSPICIOUS:
+            row, column = np.argwhere(size > SUSPICIOUS)[0]
+            raise QuadrupedError(
+                f"{trajectory.source.row(row)}, position.{trajectory.names[column]}: "
+                f"{trajectory.positions[row, column]:g} rad is more than two turns: these may be degrees. Say so "
+                f'(--degrees, or unit = "deg" in a map) to have them converted, or that they are rad (--radians)'
+            )
+    return trajectory

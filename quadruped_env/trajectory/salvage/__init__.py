@@ -1,0 +1,118 @@
+"""Bags without their index: what can still be read of one that was cut off, damaged or never closed.
+
+Messages come in the order in which they stand in the file.
+"""
+
+import re
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.salvage import mcap, ros1, sqlite3
+from quadruped_env.trajectory.salvage.found import Message, Topic, zstd
+
+DIRECTORY: Final = "dir"
+MCAP: Final = ".mcap"
+SQLITE3: Final = ".db3"
+ROS1: Final = ".bag"
+
+JOINT_STATE: Final = "sensor_msgs/JointState"
+DEFAULT_TOPIC: Final = "/joint_states"
+
+_SCANNERS: Final = {MCAP: mcap.scan, SQLITE3: sqlite3.scan, ROS1: ros1.scan}
+_STEP: Final = 1 << 16
+
+
+def messages(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
+    """Time of recording in ns and bytes of every joint state that can be read.
+
+    Raises:
+        QuadrupedError: if there is no topic of joint states, or several to choose from.
+        MissingExtraError: if rosbags is not installed.
+    """
+    topics: dict[tuple[Path, Any], Topic] = {}
+    for path, found in _scan(reading, storage):
+        if isinstance(found, Topic):
+            topics[path, found.key] = found
+    wanted = choose_topic({topic.name: topic.message_type for topic in topics.values()}, reading)
+    keys = {key for key, topic in topics.items() if topic.name == wanted}
+    for path, found in _scan(reading, storage):
+        if isinstance(found, Message) and (path, found.topic) in keys:
+            yield found.time, found.data
+
+
+def choose_topic(types: Mapping[str, str], reading: Reading) -> str:
+    """The topic of joint states that the options ask for, or the one that a bag has.
+
+    Args:
+        types: topic -> message type, as ROS 1 or ROS 2 name it.
+        reading: whose options name a topic, or none.
+
+    Raises:
+        QuadrupedError: if there is none, or there are several to choose from.
+    """
+    topics = sorted(topic for topic, name in types.items() if name.replace("/msg/", "/") == JOINT_STATE)
+    wanted = reading.options.topic
+    if wanted is not None:
+        if wanted in topics:
+            return wanted
+        found = ", ".join(f"{topic} ({name})" for topic, name in sorted(types.items())) or "no topic"
+        raise reading.error(None, f"no topic {wanted!r} of type {JOINT_STATE}; it has {found}")
+    if not topics:
+        found = ", ".join(sorted(set(types.values()))) or "none"
+        raise reading.error(None, f"no topic of type {JOINT_STATE}; the types in it are: {found}")
+    if len(topics) == 1:
+        return topics[0]
+    if DEFAULT_TOPIC not in topics:
+        raise reading.error(None, f"several topics of type {JOINT_STATE}; name one (--topic): {', '.join(topics)}")
+    others = ", ".join(topic for topic in topics if topic != DEFAULT_TOPIC)
+    reading.note(f"read {DEFAULT_TOPIC}; there are joint states on {others} too (--topic)")
+    return DEFAULT_TOPIC
+
+
+def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
+    """A storage file without its zstd compression, in a directory that goes when the stack closes.
+
+    Raises:
+        QuadrupedError: if it is damaged and not to be salvaged.
+        MissingExtraError: if rosbags is not installed.
+    """
+    plain = Path(stack.enter_context(tempfile.TemporaryDirectory())) / path.stem
+    with path.open("rb") as source, plain.open("wb") as target:
+        decompressor = zstd().ZstdDecompressor()
+        while not decompressor.eof:
+            part = source.read(_STEP)
+            try:
+                target.write(decompressor.decompress(part))
+                problem = None if part else "it ends too early"
+            except zstd().ZstdError as error:
+                problem = str(error)
+            if problem is not None:
+                where = f"{path.name}, byte {source.tell()}: the compressed file is damaged: {problem}"
+                if not reading.options.salvage:
+                    raise reading.error(None, f"{where}; keep what can be read (--salvage)")
+                reading.note(where)
+                break
+    return plain
+
+
+def _scan(reading: Reading, storage: str) -> Iterator[tuple[Path, Topic | Message]]:
+    """Topics and messages of all files of a bag, each with its file."""
+    if storage != DIRECTORY:
+        for found in _SCANNERS[storage](reading.path, reading):
+            yield reading.path, found
+        return
+    for path in storage_files(reading.path):
+        with ExitStack() as stack:
+            plain = decompressed(path, stack, reading) if path.suffix == ".zstd" else path
+            for found in _SCANNERS[plain.suffix](plain, reading):
+                yield path, found
+
+
+def storage_files(directory: Path) -> list[Path]:
+    """The storage files of a bag in the order of their numbers."""
+    files = [path for path in directory.iterdir() if path.name.removesuffix(".zstd").endswith((MCAP, SQLITE3))]
+    return sorted(files, key=lambda path: [int(part) for part in re.findall(r"\d+", path.name)] + [0])

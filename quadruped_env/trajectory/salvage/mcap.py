@@ -1,0 +1,88 @@
+"""MCAP without its index: https://mcap.dev/spec."""
+
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+from zlib import crc32
+
+from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.salvage.found import Message, Topic, decompress
+
+_MAGIC: Final = b"\x89MCAP0\r\n"
+_SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 0x03, 0x04, 0x05, 0x06
+"""Records"""
+
+
+def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
+    """Topics and messages in the order of the file."""
+    schemas: dict[int, str] = {}
+    for op, data in _records(path, reading):
+        try:
+            if op == _SCHEMA:
+                (key,) = struct.unpack_from("<H", data)
+                schemas[key] = _text(data, 2)[0]
+            elif op == _CHANNEL:
+                key, schema = struct.unpack_from("<HH", data)
+                yield Topic(key, _text(data, 4)[0], schemas.get(schema, ""))
+            elif op == _MESSAGE:
+                key, _, time, _ = struct.unpack_from("<HIQQ", data)
+                yield Message(key, time, data[22:])
+        except (struct.error, UnicodeDecodeError):
+            reading.note(f"{path.name}: a damaged record was left out")
+
+
+def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes]]:
+    """Records that hold something, those within chunks included."""
+    with path.open("rb") as file:
+        if file.read(len(_MAGIC)) != _MAGIC:
+            reading.note(f"{path.name}: the beginning is damaged")
+        size = path.stat().st_size
+        while True:
+            start = file.tell()
+            head = file.read(9)
+            if len(head) < 9:
+                if head[: len(_MAGIC)] != _MAGIC:
+                    reading.note(f"{path.name}: cut off at byte {start}")
+                return
+            op, length = struct.unpack("<BQ", head)
+            whole = start + 9 + length <= size
+            if not whole:
+                reading.note(f"{path.name}: cut off or damaged from byte {start} on")
+            if op == _CHUNK:
+                yield from _chunk_records(file.read(min(length, size)), whole, f"{path.name}: byte {start}", reading)
+            elif whole and op in {_SCHEMA, _CHANNEL, _MESSAGE}:
+                yield op, file.read(length)
+            if not whole:
+                return
+            file.seek(start + 9 + length)
+
+
+def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> Iterator[tuple[int, bytes]]:
+    """Records of a chunk, up to where it is cut off; none if its checksum is wrong."""
+    try:
+        _, _, size, checksum = struct.unpack_from("<QQQI", data)
+        compression, at = _text(data, 28)
+        plain = decompress(data[at + 8 :], compression, size)
+    except (struct.error, UnicodeDecodeError, ValueError) as error:
+        reading.note(f"{where}: a chunk was left out: {error}")
+        return
+    if whole and (len(plain) != size or (checksum and crc32(plain) != checksum)):
+        reading.note(f"{where}: a chunk is damaged, by its size or checksum, and was left out")
+        return
+    at = 0
+    while at + 9 <= len(plain):
+        op, length = struct.unpack_from("<BQ", plain, at)
+        if at + 9 + length > len(plain):
+            return
+        yield op, plain[at + 9 : at + 9 + length]
+        at += 9 + length
+
+
+def _text(data: bytes, at: int) -> tuple[str, int]:
+    """A text, and where it ends."""
+    (length,) = struct.unpack_from("<I", data, at)
+    end = at + 4 + length
+    if end > len(data):
+        raise struct.error("a text is too long")
+    return data[at + 4 : end].decode(), end
