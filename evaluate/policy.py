@@ -11,9 +11,12 @@ from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, compare
+from quadruped_env.evaluation.page import summary_table
+from quadruped_env.evaluation.pictures import filmed
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.report import filmed, find_subject, prepare, summary_table, write_report
+from quadruped_env.evaluation.report import write_report
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
+from quadruped_env.evaluation.subject import find_subject, prepare
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
 
@@ -36,11 +39,10 @@ def main(arguments: list[str] | None = None) -> None:
         prepare_video(args.video)
         print(f"evaluating {subject.name}")
         comparison = compare(subject.policy, args.seeds, args.seconds, progress=ProgressLine("running"))
-        source = subject.name if subject.directory is None else f"runs/{subject.name}"
-        report, numbers = write_report(
+        report, numbers, missing = write_report(
             subject,
             comparison,
-            f"python evaluate/policy.py {source} --seeds {args.seeds} --seconds {args.seconds:g}",
+            f"python evaluate/policy.py {subject.source} --seeds {args.seeds} --seconds {args.seconds:g}",
             with_video=not args.no_video,
             progress=ProgressLine("filming"),
         )
@@ -50,6 +52,8 @@ def main(arguments: list[str] | None = None) -> None:
         print(f"error: {error}", file=sys.stderr)
         sys.exit(2)
     print(f"\n{summary_table(comparison)}\n\n{verdict(comparison).text()}\n\nreport:  {report}\nnumbers: {numbers}")
+    for message in missing:
+        print(message, file=sys.stderr)
     if args.video:
         print(f"video:   {args.video}")
 

@@ -2,9 +2,9 @@
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,10 +97,23 @@ class Comparison:
     def _estimate(metric: str, values: NDArray[np.float64]) -> Estimate:
         return proportion(values) if metric == "fall_rate" else bootstrap_mean(values)
 
-    def episode(self, command: int) -> int:
-        """Row of the rollouts that stands for a command (index): the policy's first without a fall, or its longest."""
-        block = np.arange(len(self.seeds)) + command * len(self.seeds)
-        return int(block[self.rollouts["policy"].valid[:, block].sum(axis=0).argmax()])
+    def rows(self, command: int) -> NDArray[np.intp]:
+        """Rows of the rollouts of one command, by index."""
+        return np.arange(len(self.seeds)) + command * len(self.seeds)
+
+    def episode(self, command: int, controller: str = "policy") -> int:
+        """Row of the rollouts that stands for a command (index): the first without a fall, or the longest."""
+        block = self.rows(command)
+        return int(block[self.rollouts[controller].valid[:, block].sum(axis=0).argmax()])
+
+    def seen_as(self, controller: str) -> Self:
+        """The same comparison with one of its controllers as `policy`, and otherwise only the scripted ones."""
+        names = {"policy": controller, **{name: name for name in CONTROLLERS if name != "policy"}}
+        return dataclasses.replace(
+            self,
+            rollouts={name: self.rollouts[source] for name, source in names.items()},
+            values={name: self.values[source] for name, source in names.items()},
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """All numbers as plain values that are valid JSON: no NaN, but None where there is no value."""
@@ -156,6 +169,26 @@ def compare(
     Raises:
         QuadrupedError: if there is no seed, or the episodes are too short to measure anything.
     """
+    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress)
+
+
+def compare_policies(
+    policies: Mapping[str, Policy],
+    num_seeds: int = NUM_SEEDS,
+    seconds: float = DEFAULT_SECONDS,
+    commands: Sequence[Command] = COMMANDS,
+    progress: Progress | None = None,
+) -> Comparison:
+    """Run several policies, by name, and the scripted controllers on the same episodes: see `compare`.
+
+    Each policy runs the task that it was trained for; the scripted ones run the first policy's.
+
+    Raises:
+        QuadrupedError: as `compare`, or if a policy has a scripted controller's name.
+    """
+    taken = sorted(set(policies) & (set(CONTROLLERS) - {"policy"}))
+    if taken:
+        raise QuadrupedError(f"{taken[0]!r} is a scripted controller's name, and no policy's; rename its directory")
     if num_seeds < 1:
         raise QuadrupedError(f"seeds: expected 1 or more; found {num_seeds}")
     if not START_UP + WINDOW <= seconds <= MAX_SECONDS:
@@ -163,17 +196,10 @@ def compare(
             f"seconds: expected {START_UP + WINDOW:g} to {MAX_SECONDS:g}; found {seconds:g}. The first {START_UP:g} s "
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
-    config = dataclasses.replace(
-        policy.config,
-        randomization=RandomizationConfig(),
-        command=dataclasses.replace(
-            policy.config.command,
-            forward_velocity=_covering(policy.config.command.forward_velocity, [v for v, _ in commands]),
-            yaw_rate=_covering(policy.config.command.yaw_rate, [w for _, w in commands]),
-        ),
-    )
+    configs = {name: _evaluation_task(policy.config, commands) for name, policy in policies.items()}
+    config = next(iter(configs.values()))
     controllers: tuple[Controller, ...] = (
-        PolicyController(policy),
+        *(PolicyController(policy, name) for name, policy in policies.items()),
         CommandedGaitController(),
         GaitController(SinusoidalGait.preset("article"), "article"),
         ZeroController(),
@@ -182,9 +208,20 @@ def compare(
     rollouts, values = {}, {}
     for i, controller in enumerate(controllers):
         part = _part(progress, i, len(controllers))
-        rollout = rollouts[controller.name] = roll_out(controller, commands, seeds, seconds, config, part)
+        task = configs.get(controller.name, config)
+        rollout = rollouts[controller.name] = roll_out(controller, commands, seeds, seconds, task, part)
         values[controller.name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
-    return Comparison(tuple(commands), tuple(seeds), rollouts["policy"].seconds, config, rollouts, values)
+    return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
+
+
+def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
+    """A policy's task without randomization, with ranges that hold the commands."""
+    ranges = dataclasses.replace(
+        config.command,
+        forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
+        yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
+    )
+    return dataclasses.replace(config, randomization=RandomizationConfig(), command=ranges)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

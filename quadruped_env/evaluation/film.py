@@ -32,6 +32,10 @@ _GROUND_HALF_SIZE: Final = 40.0
 _GROUND_SQUARE: Final = 10.0
 """m"""
 
+_FAR: Final = 12.0
+"""Extents of the scene that the camera and the light see: farther, the shadows become too coarse in depth for the robot
+not to throw some on itself"""
+
 _VIEW_AZIMUTH: Final = 115.0
 """Degrees, of the direction of view: the robot comes out of the picture a little, and no leg hides another"""
 _VIEW_ELEVATION: Final = -17.0
@@ -108,6 +112,12 @@ class Motion:
         return np.minimum(np.round(times / self.timestep), len(self.base_pose) - 1).astype(np.intp)
 
 
+def steady_way(motion: Motion, sample: int) -> NDArray[np.float64]:
+    """Where a camera that goes along with the base is at a sample: x and y in m, (2,)."""
+    around = round(_STEADY / motion.timestep)
+    return motion.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
+
+
 class Camera:
     """Renders motions with a camera that goes along with the robot.
 
@@ -124,6 +134,7 @@ class Camera:
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = shadow_size
         self._model.vis.quality.offsamples = multisamples
+        self._model.vis.map.zfar = _FAR
         self._ground = self._model.geom("ground").id
         self._model.geom_size[self._ground] = _GROUND_HALF_SIZE, _GROUND_HALF_SIZE, _GROUND_SQUARE
         # A plane's uniform texture repeats over 2 m.
@@ -153,9 +164,7 @@ class Camera:
         steps = np.round(self._data.qpos[:2] / self._ground_step)
         self._model.geom_pos[self._ground, :2] = steps * self._ground_step
         mujoco.mj_forward(self._model, self._data)
-        around = round(_STEADY / motion.timestep)
-        way = motion.base_pose[max(0, sample - around) : sample + around + 1, :2]
-        self._view.lookat[:] = *way.mean(axis=0), _VIEW_HEIGHT
+        self._view.lookat[:] = *steady_way(motion, sample), _VIEW_HEIGHT
         picture = self._renderer.render(self._data, self._view)
         assert picture is not None
         return picture

@@ -29,6 +29,8 @@ STANDING_SPEED: Final = 0.05
 """m/s; a robot slower than this travels nowhere, and what is counted per metre has no value"""
 LIMIT_MARGIN: Final = 0.01
 """rad from a position limit within which a joint counts as being at it"""
+CLEARANCE_QUANTILE: Final = 0.95
+"""Of the heights of a sole over time"""
 STANDING_SWING: Final = 0.01
 """rad RMS; hips that swing less than this do not step"""
 
@@ -85,6 +87,9 @@ METRICS: Final[dict[str, Metric]] = {
         "Joints at a limit", "", "share of time with any joint at a position limit", 1, True, percent=True
     ),
     "foot_slip": Metric("Foot slip", "m/s", "mean sliding speed of the soles that are on the ground", 3, True),
+    "foot_clearance": Metric(
+        "Foot clearance", "m", "height that a sole exceeds in 5 % of the time, mean of the feet", 3
+    ),
     "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
     "stride_frequency": Metric("Stride frequency", "Hz", "strongest frequency of the hips' swing"),
 }
@@ -93,9 +98,7 @@ METRICS: Final[dict[str, Metric]] = {
 
 def measure(rollout: Rollout) -> dict[str, Floats]:
     """Every metric of `METRICS`, in SI units, one number an episode: name -> (N,), NaN where it has no value."""
-    r, dt = rollout, rollout.timestep
-    counted = r.valid.copy()
-    counted[: round(START_UP / dt)] = False
+    r, dt, counted = rollout, rollout.timestep, counted_samples(rollout)
     forward, command = r.linear_velocity_b[..., 0], r.command
     straight = np.abs(command[:, 1]) <= MOVING_THRESHOLD
     heading = heading_of(r.orientation)
@@ -117,9 +120,17 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "joint_acceleration": joint_acceleration(r.joint_velocity, counted, dt),
         "joints_at_limit": joints_at_limit(r.joint_position, counted),
         "foot_slip": stance_slip(r.slip_speed, r.contact, counted),
+        "foot_clearance": foot_clearance(r.foot_height, counted).mean(axis=-1),
         "duty_factor": duty_factor(r.contact, counted).mean(axis=-1),
         "stride_frequency": stride_frequency(r.joint_position, counted, dt),
     }
+
+
+def counted_samples(rollout: Rollout) -> Mask:
+    """What counts: after the start-up and before a fall, (T, N)."""
+    counted = rollout.valid.copy()
+    counted[: round(START_UP / rollout.timestep)] = False
+    return counted
 
 
 def masked_mean(values: NDArray[Any], mask: Mask) -> Floats:
@@ -182,6 +193,18 @@ def heading_of(orientation: NDArray[Any]) -> Floats:
     """
     w, x, y, z = np.moveaxis(orientation.astype(np.float64), -1, 0)
     return np.unwrap(np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)), axis=0)
+
+
+def up_in_body(orientation: NDArray[Any]) -> Floats:
+    """The world's up direction seen from the base, (..., 3), of quaternions wxyz (..., 4)."""
+    w, x, y, z = np.moveaxis(orientation.astype(np.float64), -1, 0)
+    return np.stack([2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)], axis=-1)
+
+
+def tilt(orientation: NDArray[Any]) -> Floats:
+    """Angle between the base's and the world's up direction, rad, (...,), of quaternions wxyz (..., 4)."""
+    up = up_in_body(orientation)
+    return np.arctan2(np.hypot(up[..., 0], up[..., 1]), up[..., 2])
 
 
 def _first_and_last(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Floats, Floats]:
@@ -289,6 +312,28 @@ def stance_slip(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Float
     """
     stance = contact & counted[..., None]
     return _ratio(np.where(stance, slip_speed, 0).sum(axis=(0, 2), dtype=np.float64), stance.sum(axis=(0, 2)))
+
+
+def slip_of_feet(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floats:
+    """Mean sliding speed of each foot while it is on the ground, m/s, (N, 4); arguments as for `stance_slip`."""
+    stance = contact & counted[..., None]
+    return _ratio(np.where(stance, slip_speed, 0).sum(axis=0, dtype=np.float64), stance.sum(axis=0))
+
+
+def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
+    """Height that each sole exceeds in 5 % of the time, m, (N, 4).
+
+    About the top of its swing, without the chance of a single highest sample.
+
+    Args:
+        foot_height: m over the ground (T, N, 4).
+        counted: (T, N).
+    """
+    heights = np.sort(np.where(counted[..., None], foot_height, np.inf), axis=0)
+    count = counted.sum(axis=0)
+    place = np.ceil(CLEARANCE_QUANTILE * count).astype(np.intp) - 1
+    chosen = np.take_along_axis(heights, np.maximum(place, 0)[None, :, None], axis=0)[0]
+    return np.where(count[:, None] > 0, chosen.astype(np.float64), np.nan)
 
 
 def duty_factor(contact: Mask, counted: Mask) -> Floats:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.envs.spaces import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
-from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, load_model
+from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, LEG_NAMES, load_model
 from quadruped_env.simulation import BatchSimulation, State
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.rewards import foot_slip
@@ -58,6 +58,12 @@ class Rollout:
     """Whether a foot is on the ground (T, N, 4)"""
     slip_speed: NDArray[np.float32]
     """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, 4); 0 for a foot in the air"""
+    foot_height: NDArray[np.float32]
+    """Height of each sole's lowest point over flat ground, m (T, N, 4); a sole that is pressed in is under 0"""
+    reward_terms: NDArray[np.float32]
+    """Weighted terms of the task's reward (T, N, K)"""
+    term_names: tuple[str, ...]
+    """Of the K terms"""
 
     @property
     def fallen(self) -> NDArray[np.bool_]:
@@ -74,7 +80,7 @@ class Rollout:
         over_time = {
             f.name: getattr(self, f.name)[:, rows]
             for f in fields(self)
-            if f.name not in ("controller", "timestep", "command", "seeds")
+            if f.name not in ("controller", "timestep", "command", "seeds", "term_names")
         }
         return replace(self, command=self.command[rows], seeds=self.seeds[rows], **over_time)
 
@@ -128,7 +134,7 @@ def roll_out(
         block = np.arange(start, start + len(seeds))
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])
 
-    record = _empty_record(steps, rows)
+    record = _empty_record(steps, rows, len(task.term_names))
     alive = np.ones(rows, dtype=np.bool_)
     observation = task.observe()
     for t in range(steps):
@@ -136,15 +142,16 @@ def roll_out(
         observation = transition.observation
         alive &= ~transition.terminated
         record["valid"][t] = alive
+        record["reward_terms"][t] = transition.terms
         _write(record, t, task.simulation.state, config.reward.contact_threshold)
         if progress is not None:
             progress((t + 1) / steps)
         if not alive.any():
             break
-    return Rollout(controller.name, config.control_timestep, command, seed, **record)
+    return Rollout(controller.name, config.control_timestep, command, seed, term_names=task.term_names, **record)
 
 
-def _empty_record(steps: int, rows: int) -> dict[str, NDArray[Any]]:
+def _empty_record(steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
     joints, feet = len(JOINT_NAMES), len(LEG_NAMES)
     shapes = {
         "base_position": (3,),
@@ -155,6 +162,8 @@ def _empty_record(steps: int, rows: int) -> dict[str, NDArray[Any]]:
         "joint_velocity": (joints,),
         "joint_torque": (joints,),
         "slip_speed": (feet,),
+        "foot_height": (feet,),
+        "reward_terms": (terms,),
     }
     record: dict[str, NDArray[Any]] = {
         name: np.zeros((steps, rows, *tail), np.float32) for name, tail in shapes.items()
@@ -174,6 +183,7 @@ def _write(record: dict[str, NDArray[Any]], t: int, state: State, contact_thresh
         "joint_torque",
     ):
         record[name][t] = getattr(state, name)
+    record["foot_height"][t] = state.foot_position[..., 2] - FOOT_RADIUS
     record["yaw_rate"][t] = state.angular_velocity_b[:, 2]
     contact = state.foot_force > contact_threshold
     record["contact"][t] = contact

@@ -1,5 +1,6 @@
 """Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -12,6 +13,7 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Policy, PolicyController, load_policy
 from quadruped_env.policies.policy import shipped_directory
+from quadruped_env.training.run import PROGRESS_FILE
 
 ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
 """Standing, and forwards up to 0.5 m/s."""
@@ -47,7 +49,7 @@ def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, An
 
 
 def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, dict[str, Any]]:
-    """Copy a run's policy into the package under a name, with its metrics on its card.
+    """Copy a run's policy and learning curve into the package under a name, with its metrics on its card.
 
     Returns:
         Where it lies, and the card.
@@ -65,4 +67,9 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
     }
     directory = shipped_directory(name)
     replace(policy, card=card).save(directory)
+    if (run / PROGRESS_FILE).is_file():
+        shutil.copyfile(run / PROGRESS_FILE, directory / PROGRESS_FILE)
+    else:
+        # The curve of the policy that was here before is not this one's.
+        (directory / PROGRESS_FILE).unlink(missing_ok=True)
     return directory, card

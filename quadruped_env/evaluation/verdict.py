@@ -103,9 +103,9 @@ def _headline(comparison: Comparison) -> tuple[str, str]:
         flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the rate asked for")
     behind = [m for m in MOTIONS if has(m) and _rank(comparison, "tuned", m) == "further off"]
     if behind:
-        flaws.append(f"is less exact than the tuned gait {_listed(behind)}")
+        flaws.append(f"is less exact than the tuned gait {listed(behind)}")
     if flaws:
-        return "fair", f"Yes, it walks, but it {_listed(flaws)}."
+        return "fair", f"Yes, it walks, but it {listed(flaws)}."
     return "good", "Yes, it walks: it stays on its feet, and does what it is asked at least as well as the tuned gait."
 
 
@@ -116,7 +116,7 @@ def _falls(comparison: Comparison) -> str:
     if not fallen.any():
         return f"none in {episodes} (95 % confident: under {_percent(estimate.high, 1)})."
     counts = {motion: int(fallen[comparison.conditions(motion)].sum()) for motion in MOTIONS}
-    where = _listed([f"{count} {motion}" for motion, count in counts.items() if count])
+    where = listed([f"{count} {motion}" for motion, count in counts.items() if count])
     interval = f"{_percent(estimate.low, 1)} to {_percent(estimate.high, 1)}"
     return f"{int(fallen.sum())} in {episodes}, {_percent(estimate.mean, 1)} (95 % interval {interval}): {where}."
 
@@ -174,7 +174,7 @@ def _turning(comparison: Comparison) -> str:
     )
 
 
-def _error_of(motion: str) -> str:
+def error_of(motion: str) -> str:
     """The metric that says how well a robot does a motion."""
     return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
 
@@ -184,7 +184,7 @@ def _rank(comparison: Comparison, other: str, motion: str) -> str:
 
     Judged by the paired differences: they must be clear of zero, and more than `LEVEL`.
     """
-    difference = comparison.difference(_error_of(motion), "policy", other, motion)
+    difference = comparison.difference(error_of(motion), "policy", other, motion)
     if not abs(difference.mean) > LEVEL or difference.low <= 0.0 <= difference.high:
         return "level"
     return "closer" if difference.mean < 0.0 else "further off"
@@ -194,13 +194,13 @@ def _against(comparison: Comparison, other: str) -> str:
     motions: dict[str, list[str]] = {"closer": [], "level": [], "further off": []}
     for motion in MOTIONS:
         if comparison.conditions(motion):
-            metric = _error_of(motion)
+            metric = error_of(motion)
             show = METRICS[metric].show
             ours, theirs = (comparison.estimate(name, metric, motion).mean for name in ("policy", other))
             motions[_rank(comparison, other, motion)].append(
                 f"{motion} ({show(ours)} against {show(theirs)} {METRICS[metric].unit})"
             )
-    ranks = [f"{rank} {_listed(where)}" for rank, where in motions.items() if where]
+    ranks = [f"{rank} {listed(where)}" for rank, where in motions.items() if where]
     return f"against it the policy is {'; '.join(ranks)}."
 
 
@@ -226,7 +226,8 @@ def _percent(share: float, digits: int = 0) -> str:
     return f"{100.0 * share:.{digits}f} %"
 
 
-def _listed(items: list[str]) -> str:
+def listed(items: list[str]) -> str:
+    """Items as a sentence lists them."""
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
 
 

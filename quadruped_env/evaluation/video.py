@@ -73,8 +73,8 @@ def save_video(path: Path, pictures: Iterable[Picture]) -> None:
         MissingExtraError: if a library of the `report` extra is not installed.
         QuadrupedError: if there is no picture, the file cannot be written, or PyAV was built without the encoder.
     """
-    encode = {".mp4": encode_mp4, ".gif": _encode_gif, ".webp": _encode_webp, ".png": _encode_stills}[path.suffix]
-    content = encode(pictures)
+    encoders = {".mp4": encode_mp4, ".gif": _encode_gif, ".webp": _encode_moving_webp, ".png": _encode_stills}
+    content = encoders[path.suffix](pictures)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
@@ -119,6 +119,17 @@ def encode_png(picture: Picture) -> bytes:
     return file.getvalue()
 
 
+def encode_webp(picture: Picture) -> bytes:
+    """A picture (H, W, 3) as WebP.
+
+    Raises:
+        MissingExtraError: if Pillow is not installed.
+    """
+    file = io.BytesIO()
+    _pillow().fromarray(picture).save(file, "WEBP", quality=80)
+    return file.getvalue()
+
+
 def _encode_gif(pictures: Iterable[Picture]) -> bytes:
     # One palette for all: with one of its own for each picture the flat ground would flicker.
     images = _page_images(pictures)
@@ -127,7 +138,7 @@ def _encode_gif(pictures: Iterable[Picture]) -> bytes:
     return _animation([image.quantize(palette=palette, dither=0) for image in images], "GIF", optimize=True)
 
 
-def _encode_webp(pictures: Iterable[Picture]) -> bytes:
+def _encode_moving_webp(pictures: Iterable[Picture]) -> bytes:
     return _animation(_page_images(pictures), "WEBP", quality=70, method=4)
 
 

@@ -41,7 +41,7 @@ class Run:
     def __init__(self, parent: Path, config: TrainConfig, task: dict[str, Any], command: str) -> None:
         stamp = time.strftime("%Y%m%d-%H%M%S")
         self.directory = _new_directory(parent, f"{stamp}-{config.name}")
-        self.facts = {"command": command, "git_commit": _git_commit(), "versions": versions(), "machine": machine()}
+        self.facts = {"command": command, "git_commit": git_commit(), "versions": versions(), "machine": machine()}
         document = {"training": asdict(config), "task": task, **self.facts}
         (self.directory / CONFIG_FILE).write_text(json.dumps(document, indent=2) + "\n")
         self._progress = (self.directory / PROGRESS_FILE).open("w", newline="")
@@ -136,7 +136,7 @@ def machine() -> str:
     return f"{processor}, {platform.machine()}, {cores} cores, {platform.system()}"
 
 
-def _git_commit() -> str:
+def git_commit() -> str:
     """The checkout's commit, with a mark where files differ from it, or 'unknown' outside a checkout."""
     here = Path(__file__).parent
     try:

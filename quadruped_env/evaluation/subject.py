@@ -1,0 +1,72 @@
+"""What is evaluated, and where its results go."""
+
+import importlib.util
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.policy import SHIPPED, shipped_directory
+from quadruped_env.training.run import PROGRESS_FILE
+
+LATEST_RUN: Final = Path("runs", "latest")
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A policy to evaluate, and where its results go."""
+
+    name: str
+    """Of the run, or of the shipped policy"""
+    policy: Policy
+    directory: Path
+    """The training run, or the shipped policy's place in the package"""
+    output: Path
+
+    @property
+    def source(self) -> str:
+        """What a person types to name it again; no path of this machine."""
+        return self.name if self.name in SHIPPED else f"runs/{self.name}"
+
+    @property
+    def progress_file(self) -> Path | None:
+        """What its training logged, where that is still there."""
+        path = self.directory / PROGRESS_FILE
+        return path if path.is_file() else None
+
+
+def find_subject(run: str | None, output: Path | None = None) -> Subject:
+    """The policy that a person names.
+
+    Args:
+        run: a run's directory or a shipped policy's name; None takes the latest run, or else the shipped policy.
+        output: where the results go; None takes `evaluation` in the run's directory, or `results/<name>`.
+
+    Raises:
+        QuadrupedError: if there is no such policy, or it is damaged.
+    """
+    if run is None:
+        run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]
+    policy = load_policy(run)
+    if run in SHIPPED:
+        return Subject(run, policy, shipped_directory(run), output or Path("results", run))
+    directory = Path(run).resolve()
+    # A checkpoint's own name does not say whose it is.
+    name = "/".join(directory.parts[-3 if directory.parent.name == "checkpoints" else -1 :])
+    return Subject(name, policy, directory, output or Path(run) / "evaluation")
+
+
+def prepare(output: Path) -> None:
+    """Make the directory of the results, and fail now if the report could not be written later.
+
+    Raises:
+        MissingExtraError: if a library of the `report` extra is not installed.
+        QuadrupedError: if the directory cannot be made.
+    """
+    if any(importlib.util.find_spec(name) is None for name in ("matplotlib", "jinja2", "av", "PIL")):
+        raise MissingExtraError("The report", "report")
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise QuadrupedError(f"{output}: cannot be made ({error.strerror}); name another place") from error
