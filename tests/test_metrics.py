@@ -1,5 +1,6 @@
 import math
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -141,6 +142,36 @@ def test_standing_has_no_stride_frequency():
     counted = all_counted(rows=2)
     counted[:, 1] = False
     np.testing.assert_equal(metrics.stride_frequency(position, counted, DT), np.nan)
+
+
+def test_foot_clearance_is_what_a_sole_exceeds_in_a_twentieth_of_the_time():
+    height = np.zeros((200, 2, 4))
+    height[:, 0, 1] = np.arange(200) / 1000.0
+    height[150:, 1] = 9.0  # after the fall
+    counted = all_counted(200, 2)
+    counted[100:, 1] = False
+    clearance = metrics.foot_clearance(height, counted)
+    assert (height[:, 0, 1] > clearance[0, 1]).mean() == pytest.approx(0.05)
+    np.testing.assert_array_equal(clearance[0, [0, 2, 3]], 0.0)
+    np.testing.assert_array_equal(clearance[1], 0.0)
+    assert np.isnan(metrics.foot_clearance(height, np.zeros_like(counted))).all()
+
+
+def test_tilt_and_up_agree_with_rotation_matrices():
+    quaternions = np.random.default_rng(0).normal(size=(20, 4))
+    quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
+    for quaternion in quaternions:
+        matrix = np.empty(9)
+        mujoco.mju_quat2Mat(matrix, quaternion)
+        up = matrix.reshape(3, 3).T @ [0.0, 0.0, 1.0]
+        np.testing.assert_allclose(metrics.up_in_body(quaternion), up, atol=1e-12)
+        assert metrics.tilt(quaternion) == pytest.approx(math.acos(up[2]), abs=1e-6)
+
+
+def test_slip_of_each_foot_while_it_is_on_the_ground():
+    speed = np.array([[[1.0, 2.0, 3.0, 4.0]], [[3.0, 2.0, 3.0, 9.0]]])
+    contact = np.array([[[True, True, False, True]], [[True, False, False, False]]])
+    np.testing.assert_equal(metrics.slip_of_feet(speed, contact, all_counted(2)), [[2.0, 2.0, np.nan, 4.0]])
 
 
 def test_stance_slip_counts_feet_on_the_ground_only():

@@ -79,7 +79,10 @@ class TestRecord:
 
     def test_a_gait_played_from_its_commands_is_the_gait(self):
         gait = SinusoidalGait.preset("tuned")
-        played, walked = play(publish(gait, 2.0, 50.0)), record(GaitController(gait, "tuned"), 2.0, start=gait.positions(0.0))
+        played, walked = (
+            play(publish(gait, 2.0, 50.0)),
+            record(GaitController(gait, "tuned"), 2.0, start=gait.positions(0.0)),
+        )
         assert_same(played.joints, walked.joints)
         np.testing.assert_array_equal(played.base_pose, walked.base_pose)
 

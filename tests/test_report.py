@@ -1,4 +1,5 @@
 import base64
+import dataclasses
 import itertools
 import json
 import math
@@ -14,10 +15,20 @@ import numpy as np
 import pytest
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import plots, report
-from quadruped_env.evaluation.comparison import COMMANDS, CONTROLLERS, MOTIONS, Comparison, compare, motion_of
+from quadruped_env.evaluation import failures, pictures, plots, run_comparison, subject
+from quadruped_env.evaluation.comparison import (
+    COMMANDS,
+    CONTROLLERS,
+    MOTIONS,
+    Comparison,
+    compare,
+    compare_policies,
+    motion_of,
+)
 from quadruped_env.evaluation.metrics import METRICS
-from quadruped_env.evaluation.report import find_subject, summary_table, write_report
+from quadruped_env.evaluation.page import summary_table
+from quadruped_env.evaluation.report import write_report
+from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.verdict import reached_share, verdict
 from quadruped_env.policies import Policy
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, ActionConfig, CommandConfig, TaskConfig
@@ -53,9 +64,23 @@ def comparison():
 
 @pytest.fixture(scope="module")
 def written(run_directory, comparison):
-    subject = find_subject(str(run_directory))
-    page, numbers = write_report(subject, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
+    found = find_subject(str(run_directory))
+    page, numbers, missing = write_report(found, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
+    assert not missing
     return page.read_text(), numbers.read_text()
+
+
+SECTIONS = (
+    "Following the command",
+    "Velocity over time",
+    "Gait: which feet are on the ground",
+    "Cost of transport over speed",
+    "Torque and speed against the motors' limits",
+    "Joints over time",
+    "Foot clearance and slip",
+    "Reward terms",
+    "Learning curve",
+)
 
 
 class Page(HTMLParser):
@@ -65,12 +90,14 @@ class Page(HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.addresses, self.text, self.open, self.tags = [], [], [], []
+        self.addresses, self.text, self.open, self.tags, self.policy = [], [], [], [], ""
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
         self.tags.append(tag)
         self.addresses += [value for name, value in attrs if name in {"src", "href", "srcset", "action", "data"}]
+        if dict(attrs).get("http-equiv") == "Content-Security-Policy":
+            self.policy = dict(attrs)["content"]
         if tag not in self.VOID:
             self.open.append(tag)
 
@@ -88,9 +115,13 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     judged = verdict(comparison)
     places = [text.index(judged.headline), *(text.index(words[1:]) for _, words in judged.findings)]
     places += [
-        text.index("Against the scripted gaits"),
-        text.index("Following the command"),
+        text.index("What was compared"),
+        text.index("Forwards: velocity error"),
+        text.index("See it walk"),
+        *map(text.index, SECTIONS),
+        text.index("The worst episodes"),
         text.index("Every metric"),
+        text.index("How this was made"),
     ]
     assert places == sorted(places)
     for name in CONTROLLERS.values():
@@ -110,14 +141,19 @@ def test_report_needs_nothing_beside_it(written):
     page = Page(html)
     assert page.addresses
     assert all(address.startswith("data:") for address in page.addresses)
-    assert not {"script", "link", "iframe"} & set(page.tags)
-    assert "@import" not in html
-    assert "url(" not in html
+    assert not {"script", "link"} & set(page.tags)
+    assert page.policy.startswith("default-src 'none';")
+    assert "http" not in page.policy
+    # The replay in 3D is a page of its own, within the quotes of an attribute.
+    without_replay = re.sub(r'srcdoc="[^"]*"', "", html)
+    assert "@import" not in without_replay
+    assert "url(" not in without_replay
+    assert "http://" not in without_replay
     for address in page.addresses:
         svg = ElementTree.fromstring(base64.b64decode(address.partition("base64,")[2]))  # noqa: S314
         links = [value for e in svg.iter() for name, value in e.attrib.items() if name.endswith("href")]
-        assert all(link.startswith("#") for link in links)
-    assert len(html) < 2_000_000
+        assert all(link.startswith(("#", "data:")) for link in links)
+    assert len(html) < 4_000_000
 
 
 def test_report_says_nothing_about_where_it_was_made(written, run_directory):
@@ -150,16 +186,19 @@ def test_without_opengl_the_report_is_made_and_names_the_package(run_directory, 
         raise AttributeError("no context")
 
     monkeypatch.setattr("mujoco.Renderer", broken)
-    page, _ = write_report(find_subject(str(run_directory), tmp_path / "out"), comparison, "")
+    page, _, missing = write_report(find_subject(str(run_directory), tmp_path / "out"), comparison, "")
     html = page.read_text()
+    assert len(missing) == 1
+    assert missing[0].startswith("No video: no OpenGL")
     assert "No video: no OpenGL" in html
+    assert "srcdoc=" in html
     assert "libegl1" in html
     assert "<video" not in html
 
 
 def test_table_has_a_row_for_every_motion(comparison):
     lines = summary_table(comparison).splitlines()
-    assert [line.split(":")[0].split()[0] for line in lines[1:]] == ["Falls", *(m.capitalize() for m in MOTIONS)]
+    assert [line.split(":")[0].split()[0] for line in lines[1:6]] == ["Falls", *(m.capitalize() for m in MOTIONS)]
 
 
 # The verdict, on invented numbers.
@@ -312,19 +351,128 @@ def test_a_damaged_learning_curve_is_named(tmp_path, content, message):
     assert str(path) in str(caught.value)
 
 
+def test_learning_curves_of_several_runs_are_drawn_in_one_figure(run_directory):
+    curve = plots.read_progress(run_directory / "progress.csv")
+    svg = plots.learning_curve({"one": curve, "other": {**curve, "return": curve["return"] + 1.0}})
+    assert svg.count("<svg ") == 1
+    assert svg.count('id="legend_') == 1
+
+
+# The worst episodes.
+
+
+def with_falls(comparison, **falls):
+    """The comparison, with the policy falling in rows (r3 is the fourth) after so many samples."""
+    policy = comparison.rollouts["policy"]
+    valid = policy.valid.copy()
+    for row, samples in falls.items():
+        valid[samples:, int(row[1:])] = False
+    fallen = dataclasses.replace(policy, valid=valid)
+    return dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
+
+
+def test_falls_are_the_worst_and_the_earliest_first(comparison):
+    found = failures.worst_episodes(with_falls(comparison, r1=100, r4=50, r5=80))
+    assert [failure.row for failure in found[:2]] == [4, 1]
+    assert [failure.command for failure in found[:2]] == [TINY[2], TINY[0]]
+    assert found[0].fell_at == pytest.approx(51 * 0.02)
+    assert found[0].story.startswith("It fell at 1.0 s")
+    assert found[2].fell_at is None
+
+
+def test_without_falls_the_worst_has_the_largest_error(comparison):
+    errors = comparison.values["policy"]
+    tolerated = np.maximum(errors["forward_velocity_error"] / 0.1, errors["yaw_rate_error"] / 0.2)
+    worst = failures.worst_episodes(with_falls(comparison))
+    assert not any(math.isinf(failure.badness) for failure in worst)
+    assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
+    assert worst[0].row == int(np.nanargmax(tolerated))
+    assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
+
+
+@pytest.mark.parametrize(
+    ("axis", "angle", "words"),
+    [
+        ("x", -1.0, "over its left side, at 57° of tilt"),
+        ("x", 1.0, "over its right side"),
+        ("y", 1.0, "forwards, over its nose"),
+        ("y", -1.0, "backwards, over its tail"),
+        ("y", 0.1, "its trunk hit the ground, nearly level (6° of tilt)"),
+    ],
+)
+def test_story_says_which_way_it_fell(comparison, axis, angle, words):
+    fell = with_falls(comparison, r0=50)
+    policy = fell.rollouts["policy"]
+    orientation = policy.orientation.copy()
+    orientation[50, 0] = [math.cos(angle / 2), *(math.sin(angle / 2) * (axis == name) for name in "xyz")]
+    rollouts = {**fell.rollouts, "policy": dataclasses.replace(policy, orientation=orientation)}
+    assert words in failures.worst_episodes(dataclasses.replace(fell, rollouts=rollouts))[0].story
+
+
+# Several runs.
+
+
+def test_runs_are_ranked_by_paired_differences(comparison):
+    rng = np.random.default_rng(0)
+    values = {name: {m: v.copy() for m, v in metrics.items()} for name, metrics in comparison.values.items()}
+    values["good"], values["level"], values["bad"] = (
+        {m: v.copy() for m, v in values["tuned"].items()} for _ in range(3)
+    )
+    for metric in ("forward_velocity_error", "yaw_rate_error", "fall_rate"):
+        values["good"][metric][:] = 0.0
+        values["level"][metric][:] = rng.uniform(0.0, 0.004, values["level"][metric].shape)
+        values["bad"][metric][:] = 1.0
+    values["level"]["fall_rate"][:] = 0.0
+    several = dataclasses.replace(comparison, values=values)
+    names = ["bad", "good", "level"]
+    assert run_comparison.best_at(several, names, "forwards") == ["good", "level"]
+    words = run_comparison.headline(several, names)
+    assert words.startswith(
+        "Good and level are closest forwards, standing, backwards and turning; bad falls more often."
+    )
+    assert run_comparison.headline(several, ["good", "level"]).startswith("All are level forwards")
+
+
+def test_runs_are_compared_on_one_page(run_directory, tmp_path):
+    second = tmp_path / "second"
+    random_policy("position").save(second)
+    subjects = run_comparison.find_subjects([str(run_directory), str(second)], tmp_path / "out")
+    policies = {name: found.policy for name, found in subjects.items()}
+    compared = compare_policies(policies, 1, 2.0, TINY)
+    assert list(compared.values) == ["20260101-000000-ppo", "second", "tuned", "article", "zero"]
+    page, numbers, _ = run_comparison.write_comparison(subjects, compared, tmp_path / "out", "", with_video=False)
+    text = " ".join(Page(page.read_text()).text)
+    for name in subjects:
+        assert name in text
+    assert "script-src" not in page.read_text()
+    assert set(json.loads(numbers.read_text())["policies"]) == set(subjects)
+    alone = compare(random_policy("position"), 1, 2.0, TINY)
+    np.testing.assert_array_equal(alone.values["policy"]["distance"], compared.values["second"]["distance"])
+    assert verdict(compared.seen_as("second")) == verdict(alone)
+
+
+def test_runs_that_cannot_be_compared_are_named(run_directory, tmp_path):
+    with pytest.raises(QuadrupedError, match="at least two runs"):
+        run_comparison.find_subjects(["flat"], tmp_path)
+    with pytest.raises(QuadrupedError, match="'flat' is named before"):
+        run_comparison.find_subjects(["flat", "flat"], tmp_path)
+    with pytest.raises(QuadrupedError, match="'tuned' is a scripted controller's name"):
+        compare_policies({"tuned": random_policy("position")}, 1, 2.0)
+
+
 # Finding the policy, and the program.
 
 
 def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     asked = []
-    monkeypatch.setattr(report, "load_policy", lambda name: asked.append(name) or random_policy("position"))
+    monkeypatch.setattr(subject, "load_policy", lambda name: asked.append(name) or random_policy("position"))
     assert find_subject(None).output == Path("results/flat")
     assert asked == ["flat"]
     Path("runs").mkdir()
     Path("runs/latest").symlink_to(run_directory)
-    subject = find_subject(None)
-    assert (subject.name, subject.output) == ("20260101-000000-ppo", Path("runs/latest/evaluation"))
+    found = find_subject(None)
+    assert (found.name, found.output) == ("20260101-000000-ppo", Path("runs/latest/evaluation"))
     assert find_subject("flat", Path("there")).output == Path("there")
 
 
@@ -336,15 +484,15 @@ def test_a_checkpoint_is_named_with_its_run(run_directory):
 
 
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
-    monkeypatch.setattr(report.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(subject.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"mini-quadruped\[report\]"):
-        report.prepare(tmp_path)
+        subject.prepare(tmp_path)
 
 
 def test_an_output_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(QuadrupedError, match=r"file.*cannot be made.*name another place"):
-        report.prepare(tmp_path / "file" / "out")
+        subject.prepare(tmp_path / "file" / "out")
 
 
 def program(*arguments, cwd):
@@ -384,9 +532,9 @@ def test_program_evaluates_a_run(run_directory, tmp_path):
 
 @pytest.mark.slow
 def test_report_with_a_video_is_small(run_directory, comparison, tmp_path, monkeypatch):
-    monkeypatch.setattr(report, "CLIP_SECONDS", 0.4)
+    monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.4)
     told = []
-    page, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", progress=told.append)
+    page, _, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", progress=told.append)
     html = page.read_text()
     if "No video" in html:
         pytest.skip("no OpenGL")

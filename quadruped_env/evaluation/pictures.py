@@ -84,13 +84,8 @@ def take_pictures(
     except QuadrupedError as error:
         return Pictures({"missing": f"No video: {error}"})
 
-    return Pictures(
-        {
-            "source": data_url("video/mp4", video),
-            "caption": f"In real time. {shown[:1].upper()}{shown[1:]}. {OVERLAY_LEGEND}",
-        },
-        stills,
-    )
+    caption = f"In real time: {shown}. {OVERLAY_LEGEND}"
+    return Pictures({"source": data_url("video/mp4", video), "caption": caption}, stills)
 
 
 def _stills(camera: Camera, motion: Motion, failure: Failure) -> str:

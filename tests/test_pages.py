@@ -1,0 +1,89 @@
+"""The report in a real browser, opened from disk."""
+
+import browser
+import numpy as np
+import pytest
+
+from quadruped_env.evaluation import pictures
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.report import write_report
+from quadruped_env.evaluation.subject import find_subject
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    patch = pytest.MonkeyPatch()
+    patch.setattr(pictures, "CLIP_SECONDS", 1.0)
+    patch.setattr(pictures, "SCENE_SECONDS", 2.0)
+    subject = find_subject("flat", tmp_path_factory.mktemp("report"))
+    comparison = compare(subject.policy, 1, 4.0, [(0.4, 0.0), (0.0, 0.5)])
+    path, _, missing = write_report(subject, comparison, "python evaluate/policy.py flat")
+    patch.undo()
+    return path, missing
+
+
+@pytest.fixture
+def opened(page, report):
+    page.goto(report[0].as_uri())
+    return page
+
+
+def test_report_opens_from_disk_and_asks_for_nothing(opened, report):
+    opened.wait_for_load_state("networkidle")
+    addresses = [url for url in opened.watched.requests if not url.startswith(("data:", "blob:"))]
+    assert addresses == [report[0].as_uri()]
+    assert opened.watched.errors == []
+    assert report[0].stat().st_size < 5_000_000
+    for image in opened.locator("img").all():
+        assert image.evaluate("element => element.complete && element.naturalWidth > 0")
+    # Nothing is wider than the page, on a desk and on a phone.
+    for width in (1280, 390):
+        opened.set_viewport_size({"width": width, "height": 800})
+        assert opened.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_its_video_advances(opened, report):
+    if report[1]:
+        pytest.skip(report[1][0])
+    video = opened.locator("video")
+    video.scroll_into_view_if_needed()
+    # Chromium may come without H.264, which a browser of today has.
+    if video.evaluate("v => v.error !== null || v.networkState === 3"):
+        pytest.skip("this Chromium cannot play H.264")
+    opened.wait_for_function("document.querySelector('video').currentTime > 0.3")
+    before = browser.pixels(video)
+    opened.wait_for_function("document.querySelector('video').currentTime > 0.6")
+    assert np.abs(browser.pixels(video).astype(int) - before).max() > 60
+
+
+def test_its_replay_in_3d_shows_the_robot_and_turns(opened):
+    frame = opened.locator("iframe")
+    frame.scroll_into_view_if_needed()
+    inside = opened.frame_locator("iframe")
+    inside.locator("canvas").first.wait_for()
+
+    def seen():
+        """The black legs; the notice that there is no graphics card covers no part of them."""
+        return browser.pixels(frame).max(axis=-1)[150:, :-60] < 70
+
+    for _ in range(100):
+        if seen().sum() > 200:
+            break
+        opened.wait_for_timeout(200)
+    assert seen().sum() > 200
+    inside.locator(".mantine-ActionIcon-root").first.click()  # pause
+    opened.wait_for_timeout(1500)
+    before = seen()
+    np.testing.assert_array_equal(seen(), before)
+    box = frame.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    opened.mouse.move(x, y)
+    opened.mouse.down()
+    opened.mouse.move(x + 150, y, steps=5)
+    opened.mouse.up()
+    opened.wait_for_timeout(1000)
+    after = seen()
+    assert after.sum() > 200
+    assert (after != before).sum() > 200
+    assert opened.watched.outside() == []
+    assert opened.watched.errors == []
