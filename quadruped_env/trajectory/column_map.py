@@ -16,7 +16,7 @@ The first line names the columns. Others than these do not matter. The same file
 import csv
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
-from decimal import Decimal, InvalidOperation
+from decimal import Decimal, DecimalException
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any, Final, Self
@@ -168,7 +168,7 @@ def _stamp_parser(power: int) -> StampParser:
             raise ValueError(text)
         try:
             time = Decimal(text).scaleb(power)
-        except InvalidOperation as error:
+        except DecimalException as error:
             raise ValueError(text) from error
         # Before it is rounded: 1e999999999 has more digits than fit into memory.
         if not time.is_finite() or abs(time) >= 2**63 - 1:

@@ -63,10 +63,10 @@ def lines(file: TextIO, reading: Reading, first: int) -> Iterator[str]:
     done = 0
     for number, line in enumerate(file, first):
         if not line.endswith("\n"):
-            raise reading.error(
-                number,
-                f"the last line does not end, so its last number, {short(line.rpartition(',')[2].strip())}, may be "
-                f"cut off; delete the line, or end it if it is whole",
+            last = short(line.rpartition(",")[2].strip())
+            raise QuadrupedError(
+                f"{reading.name}: line {number}: the last line does not end, so its last number, {last}, may be cut off; "
+                f"delete the line, or end it if it is whole"
             )
         done += len(line)
         if number % 1000 == 0:

@@ -207,10 +207,9 @@ class JointTrajectory:
         saving.save(saving.pieces_of(self, base, progress), Path(path), options)
 
     def __repr__(self) -> str:
-        kinds = [name for name in ("velocities", "efforts") if getattr(self, name) is not None]
         return (
             f"JointTrajectory({len(self)} rows over {self.duration:g} s, {len(self.names)} joints, "
-            f"{' and '.join(['positions', *kinds])})"
+            f"{' and '.join(self.kinds)})"
         )
 
     def __len__(self) -> int:
@@ -429,13 +428,12 @@ class JointTrajectory:
 
     def gaps(self, factor: float = 3.0) -> tuple["Gap", ...]:
         """Where rows are missing: times between rows longer than `factor` times the usual (the median)."""
-        steps = np.diff(self.stamps)
-        if not len(steps):
-            return ()
-        return tuple(
-            Gap(int(i), float(self.times[i]), float(steps[i]) / NANOSECONDS)
-            for i in np.flatnonzero(steps > factor * np.median(steps))
-        )
+        return find_gaps(self.stamps, factor)
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Which arrays are there: positions, and velocities and efforts if they were recorded."""
+        return tuple(self._arrays())
 
     def _arrays(self) -> dict[str, NDArray[np.float64]]:
         """The arrays (T, J) that are there, by name."""
@@ -456,6 +454,17 @@ class Gap:
     start: float
     """s from the first stamp"""
     seconds: float
+
+
+def find_gaps(stamps: NDArray[np.int64], factor: float = 3.0) -> tuple[Gap, ...]:
+    """The gaps between rising stamps (T,) in ns; see `JointTrajectory.gaps`."""
+    steps = np.diff(stamps)
+    if not len(steps):
+        return ()
+    return tuple(
+        Gap(int(i), float(stamps[i] - stamps[0]) / NANOSECONDS, float(steps[i]) / NANOSECONDS)
+        for i in np.flatnonzero(steps > factor * np.median(steps))
+    )
 
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:

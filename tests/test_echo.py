@@ -1,0 +1,229 @@
+"""What `ros2 topic echo` prints, and CSVs of other columns."""
+
+import re
+
+import numpy as np
+import pytest
+
+from quadruped_env import JointTrajectory, QuadrupedError
+
+yaml = pytest.importorskip("yaml")
+
+BLOCK = """header:
+  stamp:
+    sec: 1700000000
+    nanosec: 50000000
+  frame_id: ''
+name:
+- LF_hip_joint
+- LF_knee_joint
+position:
+- 0.1
+- -1e-05
+velocity: []
+effort:
+- .nan
+- 2.5
+---
+"""
+FLOW = """header:
+  stamp: {sec: 1700000000, nanosec: 100000000}
+  frame_id: base_link
+name: [LF_hip_joint, LF_knee_joint]
+position: [0.3, -0.4]
+velocity: []
+effort: [1, .inf]
+---
+"""
+LOST = "A message was lost!!!\n\ttotal count change:1\n\ttotal count: 1---\n"
+LINE = "1700000000,50000000,,LF_hip_joint,LF_knee_joint,0.1,-1e-05,,nan,2.5\n"
+
+
+def load(path, text, **options):
+    path.write_text(text)
+    return JointTrajectory.load(path, **options)
+
+
+class TestYaml:
+    @pytest.mark.parametrize("text", [BLOCK, "---\n" + BLOCK, BLOCK.removesuffix("---\n"), BLOCK.replace("''", '""')])
+    def test_one_message(self, tmp_path, text):
+        loaded = load(tmp_path / "echo.yaml", text)
+        assert loaded.stamps.tolist() == [1_700_000_000_050_000_000]
+        assert loaded.names == ("LF_hip_joint", "LF_knee_joint")
+        assert loaded.positions.tolist() == [[0.1, -1e-05]]
+        assert loaded.velocities is None
+        np.testing.assert_array_equal(loaded.efforts, [[np.nan, 2.5]])
+
+    def test_messages_in_both_styles_and_a_lost_one(self, tmp_path):
+        loaded = load(tmp_path / "a", BLOCK + LOST + FLOW.replace(".inf", "3.5"))
+        assert loaded.positions.tolist() == [[0.1, -1e-05], [0.3, -0.4]]
+        assert loaded.source.notes == ("the recording itself says that messages were lost",)
+        assert loaded.source.row(1).endswith("message 1")
+
+    def test_a_recording_may_begin_with_a_lost_message(self, tmp_path):
+        assert len(load(tmp_path / "a", LOST + BLOCK)) == 1
+
+    @pytest.mark.parametrize(
+        ("text", "message"),
+        [
+            (BLOCK + FLOW, r"message 1, effort\.LF_knee_joint: inf is not finite"),
+            (BLOCK + BLOCK, r"message 1, stamp_ns: .* does not come after"),
+            (BLOCK.replace("- 0.1\n", ""), r"message 0: 2 names and 1 positions"),
+            (
+                BLOCK.replace("- 2.5\n", "- 2.5\n- '...'\n"),
+                r"message 0: an array is shortened to '\.\.\.'; .*--full-length",
+            ),
+            (BLOCK.replace("effort:", "position:"), r"message 0: the message must have .*; found .*position.*position"),
+            (BLOCK.replace("velocity: []\n", ""), r"message 0: the message must have header, name, position, velocity"),
+            (BLOCK.replace("velocity: []", "velocity:"), r"message 0: velocity must be a list; found ''"),
+            (BLOCK.replace("0.1", "O.1"), r"message 0: position: 'O\.1' is not a number"),
+            (BLOCK.replace("0.1", "1_0"), r"message 0: position: '1_0' is not a number"),
+            (BLOCK.replace("- 0.1", "- [0.1]"), r"message 0: position must hold single values"),
+            (BLOCK.replace("50000000", "5e7"), r"message 0: '5e7' is not a whole number in a stamp"),
+            (BLOCK.replace("50000000", "1000000000"), r"message 0: a stamp of 1700000000 s and 1000000000 ns is none"),
+            (BLOCK.replace("sec: 17", "sec: -17"), r"message 0, stamp_ns: -1699999999950000000 is negative"),
+            (BLOCK.replace("- .nan", "- : ]"), r"message 0: .*; expected what ros2 topic echo prints"),
+            (BLOCK.removesuffix("\n---\n"), r"line 16: the last line does not end, .*'- 2\.5', may be cut off"),
+            ("header:\n  stamp:\n    sec: 1\n", r"message 0: the message must have .*; found header"),
+            ("header:\n" + " x" * 600_000 + "\n", r"a message of over 1000000 characters is no joint state"),
+            (BLOCK.replace("- 0.1", "- 90.0"), r"message 0, position\.LF_hip_joint: 90 rad is more than two turns"),
+        ],
+    )
+    def test_damage_is_named(self, tmp_path, text, message):
+        path = tmp_path / "echo.yaml"
+        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
+            load(path, text)
+
+    def test_damage_at_the_end_is_salvaged(self, tmp_path):
+        loaded = load(tmp_path / "a", BLOCK + FLOW[:40], salvage=True)
+        assert len(loaded) == 1
+        (note,) = loaded.source.notes
+        assert note.startswith("damaged, and read up to the damage: ")
+
+
+class TestCsv:
+    def test_one_message_a_line(self, tmp_path):
+        second = LINE.replace("50000000", "60000000").replace("0.1", "7")
+        loaded = load(tmp_path / "echo.csv", LINE + LOST + second)
+        assert loaded.stamps.tolist() == [1_700_000_000_050_000_000, 1_700_000_000_060_000_000]
+        assert loaded.names == ("LF_hip_joint", "LF_knee_joint")
+        assert loaded.positions.tolist() == [[0.1, -1e-05], [7, -1e-05]]
+        assert loaded.velocities is None
+        np.testing.assert_array_equal(loaded.efforts, [[np.nan, 2.5]] * 2)
+
+    def test_messages_without_names_need_them(self, tmp_path):
+        text = "1,0,,,0.1,0.2,0.3,,\n"
+        with pytest.raises(QuadrupedError, match=r"line 1: 3 positions and no names: give .*\(--names\)"):
+            load(tmp_path / "a", text)
+        assert load(tmp_path / "a", text, names=["x", "y", "z"]).positions.tolist() == [[0.1, 0.2, 0.3]]
+        full = load(tmp_path / "a", "1,0,,,0.1,0.2,3,4,5,6\n", names=["x", "y"])
+        assert (full.velocities.tolist(), full.efforts.tolist()) == ([[3, 4]], [[5, 6]])
+
+    @pytest.mark.parametrize(
+        ("line", "message"),
+        [
+            (LINE.replace(",2.5", ""), r"line 1: 2 joints and 1 numbers for effort"),
+            (LINE.replace(",nan,2.5", ""), r"line 1: 2 joints and 0 numbers for effort"),
+            (LINE.replace("\n", ",1\n"), r"line 1: there are 1 fields more than 2 joints need"),
+            (LINE.replace("2.5", "..."), r"line 1: an array is shortened to '\.\.\.'"),
+            (LINE.replace("2.5", "x"), r"line 1: effort: 'x' is not a number"),
+            (LINE.replace("50000000", "5000000000"), r"line 1: a stamp of .* is none"),
+            (LINE.removesuffix("\n"), r"line 1: the last line does not end"),
+            (LINE + "\n", r"line 2: 1 fields are too few"),
+        ],
+    )
+    def test_damage_is_named(self, tmp_path, line, message):
+        path = tmp_path / "echo.csv"
+        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
+            load(path, line)
+
+
+COLUMNS = """
+[columns]
+stamp = "time"
+positions = { LF_hip_joint = "hip", LF_knee_joint = "knee" }
+"""
+TABLE = 'time,mode,knee,hip\n1700000000.123456789,walk,-0.5,0.25\n1700000000.2,"a, b",-0.6,0.35\n'
+
+
+class TestColumns:
+    def test_any_csv_with_a_map(self, tmp_path):
+        (tmp_path / "map.toml").write_text(COLUMNS)
+        loaded = load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
+        assert loaded.stamps.tolist() == [1_700_000_000_123_456_789, 1_700_000_000_200_000_000]
+        assert loaded.names == ("LF_hip_joint", "LF_knee_joint")
+        assert loaded.positions.tolist() == [[0.25, -0.5], [0.35, -0.6]]
+
+    @pytest.mark.parametrize(("unit", "text", "stamp"), [("ms", "1.5", 1_500_000), ("us", "7", 7000), ("ns", "3", 3)])
+    def test_units_of_time(self, tmp_path, unit, text, stamp):
+        (tmp_path / "map.toml").write_text(f'{COLUMNS}stamp_unit = "{unit}"\nseparator = ";"\n')
+        loaded = load(tmp_path / "a.csv", f"time;hip;knee\n{text};0;0\n", columns=tmp_path / "map.toml")
+        assert loaded.stamps.tolist() == [stamp]
+
+    def test_velocities_in_a_file_of_their_own(self, tmp_path):
+        (tmp_path / "map.toml").write_text(f'{COLUMNS}velocity_file = "speed.csv"\n')
+        speeds = "time,hip,knee\n1700000000.123456789,1,2\n1700000000.2,3,4\n"
+        (tmp_path / "speed.csv").write_text(speeds)
+        loaded = load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
+        assert loaded.velocities.tolist() == [[1, 2], [3, 4]]
+        for wrong in (speeds.replace("0.2", "0.3"), "".join(speeds.splitlines(True)[:2]), speeds + "1700000001,3,4\n"):
+            (tmp_path / "speed.csv").write_text(wrong)
+            with pytest.raises(QuadrupedError, match=r"a\.csv: speed\.csv must have the same stamps"):
+                load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
+        (tmp_path / "speed.csv").unlink()
+        with pytest.raises(QuadrupedError, match=r"speed\.csv: there is no such file"):
+            load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
+
+    @pytest.mark.parametrize(
+        ("text", "message"),
+        [
+            ("", r"the file is empty"),
+            ("time,hip\n", r"line 1: no column 'knee', which .* positions names; found time, hip"),
+            ("time,hip,knee,hip\n", r"line 1: two columns 'hip'"),
+            ("time,hip,knee\n", r"there is a header and no row"),
+            ("time,hip,knee\n0,1\n", r"line 2: expected 3 columns, as in the header; found 2"),
+            ("time,hip,knee\n0,1,x\n", r"line 2, knee: 'x' is not a number"),
+            ("time,hip,knee\n0,1,\n", r"line 2, knee: '' is not a number"),
+            ("time,hip,knee\nnoon,1,2\n", r"line 2, time: 'noon' is not a time in s"),
+            ("time,hip,knee\n1e999999999,1,2\n", r"line 2, time: '1e999999999' is not a time in s"),
+            ("time,hip,knee\n0,1,2", r"line 2: the last line does not end"),
+            ('time,hip,knee\n0,"1"x,2\n', r"line 2: .*; mend the line"),
+            ("time,hip,knee\n0,1,2\n0,1,2\n", r"line 3, stamp_ns: 0 does not come after 0"),
+        ],
+    )
+    def test_damage_is_named(self, tmp_path, text, message):
+        (tmp_path / "map.toml").write_text(COLUMNS)
+        path = tmp_path / "a.csv"
+        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
+            load(path, text, columns=tmp_path / "map.toml")
+
+    @pytest.mark.parametrize(
+        ("text", "message"),
+        [
+            ("[columns]\n", r"\[columns\]: stamp is missing; add it"),
+            ("[columns]\nstamp = 'a'\n", r"\[columns\]: positions is missing"),
+            ("[columns]\nstamp = 'a'\npositions = []\n", r"positions: name one column or more"),
+            ("[columns]\nstamp = 'a'\npositions = ['b', 'b']\n", r"positions: expected each joint once"),
+            ("[columns]\nstamp = 'a'\npositions = ['b', 3]\n", r"positions: expected column names"),
+            ("[columns]\nstamp = 3\npositions = ['b']\n", r"stamp: expected a text; found 3"),
+            (
+                "[columns]\nstamp = 'a'\npositions = ['b']\nvelocities = ['c']\n",
+                r"velocities: expected each joint once",
+            ),
+            (
+                "[columns]\nstamp = 'a'\npositions = ['b']\nstamp_unit = 'h'\n",
+                r"stamp_unit: expected one of s, ms, us, ns",
+            ),
+            ("[columns]\nstamp = 'a'\npositions = ['b']\nseparator = ';;'\n", r"separator: expected one character"),
+            (
+                "[columns]\nstamp = 'a'\npositions = ['b']\nvelocity_file = '../b'\n",
+                r"velocity_file: expected the name",
+            ),
+            ("[columns]\nstamp = 'a'\npositions = ['b']\nfoo = 1\n", r"unknown key 'foo'; known are stamp, positions"),
+        ],
+    )
+    def test_mistakes_in_the_map_are_named(self, tmp_path, text, message):
+        path = tmp_path / "map.toml"
+        path.write_text(text)
+        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: .*{message}"):
+            load(tmp_path / "a.csv", TABLE, columns=path)
