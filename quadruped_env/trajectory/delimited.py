@@ -65,8 +65,8 @@ def lines(file: TextIO, reading: Reading, first: int) -> Iterator[str]:
         if not line.endswith("\n"):
             last = short(line.rpartition(",")[2].strip())
             raise QuadrupedError(
-                f"{reading.name}: line {number}: the last line does not end, so its last number, {last}, may be cut off; "
-                f"delete the line, or end it if it is whole"
+                f"{reading.name}: line {number}: the last line does not end, so its last number, {last}, may be cut "
+                f"off; delete the line, or end it if it is whole"
             )
         done += len(line)
         if number % 1000 == 0:
