@@ -83,7 +83,7 @@ class TestYaml:
             (BLOCK.replace("50000000", "1000000000"), r"message 0: a stamp of 1700000000 s and 1000000000 ns is none"),
             (BLOCK.replace("sec: 17", "sec: -17"), r"message 0, stamp_ns: -1699999999950000000 is negative"),
             (BLOCK.replace("- .nan", "- : ]"), r"message 0: .*; expected what ros2 topic echo prints"),
-            (BLOCK.removesuffix("\n---\n"), r"line 16: the last line does not end, .*'- 2\.5', may be cut off"),
+            (BLOCK.removesuffix("\n---\n"), r"line 15: the last line does not end, .*'- 2\.5', may be cut off"),
             ("header:\n  stamp:\n    sec: 1\n", r"message 0: the message must have .*; found header"),
             ("header:\n" + " x" * 600_000 + "\n", r"a message of over 1000000 characters is no joint state"),
             (BLOCK.replace("- 0.1", "- 90.0"), r"message 0, position\.LF_hip_joint: 90 rad is more than two turns"),
