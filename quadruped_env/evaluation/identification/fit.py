@@ -33,6 +33,7 @@ _STEP: Final = 1e-3
 _TOLERANCE: Final = 1e-4
 """of the step, relative"""
 _ITERATIONS: Final = 30
+_DIVERGED: Final = 1e6
 _ROUNDS: Final = 4
 """A fit that got stuck on the roughness of the error goes on from there, unregularized."""
 _IMPROVEMENT: Final = 0.005
@@ -97,14 +98,9 @@ class MotorFit:
             )
             values, jacobian = self._solve_thoroughly(values)
             self.half_width = self._intervals(values, jacobian)
-            allowed = {name: _UNDETERMINED * max(value, quantity(name).scale) for name, value in values.items()}
-            doubt = {name: self.half_width[name] / allowed[name] for name in values}
-            worst = max(doubt.values())
-            if worst <= 1.0:
+            if len(self.half_width) == len(values):
                 break
-            # Of two numbers that only their sum is known of, the first to go determines the other.
-            values = {name: value for name, value in values.items() if doubt[name] < min(worst, 10.0)}
-            self.half_width = {}
+            values = {name: value for name, value in values.items() if name in self.half_width}
         if self._progress is not None:
             self._progress(1.0)
         return with_values(self.start, values)
@@ -202,16 +198,28 @@ class MotorFit:
             self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
 
     def _intervals(self, values: Mapping[str, float], jacobian: NDArray[np.float64]) -> dict[str, float]:
-        """Half-widths of the 95 % intervals; infinite for what has no influence."""
+        """Half-widths of the 95 % intervals of the values that are determined.
+
+        The others are left out one after another, the least certain first: of two numbers of which only the sum shows,
+        one at its start determines the other.
+        """
         residuals = self._residuals(values)
-        jacobian = jacobian @ coordinate_derivatives(values)
-        jacobian *= [quantity(name).scale for name in values]
+        scales = np.array([quantity(name).scale for name in values])
+        jacobian = jacobian @ coordinate_derivatives(values) * scales
         influence = np.linalg.norm(jacobian, axis=0)
-        acts = influence > 1e-9 * influence.max()
-        widths = np.full(len(values), np.inf)
-        with np.errstate(all="ignore"):  # what two numbers can only share has an infinite interval
-            widths[acts] = self.sysid.calculate_intervals(residuals, jacobian[:, acts])[1]
-        return {name: float(width) * quantity(name).scale for name, width in zip(values, widths, strict=True)}
+        allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
+        left = np.flatnonzero(influence > 1e-9 * influence.max())
+        while len(left):
+            with np.errstate(all="ignore"):  # what does not show has an infinite interval
+                widths = self.sysid.calculate_intervals(residuals, jacobian[:, left])[1]
+            doubt = np.nan_to_num(widths / allowed[left], nan=np.inf)
+            if doubt.max() <= 1.0:
+                names = list(values)
+                return {names[k]: float(width * scales[k]) for k, width in zip(left, widths, strict=True)}
+            hopeless = np.isinf(doubt)
+            worst = np.where(hopeless, -influence[left], -np.inf).argmax() if hopeless.any() else doubt.argmax()
+            left = np.delete(left, worst)
+        return {}
 
     def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (24,): one over the root mean square of each signal in values (T, 24), 0 for what is missing."""
@@ -249,7 +257,10 @@ class MotorFit:
         """The toolbox's `ModifyResidualFn`: weighted differences over the fit's time."""
         rows = self._rows()
         signals = self._at(self.recorded.times[rows], self._signals(state, predicted.data))
-        difference = np.nan_to_num((signals - self.recorded.measured[rows]) * self._weights)
+        measured_here = self.recorded.measured[rows]
+        # Motors with which the simulation diverges are as bad as motors can be.
+        signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
+        difference = np.where(np.isfinite(measured_here), (signals - measured_here) * self._weights, 0.0)
         series = self.sysid.TimeSeries(self.recorded.times[rows], difference)
         return difference / np.sqrt(len(difference)), series, series
 
@@ -269,11 +280,11 @@ class MotorFit:
         self.start.write(spec, self._max_delay)
         model = spec.compile()
         data = mujoco.MjData(model)
-        positions = self.recorded.measured[0, columns("position")]
+        positions, velocities = self.recorded.start
         if self.base == "free":
             data.qpos[:7] = resting_pose(positions)
         data.qpos[-len(JOINT_NAMES) :] = positions
-        data.qvel[-len(JOINT_NAMES) :] = np.nan_to_num(self.recorded.measured[0, columns("velocity")])
+        data.qvel[-len(JOINT_NAMES) :] = velocities
         fill_command_history(model, data.history[None], self.recorded.control[:1])
         kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
         state = np.empty(mujoco.mj_stateSize(model, kind))
@@ -316,7 +327,8 @@ class MotorFit:
 
 def _values_of(parameters: Any) -> dict[str, float]:
     """The values behind the toolbox's parameters."""
-    return from_coordinates({name: float(parameter.value[0]) for name, parameter in parameters.items()})
+    # The toolbox's steps to a bound may end a rounding error beyond it.
+    return from_coordinates({name: max(0.0, float(parameter.value[0])) for name, parameter in parameters.items()})
 
 
 def joint_spec(base: str, timestep: float) -> mujoco.MjSpec:

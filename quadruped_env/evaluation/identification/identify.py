@@ -12,7 +12,7 @@ from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.identification.fit import MotorFit
 from quadruped_env.evaluation.identification.quantities import FITTED, quantity, value_of
-from quadruped_env.evaluation.identification.recorded import UNITS, Recorded, align, columns
+from quadruped_env.evaluation.identification.recorded import UNITS, Recorded, align, columns, remarks
 from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.robot import JOINT_NAMES, MotorConfig
 from quadruped_env.task import TaskConfig
@@ -48,6 +48,8 @@ class Identification:
     predicted_before: NDArray[np.float64]
     """What the simulator does with the motors before, (T, 24) at the times of the measurements"""
     predicted_after: NDArray[np.float64]
+    remarks: tuple[str, ...]
+    """What the reader should know about the recording"""
 
     def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
         """Root mean square error (8,) of every measured signal, over the held-out time or the fit's.
@@ -81,6 +83,7 @@ class Identification:
             "measurements": len(times),
             "physics_timestep": self.recorded.timestep,
             "verdict": self.verdict(),
+            "remarks": list(self.remarks),
             "estimates": [vars(estimate) for estimate in self.estimates],
             "errors": {
                 part: {
@@ -116,7 +119,7 @@ class Identification:
             lines.append(
                 f"{name:<20}{fit[0]:>12.4f}{fit[1]:>10.4f}{held_out[0]:>18.4f}{held_out[1]:>10.4f}  {UNITS[name]}"
             )
-        return "\n".join([*lines, "", self.verdict()])
+        return "\n".join([*lines, "", *self.remarks, self.verdict()])
 
 
 def identify(
@@ -127,6 +130,7 @@ def identify(
     fitted: Sequence[str] = FITTED,
     train_share: float = 0.7,
     timestep: float | None = None,
+    without: Sequence[str] = (),
     progress: Progress | None = None,
 ) -> Identification:
     """Estimate the motors from commands and measurements of one recording.
@@ -142,6 +146,7 @@ def identify(
         train_share: share of the time, from the beginning, that is for the fit.
         timestep: s, of the physics; None takes the task's own. Motors that are fitted with another time step explain
             the robot with that one: a coarse step damps by itself.
+        without: joints whose measurements do not count.
         progress: is told about how far the fit is.
 
     Raises:
@@ -158,7 +163,8 @@ def identify(
     if not 1e-4 <= timestep <= 0.01:
         raise QuadrupedError(f"identify: the time step must be from 0.0001 to 0.01 s; found {timestep:g}")
     before = start or MotorConfig()
-    recorded = align(measured.in_joint_order(), commands.in_joint_order(), train_share, timestep)
+    measured, commands = measured.in_joint_order(), commands.in_joint_order()
+    recorded = align(measured, commands, train_share, timestep, without)
     fit = MotorFit(recorded, base, before, fitted, progress)
     after = fit.run()
     estimates = tuple(
@@ -175,6 +181,7 @@ def identify(
         after,
         fit.predict(before),
         fit.predict(after),
+        remarks(recorded, measured, commands),
     )
 
 

@@ -1,5 +1,6 @@
 """Commands and measurements of a robot, on one clock."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -13,6 +14,10 @@ from quadruped_env.trajectory import JointTrajectory
 SIGNALS: Final = ("position", "velocity", "effort")
 UNITS: Final = {"position": "rad", "velocity": "rad/s", "effort": "N m"}
 MIN_SECONDS: Final = 2.0
+_MOVES: Final = 0.05
+"""rad; a command that changes by less says nothing about a joint"""
+_FOLLOWS: Final = 0.4
+"""Share of the commanded range that a joint in order moves through"""
 
 
 @dataclass(frozen=True)
@@ -24,7 +29,9 @@ class Recorded:
     times: NDArray[np.float64]
     """s from the first physics step, of the measurements (T,)"""
     measured: NDArray[np.float64]
-    """Positions, velocities and efforts (T, 24), NaN where there is none"""
+    """Positions, velocities and efforts (T, 24), NaN where there is none or where it does not count"""
+    start: tuple[NDArray[np.float64], NDArray[np.float64]]
+    """Positions in rad and velocities in rad/s that the joints (8,) start with"""
     timestep: float
     """s, of the physics"""
     train: NDArray[np.bool_]
@@ -42,11 +49,24 @@ def columns(signal: str) -> slice:
     return slice(start, start + len(JOINT_NAMES))
 
 
-def align(measured: JointTrajectory, commands: JointTrajectory, train_share: float, timestep: float) -> Recorded:
+def align(
+    measured: JointTrajectory,
+    commands: JointTrajectory,
+    train_share: float,
+    timestep: float,
+    without: Sequence[str] = (),
+) -> Recorded:
     """Bring commands and measurements, both in the order of `JOINT_NAMES`, onto the clock of the physics.
 
+    Args:
+        measured: what the joints did.
+        commands: what they were told.
+        train_share: share of the time that is for the fit.
+        timestep: s, of the physics.
+        without: joints whose measurements do not count.
+
     Raises:
-        QuadrupedError: if they do not overlap for `MIN_SECONDS`, or the commands stand still.
+        QuadrupedError: if they do not overlap for `MIN_SECONDS`, the commands stand still, or no joint counts.
     """
     first = max(int(measured.stamps[0]), int(commands.stamps[0]))
     last = min(int(measured.stamps[-1]), int(commands.stamps[-1]))
@@ -67,8 +87,36 @@ def align(measured: JointTrajectory, commands: JointTrajectory, train_share: flo
         if array is not None:
             values[:, columns(name)] = array[rows]
     edges = np.arange(steps + 1, dtype=np.float64) * timestep
+    start = values[0, columns("position")].copy(), np.nan_to_num(values[0, columns("velocity")])
+    for name in without:
+        if name not in JOINT_NAMES:
+            raise QuadrupedError(f"identify: no joint {name!r} to leave out; valid names are {', '.join(JOINT_NAMES)}")
+        values[:, JOINT_NAMES.index(name) :: len(JOINT_NAMES)] = np.nan
+    if not np.isfinite(values).any():
+        raise QuadrupedError("identify: no joint is left; leave out fewer")
     control = held((commands.stamps - stamps[0]) / 1e9, commands.positions, edges)
-    return Recorded(control, times, values, timestep, times <= train_share * times[-1])
+    return Recorded(control, times, values, start, timestep, times <= train_share * times[-1])
+
+
+def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
+    """What the reader should know about a recording, in sentences."""
+    found = []
+    for part, what in ((measured, "measurements"), (commands, "commands")):
+        gaps = part.gaps()
+        if gaps:
+            longest = max(gaps, key=lambda gap: gap.seconds)
+            found.append(
+                f"{len(gaps)} gaps in the {what}, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s."
+            )
+    asked = np.ptp(recorded.control, axis=0)
+    moved = np.ptp(recorded.measured[:, columns("position")], axis=0)
+    for name, want, did in zip(JOINT_NAMES, asked, moved, strict=True):
+        if want > _MOVES and did < _FOLLOWS * want:
+            found.append(
+                f"{name} moved {did:.3f} rad where {want:.3f} rad were commanded: if its motor is broken or blocked, "
+                f"leave it out (--without {name})."
+            )
+    return tuple(found)
 
 
 def held(times: NDArray[np.float64], values: NDArray[np.float64], edges: NDArray[Any]) -> NDArray[np.float64]:
