@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
 from quadruped_env.evaluation.plots.canvas import label
@@ -142,7 +142,23 @@ def write_page(output: Path, template: str, document: dict[str, Any], context: d
     Raises:
         QuadrupedError: if a file cannot be written.
     """
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    report, numbers = output / REPORT_FILE, output / METRICS_FILE
+    write_json(numbers, document)
+    write_html(report, template, {"document": document, **context})
+    return report, numbers
+
+
+def write_html(path: Path, template: str, context: dict[str, Any]) -> None:
+    """Write a page of a template and what it sees, over an older one.
+
+    Raises:
+        MissingExtraError: if jinja2 is not installed.
+        QuadrupedError: if the file cannot be written.
+    """
+    try:
+        from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    except ImportError as error:
+        raise MissingExtraError("The report", "report") from error
 
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent / "templates"),
@@ -153,14 +169,12 @@ def write_page(output: Path, template: str, document: dict[str, Any], context: d
     )
     environment.filters["glued"] = _glued
     environment.filters["json"] = lambda value: json.dumps(value, indent=2)
-    html = environment.get_template(template).render(document=document, **context)
-    report, numbers = output / REPORT_FILE, output / METRICS_FILE
-    write_json(numbers, document)
+    html = environment.get_template(template).render(**context)
     try:
-        report.write_text(html, encoding="utf-8")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(html, encoding="utf-8")
     except OSError as error:
-        raise QuadrupedError(f"{report}: cannot be written ({error.strerror}); name another place") from error
-    return report, numbers
+        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
 
 
 def _glued(text: str) -> str:

@@ -7,5 +7,6 @@ the rest is held out and says whether the fit is any good.
 
 from quadruped_env.evaluation.identification.identify import BASES, Identification, identify
 from quadruped_env.evaluation.identification.quantities import FITTED, QUANTITIES
+from quadruped_env.evaluation.identification.recorded import find_commands
 
-__all__ = ["BASES", "FITTED", "QUANTITIES", "Identification", "identify"]
+__all__ = ["BASES", "FITTED", "QUANTITIES", "Identification", "find_commands", "identify"]

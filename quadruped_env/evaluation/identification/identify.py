@@ -65,11 +65,21 @@ class Identification:
 
     def verdict(self) -> str:
         """Whether the fit helped, in a sentence."""
-        before, after = (_pooled(self.errors(after)["position"]) for after in (False, True))
+        before, after = self._held_out()
         change = f"from {before:.4f} to {after:.4f} rad"
-        if after < before:
+        if self.helps:
             return f"On held-out time the position error falls {change} ({100 * (1 - after / before):.0f} % less)."
         return f"On held-out time the position error does not fall: {change}. Do not use these motors."
+
+    @property
+    def helps(self) -> bool:
+        """Whether the position error on held-out time is less than before."""
+        before, after = self._held_out()
+        return after < before
+
+    def _held_out(self) -> tuple[float, float]:
+        """Position error on held-out time before and after, rad."""
+        return pooled(self.errors(after=False)["position"]), pooled(self.errors(after=True)["position"])
 
     def report(self) -> dict[str, Any]:
         """The identification in numbers, as JSON takes them."""
@@ -114,7 +124,7 @@ class Identification:
         lines += ["", f"{'RMS error':<20}{'fit before':>12}{'after':>10}{'held out before':>18}{'after':>10}  unit"]
         for name in self.recorded.signals:
             fit, held_out = (
-                [_pooled(self.errors(after, part)[name]) for after in (False, True)] for part in (False, True)
+                [pooled(self.errors(after, part)[name]) for after in (False, True)] for part in (False, True)
             )
             lines.append(
                 f"{name:<20}{fit[0]:>12.4f}{fit[1]:>10.4f}{held_out[0]:>18.4f}{held_out[1]:>10.4f}  {UNITS[name]}"
@@ -185,8 +195,8 @@ def identify(
     )
 
 
-def _pooled(rms: NDArray[np.float64]) -> float:
-    """One root mean square of those of the joints."""
+def pooled(rms: NDArray[np.float64]) -> float:
+    """One root mean square of those of the joints (8,), NaN aside."""
     return float(np.sqrt(np.nanmean(rms**2)))
 
 

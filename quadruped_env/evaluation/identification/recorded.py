@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
@@ -41,6 +42,21 @@ class Recorded:
     def signals(self) -> tuple[str, ...]:
         """Which of `SIGNALS` were measured."""
         return tuple(name for name in SIGNALS if np.isfinite(self.measured[:, columns(name)]).any())
+
+
+def find_commands(measured: Path) -> Path:
+    """The file of the commands beside that of the measurements, named as `evaluate/baseline.py` names it.
+
+    Raises:
+        QuadrupedError: if there is none.
+    """
+    path = measured.with_name(f"{measured.stem}-commands.csv")
+    if not path.is_file():
+        raise QuadrupedError(
+            f"{measured}: what were the joints told? there is no {path.name} beside it; name the file (--commands), or "
+            f"the topic in the bag (--commands-topic)"
+        )
+    return path
 
 
 def columns(signal: str) -> slice:
