@@ -233,7 +233,7 @@ print(json.dumps({"peak": max(rss for _, rss in seen), "growth": seen[-1][1] - s
 def training_memory(timesteps: int) -> list[Measure]:
     """Resident memory of a training with 256 rows, and its growth over the last nine tenths of it."""
     with tempfile.TemporaryDirectory() as directory:
-        found = _run_python(_MEMORY_PROGRAM, str(timesteps), directory)
+        found = run_python(_MEMORY_PROGRAM, str(timesteps), directory)
     peak, growth = found["peak"] / 2**20, found["growth"] / 2**20
     return [
         Measure("resident memory, training with 256 rows", peak, "MiB", "<= 1024", peak <= 1024, ""),
@@ -253,11 +253,11 @@ print(json.dumps({"seconds": time.perf_counter() - start}))
 
 def import_time() -> list[Measure]:
     """Time of `import quadruped_env` after gymnasium and mujoco."""
-    seconds = float(np.median([_run_python(_IMPORT_PROGRAM)["seconds"] for _ in range(7)]))
+    seconds = float(np.median([run_python(_IMPORT_PROGRAM)["seconds"] for _ in range(7)]))
     return [Measure("import quadruped_env, above gymnasium and mujoco", seconds, "s", "<= 0.5", seconds <= 0.5, "")]
 
 
-def _run_python(program: str, *arguments: str) -> dict[str, Any]:
+def run_python(program: str, *arguments: str) -> dict[str, Any]:
     """What a program in a process of its own prints as its last line of JSON."""
     result = subprocess.run(  # noqa: S603
         [sys.executable, "-c", program, *arguments],

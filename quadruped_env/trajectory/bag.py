@@ -80,6 +80,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
             for connection in connections:
                 _check_connection(connection, reading)
             total = max(sum(connection.msgcount for connection in connections), 1)
+            reading.expected_rows = total
             found = 0
             for _, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):

@@ -69,6 +69,9 @@ def lines(file: TextIO, reading: Reading, first: int) -> Iterator[str]:
                 f"off; delete the line, or end it if it is whole"
             )
         done += len(line)
+        if number == first:
+            # Lines differ in length, and room that is never used costs nothing.
+            reading.expected_rows = 2 * size // len(line)
         if number % 1000 == 0:
             reading.at(done / size)
         yield line

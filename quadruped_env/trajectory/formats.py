@@ -1,6 +1,5 @@
 """From a file of any known format to checked rows: recognised by what is in it, not by its name."""
 
-from array import array
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import replace
@@ -8,6 +7,7 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import bag, column_map, csv, echo, salvage
@@ -15,7 +15,6 @@ from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory, Source, falling_stamp
 from quadruped_env.trajectory.reading import (
-    KINDS,
     Block,
     Progress,
     Reading,
@@ -33,6 +32,9 @@ SUSPICIOUS: Final = 4.0 * np.pi
 """rad: two turns; no leg's joint goes there, and a log in degrees nearly always does"""
 
 _AS_IT_IS: Final = ReadOptions()
+_MIN_ROWS: Final = 1024
+_MAX_EXPECTED: Final = 1 << 22
+"""Rows: room for no more is made in advance, since damage may claim any number"""
 _HEAD: Final = 65536
 """Bytes that are enough to recognise a format"""
 _KNOWN: Final = (
@@ -94,6 +96,11 @@ class Stream:
         """Whether the rows are those of the file, all and in their order."""
         return not self._reading.left_out and not self._reading.options.sort
 
+    @property
+    def expected_rows(self) -> int:
+        """How many rows there may be in all; 0 where that is not known."""
+        return self._reading.expected_rows
+
     def __iter__(self) -> Iterator[JointTrajectory]:
         reading = self._reading
         with ExitStack() as stack:
@@ -113,29 +120,46 @@ class Stream:
 def load(path: str | Path, options: ReadOptions = _AS_IT_IS, progress: Progress | None = None) -> JointTrajectory:
     """The trajectory in a file; see `JointTrajectory.load`."""
     pieces = stream(path, options, progress)
-    stamps, numbers = array("q"), {kind: array("d") for kind in KINDS}
+    columns: dict[str, _Column] = {}
     names: tuple[str, ...] = ()
     first: Source | None = None
     for piece in pieces:
         names = piece.names
         first = first or piece.source
-        stamps.frombytes(piece.stamps.tobytes())
-        for kind, values in zip(KINDS, (piece.positions, piece.velocities, piece.efforts), strict=True):
-            if values is not None:
-                numbers[kind].frombytes(values.tobytes())
-    shape = (len(stamps), len(names))
-    arrays = {kind: np.frombuffer(values).reshape(shape) for kind, values in numbers.items() if values}
-    result_stamps = np.frombuffer(stamps, np.int64)
-    # Read-only arrays are shared and not copied: a long recording would not fit into memory twice.
-    for shared in (result_stamps, *arrays.values()):
-        shared.flags.writeable = False
-    remarks = pieces.remarks()
-    source = Source(str(path), "kept row", 0, notes=remarks)
+        for field in ("stamps", *piece.kinds):
+            columns.setdefault(field, _Column(pieces.expected_rows)).append(getattr(piece, field))
+    source = Source(str(path), "kept row", 0, notes=pieces.remarks())
     if pieces.is_complete and first is not None and first.rows is not None:
         source = replace(source, row_name=first.row_name, first_row=int(first.rows[0]))
-    return JointTrajectory(
-        result_stamps, names, arrays["position"], arrays.get("velocity"), arrays.get("effort"), source
-    )
+    return JointTrajectory(names=names, source=source, **{field: column.values() for field, column in columns.items()})
+
+
+class _Column:
+    """Collects rows in one array, which grows if there are more than expected: no block of memory is held twice."""
+
+    def __init__(self, expected: int) -> None:
+        self._expected = min(max(expected, _MIN_ROWS), _MAX_EXPECTED)
+        self._array: NDArray[Any] | None = None
+        self._rows = 0
+
+    def append(self, rows: NDArray[Any]) -> None:
+        """Take rows (n, ...)."""
+        end = self._rows + len(rows)
+        if self._array is None:
+            self._array = np.empty((max(self._expected, end), *rows.shape[1:]), rows.dtype)
+        elif end > len(self._array):
+            larger = np.empty((max(end, len(self._array) * 3 // 2), *rows.shape[1:]), rows.dtype)
+            larger[: self._rows] = self._array[: self._rows]
+            self._array = larger
+        self._array[self._rows : end] = rows
+        self._rows = end
+
+    def values(self) -> NDArray[Any]:
+        """The rows, read-only: such arrays are shared and not copied."""
+        assert self._array is not None
+        result = self._array[: self._rows]
+        result.flags.writeable = False
+        return result
 
 
 def _blocks(reading: Reading, stack: ExitStack) -> Iterator[Block]:

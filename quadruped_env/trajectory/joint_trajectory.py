@@ -24,6 +24,9 @@ NANOSECONDS: Final = 1e9
 """in a second"""
 
 
+_ROWS_A_CHECK: Final = 65536
+
+
 @dataclass(frozen=True, eq=False)
 class Source:
     """Where a trajectory's rows came from, as errors name it."""
@@ -536,10 +539,13 @@ _FIELDS: Final = {
 
 
 def _check_finite(name: str, values: NDArray[np.float64], names: tuple[str, ...], source: Source) -> None:
-    bad = np.isinf(values) if name == "efforts" else ~np.isfinite(values)
-    if bad.any():
-        row, column = np.argwhere(bad)[0]
-        singular, cure = _FIELDS[name]
-        raise QuadrupedError(
-            f"{source.row(row)}, {singular}.{names[column]}: {values[row, column]} is not finite; {cure}"
-        )
+    # In blocks: a mask of a long recording is as large as one of its joints.
+    for start in range(0, len(values), _ROWS_A_CHECK):
+        block = values[start : start + _ROWS_A_CHECK]
+        bad = np.isinf(block) if name == "efforts" else ~np.isfinite(block)
+        if bad.any():
+            row, column = np.argwhere(bad)[0]
+            singular, cure = _FIELDS[name]
+            raise QuadrupedError(
+                f"{source.row(start + row)}, {singular}.{names[column]}: {block[row, column]} is not finite; {cure}"
+            )

@@ -66,6 +66,8 @@ class Reading:
     """What the format calls a row"""
     rows: int = 0
     """Read so far, whether kept or not"""
+    expected_rows: int = 0
+    """In all; 0 where that is not known"""
     left_out: Counter[str] = field(default_factory=Counter)
     """Why rows were left out -> how many"""
     notes: list[str] = field(default_factory=list)
