@@ -30,12 +30,13 @@ def main() -> None:
     )
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video_option(parser)
+    parser.add_argument("--overwrite", action="store_true", help="replace the file of --video if it exists")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (results/comparison)")
     args = parser.parse_args()
     output = args.output or free_path(Path("results", "comparison"))
     try:
         subjects = find_subjects(args.runs, output)
-        prepare_video(args.video)
+        prepare_video(args.video, args.overwrite)
         prepare(output)
         policies = {name: subject.policy for name, subject in subjects.items()}
         comparison = compare_policies(policies, args.seeds, args.seconds, progress=ProgressLine("running"))

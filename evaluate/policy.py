@@ -31,12 +31,13 @@ def main(arguments: list[str] | None = None) -> None:
     )
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video_option(parser)
+    parser.add_argument("--overwrite", action="store_true", help="replace the file of --video if it exists")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (RUN/evaluation, or results/flat)")
     args = parser.parse_args(arguments)
     try:
         subject = find_subject(args.run, args.output)
         prepare(subject.output)
-        prepare_video(args.video)
+        prepare_video(args.video, args.overwrite)
         print(f"evaluating {subject.name}")
         comparison = compare(subject.policy, args.seeds, args.seconds, progress=ProgressLine("running"))
         report, numbers, missing = write_report(

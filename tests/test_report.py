@@ -115,8 +115,9 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     judged = verdict(comparison)
     places = [text.index(judged.headline), *(text.index(words[1:]) for _, words in judged.findings)]
     places += [
-        text.index("What was compared"),
+        text.index("In numbers"),
         text.index("Forwards: velocity error"),
+        text.index("What was compared"),
         text.index("See it walk"),
         *map(text.index, SECTIONS),
         text.index("The worst episodes"),

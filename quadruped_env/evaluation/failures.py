@@ -93,7 +93,7 @@ def _velocities(command: Command, done: np.ndarray) -> str:
     for asked, got, metric in zip(command, done, ("forward_velocity", "yaw_rate"), strict=True):
         show, unit = METRICS[metric].show, METRICS[metric].unit
         words.append(f"{show(got)} {unit} where {show(asked)} {unit} was asked for")
-    return f"On average it did {words[0]}, and {words[1]}."
+    return f"Until the end it did, on average, {words[0]}, and {words[1]}."
 
 
 def _drift(one: Rollout, command: Command) -> str:

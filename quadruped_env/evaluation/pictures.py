@@ -28,7 +28,7 @@ OVERLAY_LEGEND: Final = (
 _FILMED: Final = ("forwards", "turning", "backwards")
 _SHOWN_VELOCITY: Final = 0.4
 """m/s; of the forward commands, the one next to this is drawn over time and filmed"""
-_STILL_CROP: Final = np.s_[60:420, 80:560]
+_STILL_CROP: Final = np.s_[20:440, 40:600]
 
 
 @dataclass(frozen=True)

@@ -79,14 +79,14 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
                     mean = values[finite].mean(axis=0)
                     ax.plot(LEG_NAMES, _CENTI * mean, linestyle="none", label=label(controller), **look[controller])
         axes[1, 0].set(ylabel="clearance (cm)", xlabel="foot")
-        axes[1, 1].set(ylabel="slip on the ground (cm/s)", xlabel="foot")
+        axes[1, 1].set(ylabel="slip (cm/s)", xlabel="foot")
         for ax in axes[1]:
             ax.set_ylim(bottom=0.0)
             ax.margins(x=0.15)
         handles, names = axes[1, 0].get_legend_handles_labels()
         figure.legend(handles, names, loc="outside lower center", ncols=3)
 
-    return draw_figure(2, 2, 4.3, draw)
+    return draw_figure(2, 2, 4.6, draw)
 
 
 def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
