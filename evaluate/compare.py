@@ -10,28 +10,21 @@ import sys
 from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.comparison import NUM_SEEDS, compare_policies
+from quadruped_env.evaluation.comparison import compare_policies
+from quadruped_env.evaluation.options import add_evaluation_options, tell_results
 from quadruped_env.evaluation.page import summary_table
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import free_path
-from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.evaluation.run_comparison import films, find_subjects, headline, write_comparison
 from quadruped_env.evaluation.subject import prepare
-from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
+from quadruped_env.evaluation.video import prepare_video, save_film
 
 
 def main() -> None:
     """Run the program."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat'")
-    parser.add_argument("--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes a command (%(default)s)")
-    parser.add_argument(
-        "--seconds", type=float, default=DEFAULT_SECONDS, metavar="S", help="length of an episode (%(default)g)"
-    )
-    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
-    add_video_option(parser)
-    parser.add_argument("--overwrite", action="store_true", help="replace the file of --video if it exists")
-    parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (results/comparison)")
+    add_evaluation_options(parser, "results/comparison, or the next free number")
     args = parser.parse_args()
     output = args.output or free_path(Path("results", "comparison"))
     try:
@@ -54,12 +47,8 @@ def main() -> None:
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         sys.exit(2)
-    print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(subjects))}")
-    for message in missing:
-        print(message, file=sys.stderr)
-    if args.video:
-        print(f"\nvideo:   {args.video}")
-    print(f"\nreport:  {report}\nnumbers: {numbers}")
+    print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(subjects))}\n")
+    tell_results(report, numbers, missing, args.video)
 
 
 if __name__ == "__main__":

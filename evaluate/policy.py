@@ -7,32 +7,24 @@ python evaluate/policy.py flat               the shipped policy
 
 import argparse
 import sys
-from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.comparison import NUM_SEEDS, compare
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.options import add_evaluation_options, tell_results
 from quadruped_env.evaluation.page import summary_table
 from quadruped_env.evaluation.pictures import filmed
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.report import write_report
-from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.evaluation.subject import find_subject, prepare
 from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
+from quadruped_env.evaluation.video import prepare_video, save_film
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Run the program."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
-    parser.add_argument("--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes a command (%(default)s)")
-    parser.add_argument(
-        "--seconds", type=float, default=DEFAULT_SECONDS, metavar="S", help="length of an episode (%(default)g)"
-    )
-    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
-    add_video_option(parser)
-    parser.add_argument("--overwrite", action="store_true", help="replace the file of --video if it exists")
-    parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (RUN/evaluation, or results/flat)")
+    add_evaluation_options(parser, "RUN/evaluation, or results/flat")
     args = parser.parse_args(arguments)
     try:
         subject = find_subject(args.run, args.output)
@@ -52,11 +44,8 @@ def main(arguments: list[str] | None = None) -> None:
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         sys.exit(2)
-    print(f"\n{summary_table(comparison)}\n\n{verdict(comparison).text()}\n\nreport:  {report}\nnumbers: {numbers}")
-    for message in missing:
-        print(message, file=sys.stderr)
-    if args.video:
-        print(f"video:   {args.video}")
+    print(f"\n{summary_table(comparison)}\n\n{verdict(comparison).text()}\n")
+    tell_results(report, numbers, missing, args.video)
 
 
 if __name__ == "__main__":

@@ -19,10 +19,11 @@ import sys
 from pathlib import Path
 
 from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
+from quadruped_env.evaluation.options import add_video_option
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.replay import MODES, replay, replay_files
 from quadruped_env.evaluation.results import check_free, free_path
-from quadruped_env.evaluation.video import add_video_option, prepare_video, save_film
+from quadruped_env.evaluation.video import prepare_video, save_film
 
 
 def main() -> None:

@@ -1,4 +1,6 @@
 import io
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +17,8 @@ from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
 from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT
+
+PROGRAMS = Path(__file__).parents[1] / "evaluate"
 
 
 @pytest.fixture(scope="module")
@@ -194,3 +198,29 @@ def test_recordings_and_replays_can_be_filmed():
     assert played.velocity is None
     assert played.seconds == pytest.approx(0.52)
     np.testing.assert_allclose(played.joint_position[5], commands.positions[10], atol=1e-9)
+
+
+@pytest.mark.slow
+def test_every_program_that_runs_the_robot_films_it(tmp_path, camera):
+    def run(name, *arguments):
+        command = [sys.executable, PROGRAMS / name, *map(str, arguments)]
+        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+
+    short = ("--seeds", 1, "--seconds", 2, "--no-video")
+    programs = {
+        "baseline.py": ("--seconds", 1, "--episodes", 1, "--out", "walk.csv"),
+        "replay.py": ("walk.csv",),
+        "policy.py": ("flat", *short),
+        "picture.py": (),
+    }
+    for name, arguments in programs.items():
+        option = "--output" if name == "picture.py" else "--video"
+        file = tmp_path / f"{name}.png"
+        result = run(name, *arguments, option, file)
+        assert result.returncode == 0, result.stderr
+        assert str(file) in result.stdout
+        with Image.open(file) as image:
+            assert image.size == (video.STILLS * 320, 240)
+    again = run("policy.py", "flat", *short, "--video", tmp_path / "policy.py.png")
+    assert again.returncode == 2
+    assert "exists already" in again.stderr

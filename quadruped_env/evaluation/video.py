@@ -1,6 +1,5 @@
 """Files of moving and still pictures: MP4 for browsers, GIF and WebP for READMEs, PNG stills."""
 
-import argparse
 import io
 import itertools
 from collections.abc import Iterable, Iterator, Sequence
@@ -23,16 +22,6 @@ _PALETTE_PICTURES: Final = 8
 _ENCODER: Final = "libx264"
 # Constant quality; 25 leaves no visible trace on flat colours.
 _OPTIONS: Final = {"crf": "25", "preset": "veryfast", "movflags": "+faststart"}
-
-
-def add_video_option(parser: argparse.ArgumentParser) -> None:
-    """The option of every program that runs the robot."""
-    parser.add_argument(
-        "--video",
-        type=Path,
-        metavar="FILE",
-        help=f"also film it: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
-    )
 
 
 def prepare_video(path: Path | None, overwrite: bool = False) -> None:
