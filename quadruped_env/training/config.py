@@ -54,7 +54,7 @@ class TrainConfig:
     """Make the policy left/right symmetric by construction, as the robot is"""
     log_std_init: float | None = None
     """Logarithm of the exploration's first standard deviation; by default -1, and -2 where a gait walks already"""
-    final_log_std: float = -3.0
+    final_log_std: float = -4.0
     """Upper bound of that logarithm at the end, reached linearly. Noise slows a walk down, and a policy that learned
     with it overshoots its commands without it"""
 
