@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.film import FRAME_RATE, Motion
+from quadruped_env.evaluation.page import REPORT_FILE
 from quadruped_env.evaluation.recording import Recording, play
 from quadruped_env.evaluation.results import check_free, write_json
 from quadruped_env.evaluation.rollout import Progress
@@ -41,7 +42,7 @@ MAX_CLIP: Final = 100.0
 
 POSES_FILE: Final = "link_poses.csv"
 JOINTS_FILE: Final = "joint_states.csv"
-REPORT_FILE: Final = "tracking.json"
+NUMBERS_FILE: Final = "tracking.json"
 
 _POSE_COLUMNS: Final = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
@@ -210,8 +211,16 @@ class Replay:
             remarks.append(self.motion.outcome())
         return remarks
 
-    def save(self, directory: Path, overwrite: bool = False, progress: Progress | None = None) -> None:
+    def save(
+        self, directory: Path, overwrite: bool = False, progress: Progress | None = None, compare: bool = False
+    ) -> None:
         """Write the link poses, the report and, in dynamic mode, the measured joints into a directory.
+
+        Args:
+            directory: where to write.
+            overwrite: whether to replace files that are already there.
+            progress: is told how much is written.
+            compare: whether the report has the comparison, too.
 
         Raises:
             QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
@@ -223,7 +232,8 @@ class Replay:
         write_table(directory / POSES_FILE, self.played.stamps, titles, table, overwrite, progress)
         if self.mode == "dynamic":
             self.played.save(directory / JOINTS_FILE, overwrite)
-        write_json(directory / REPORT_FILE, self.report())
+        comparison = {"comparison": self.comparison().report()} if compare else {}
+        write_json(directory / NUMBERS_FILE, {**self.report(), **comparison})
 
 
 def replay(
@@ -262,8 +272,8 @@ def replay(
 
 
 def replay_files(directory: Path) -> list[Path]:
-    """What `Replay.save` may write into a directory."""
-    return [directory / name for name in (POSES_FILE, JOINTS_FILE, REPORT_FILE)]
+    """What a replay may write into a directory."""
+    return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
 def _within_limits(trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:

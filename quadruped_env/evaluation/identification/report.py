@@ -123,4 +123,16 @@ def _figures(found: Identification) -> list[dict[str, str]]:
                 "Measured, and simulated with the motors before and after. Held out is what is right of the grey line.",
             )
         )
+    before, after = (
+        Line(recorded.times, (predicted - recorded.measured)[:, columns("position")], colour)
+        for predicted, colour in ((found.predicted_before, ORANGE), (found.predicted_after, BLUE))
+    )
+    figures.insert(
+        1,
+        figure(
+            "Position errors",
+            joint_panels({"before": before, "after": after}, "rad", mark=mark),
+            "Simulated minus measured position. Held out is what is right of the grey line.",
+        ),
+    )
     return figures

@@ -56,7 +56,7 @@ def joint_panels(
                     label=title,
                     **style,
                 )
-            ax.autoscale(enable=False, axis="y")
+            ax.set_ylim(*ax.get_ylim())
             for limit in () if limits is None else (limits[0][i], limits[1][i]):
                 ax.axhline(limit, color=LIMIT, linewidth=1.0)
             if mark is not None:
