@@ -161,7 +161,7 @@ class TestColumns:
         assert loaded.stamps.tolist() == [stamp]
 
     def test_velocities_in_a_file_of_their_own(self, tmp_path):
-        (tmp_path / "map.toml").write_text(f'{COLUMNS}velocity_file = "speed.csv"\n')
+        (tmp_path / "map.toml").write_text(f'{COLUMNS}velocity_files = {{ "a.csv" = "speed.csv" }}\n')
         speeds = "time,hip,knee\n1700000000.123456789,1,2\n1700000000.2,3,4\n"
         (tmp_path / "speed.csv").write_text(speeds)
         loaded = load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
@@ -216,8 +216,8 @@ class TestColumns:
             ),
             ("[columns]\nstamp = 'a'\npositions = ['b']\nseparator = ';;'\n", r"separator: expected one character"),
             (
-                "[columns]\nstamp = 'a'\npositions = ['b']\nvelocity_file = '../b'\n",
-                r"velocity_file: expected the name",
+                "[columns]\nstamp = 'a'\npositions = ['b']\nvelocity_files.a = '../b'\n",
+                r"velocity_files: expected a table",
             ),
             ("[columns]\nstamp = 'a'\npositions = ['b']\nfoo = 1\n", r"unknown key 'foo'; known are stamp, positions"),
         ],

@@ -149,6 +149,13 @@ class TestRetarget:
         np.testing.assert_array_equal(target.efforts, [[-3.0, 4.0, np.nan]] * 2)
         np.testing.assert_array_equal(target.stamps, source.stamps)
 
+    @pytest.mark.parametrize(("unit", "factor"), [("rad/s", 1.0), ("deg/s", np.pi / 180), ("rpm", 2 * np.pi / 60)])
+    def test_velocities_may_have_a_unit_of_their_own(self, unit, factor):
+        source = JointTrajectory([0], ["a"], [[180.0]], [[2.0]])
+        target = source.retarget(JointMap({"b": JointRule("a", sign=-1, scale=0.5, unit="deg", velocity_unit=unit)}))
+        np.testing.assert_allclose(target.positions, [[-np.pi / 2]])
+        np.testing.assert_allclose(target.velocities, [[-factor]])
+
     def test_power_is_kept(self):
         rng = np.random.default_rng(3)
         source = JointTrajectory([0, 1], ["a"], np.zeros((2, 1)), rng.normal(size=(2, 1)), rng.normal(size=(2, 1)))
@@ -169,6 +176,7 @@ class TestRetarget:
             ("[joints.a]\nsource = 'b'\nscale = 0", r"\[joints\.a\] scale: expected a number above 0; found 0"),
             ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a number; found nan"),
             ("[joints.a]\nsource = 'b'\nunit = 'grad'", r"\[joints\.a\] unit: expected 'rad' or 'deg'; found 'grad'"),
+            ("[joints.a]\nsource = 'b'\nvelocity_unit = 'rps'", r"\[joints\.a\] velocity_unit: expected 'rad/s' or"),
             ("[joints]\na = 3", r"\[joints\.a\]: expected a table; found 3"),
             ("[joints.a", r"not TOML: .*; mend it"),
             ("[joints.a]\nsource = 'gone'", r"\[joints\.a\] source: JointTrajectory has no joint 'gone'; it has a, b"),

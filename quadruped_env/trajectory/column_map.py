@@ -6,7 +6,7 @@
     positions = ["flarm", "flfoot"]         # the columns of the positions, which name the joints ...
     velocities = { flarm = "w3" }           # ... or joint = "column"; may be left out
     efforts = { flarm = "i3" }              # may be left out
-    velocity_file = "velocity.csv"          # beside the file that is read, where velocities are in one of their own
+    velocity_files = { "a.csv" = "v.csv" }  # file -> the one beside it that has its velocities, in the same columns
     separator = ","                         # "," unless given
 
 The first line names the columns. Others than these do not matter. The same file may hold a joint map
@@ -46,8 +46,9 @@ class ColumnMap:
     velocities: Columns | None = None
     efforts: Columns | None = None
     stamp_unit: str = "s"
-    velocity_file: str | None = None
-    """Name of the file beside the one that is read, which has the columns of the velocities"""
+    velocity_files: dict[str, str] | None = None
+    """Name of a file -> name of the file beside it that has its velocities, in the columns of `velocities`, or of the
+    positions if that is None"""
     separator: str = ","
     name: str = "ColumnMap"
     """What errors call it"""
@@ -62,12 +63,12 @@ class ColumnMap:
             )
         if len(self.separator) != 1 or self.separator in '"\n\r':
             raise QuadrupedError(f"{self.name}: separator: expected one character; found {self.separator!r}")
-        if self.velocity_file is not None and (
-            not isinstance(self.velocity_file, str) or Path(self.velocity_file).name != self.velocity_file
+        files = {} if self.velocity_files is None else self.velocity_files
+        if not isinstance(files, dict) or not all(
+            isinstance(name, str) and Path(name).name == name for name in files.values()
         ):
             raise QuadrupedError(
-                f"{self.name}: velocity_file: expected the name of a file in the same directory; "
-                f"found {self.velocity_file!r}"
+                f"{self.name}: velocity_files: expected a table of files in the same directory; found {files!r}"
             )
         joints = _joints(self.positions)
         if not joints:
@@ -110,17 +111,18 @@ def read(reading: Reading) -> Iterator[Block]:
     """
     columns = reading.options.columns
     assert columns is not None
-    if columns.velocity_file is None:
+    velocity_file = (columns.velocity_files or {}).get(reading.path.name)
+    if velocity_file is None:
         yield from _read_file(reading, columns)
         return
-    path = reading.path.with_name(columns.velocity_file)
+    path = reading.path.with_name(velocity_file)
     other = replace(reading, path=path, name=str(path), progress=None)
     speeds = replace(columns, positions=columns.velocities or columns.positions, velocities=None, efforts=None)
     positions = _read_file(reading, replace(columns, velocities=None))
     for block, speed in zip_longest(positions, _read_file(other, speeds)):
         if block is None or speed is None or not np.array_equal(block.stamps, speed.stamps):
             raise reading.error(
-                None, f"{other.path.name} must have the same stamps, row by row; found others; leave velocity_file out"
+                None, f"{other.path.name} must have the same stamps, row by row; found others; leave velocity_files out"
             )
         order = [speed.names.index(name) for name in block.names]
         yield replace(block, values=block.values | {"velocity": speed.values["position"][:, order]})

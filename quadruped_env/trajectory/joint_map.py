@@ -6,6 +6,7 @@
     scale = 1.0               # above 0; 1 unless given
     offset = 35.0             # in `unit`; 0 unless given
     unit = "deg"              # of the source and the offset: "rad" or "deg"; "rad" unless given
+    velocity_unit = "rpm"     # of the source's velocity: "rad/s", "deg/s" or "rpm"; `unit` a second unless given
 
     position = sign * scale * source + offset
 
@@ -23,6 +24,8 @@ from quadruped_env.errors import QuadrupedError
 
 UNITS: Final = {"rad": 1.0, "deg": math.pi / 180.0}
 """Unit of an angle -> rad"""
+VELOCITY_UNITS: Final = {"rad/s": 1.0, "deg/s": math.pi / 180.0, "rpm": math.pi / 30.0}
+"""Unit of an angular velocity -> rad/s"""
 
 
 @dataclass(frozen=True)
@@ -36,11 +39,24 @@ class JointRule:
     offset: float = 0.0
     """In `unit`"""
     unit: str = "rad"
+    """Of the source and the offset"""
+    velocity_unit: str | None = None
+    """Of the source's velocity; None is `unit` a second"""
+
+    @property
+    def gear(self) -> float:
+        """How far the joint turns when the source turns by 1."""
+        return self.sign * self.scale
 
     @property
     def factor(self) -> float:
+        """What a position of the source is multiplied with to give rad."""
+        return self.gear * UNITS[self.unit]
+
+    @property
+    def velocity_factor(self) -> float:
         """What a velocity of the source is multiplied with to give rad/s."""
-        return self.sign * self.scale * UNITS[self.unit]
+        return self.gear * VELOCITY_UNITS[self.velocity_unit or f"{self.unit}/s"]
 
     @property
     def offset_rad(self) -> float:
@@ -130,6 +146,11 @@ def _check_rule(where: str, rule: JointRule) -> None:
         "sign": ("1 or -1", _is_number(rule.sign) and rule.sign in {1, -1}),
         "scale": ("a number above 0", _is_number(rule.scale) and rule.scale > 0.0),
         "offset": ("a number", _is_number(rule.offset)),
+        "velocity_unit": (
+            " or ".join(map(repr, VELOCITY_UNITS)),
+            rule.velocity_unit is None
+            or (isinstance(rule.velocity_unit, str) and rule.velocity_unit in VELOCITY_UNITS),
+        ),
         "unit": (" or ".join(map(repr, UNITS)), isinstance(rule.unit, str) and rule.unit in UNITS),
     }
     for key, (wanted, holds) in expected.items():

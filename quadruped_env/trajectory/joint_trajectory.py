@@ -406,9 +406,10 @@ class JointTrajectory:
                     f"it has {', '.join(self.names)}"
                 )
         rules = joint_map.rules.values()
-        factors = np.array([rule.factor for rule in rules])
         offsets = np.array([rule.offset_rad for rule in rules])
-        gears = np.array([rule.sign * rule.scale for rule in rules])
+        factors = np.array([rule.factor for rule in rules])
+        velocity_factors = np.array([rule.velocity_factor for rule in rules])
+        gears = np.array([rule.gear for rule in rules])
 
         def of_sources(array: NDArray[np.float64], missing: float) -> NDArray[np.float64]:
             columns = [
@@ -420,7 +421,7 @@ class JointTrajectory:
         return self._changed(
             names=tuple(joint_map.rules),
             positions=of_sources(self.positions, 0.0) * factors + offsets,
-            velocities=None if self.velocities is None else of_sources(self.velocities, 0.0) * factors,
+            velocities=None if self.velocities is None else of_sources(self.velocities, 0.0) * velocity_factors,
             efforts=None if self.efforts is None else of_sources(self.efforts, np.nan) / gears,
         )
 
