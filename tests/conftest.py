@@ -1,4 +1,5 @@
 import browser
+import domains
 import numpy as np
 import pytest
 
@@ -8,6 +9,14 @@ from quadruped_env.robot import load_model
 @pytest.fixture(scope="session")
 def model():
     return load_model()
+
+
+@pytest.fixture
+def domain_id(monkeypatch):
+    """A DDS domain of the test's own, which its processes join too."""
+    with domains.claimed() as number:
+        monkeypatch.setenv("ROS_DOMAIN_ID", str(number))
+        yield number
 
 
 @pytest.fixture

@@ -165,7 +165,7 @@ class _TfWriter:
         urdf = asset_path("mini_quadruped.urdf").read_text()
         writer.write(description, start, cdr.serialize(cdr.message("std_msgs/msg/String", data=urdf)))
         fixed = fixed_transforms()
-        message = _encoder(fixed)(start, _numbers(fixed, 1)[0])
+        message = tf_encoder(fixed)(start, tf_numbers(fixed, 1)[0])
         writer.write(_connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
         self._topic = _connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
 
@@ -193,8 +193,8 @@ class _TfWriter:
         if poses is not None:
             poses[:, 3:] /= np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
         transforms = joint_transforms(values[:, : len(JOINT_NAMES)], poses)
-        self._encode = self._encode or _encoder(transforms)
-        for stamp, numbers in zip(due.tolist(), _numbers(transforms, len(due)), strict=True):
+        self._encode = self._encode or tf_encoder(transforms)
+        for stamp, numbers in zip(due.tolist(), tf_numbers(transforms, len(due)), strict=True):
             yield stamp, self._encode(stamp, numbers)
 
     def write(self, stamp: int, data: bytes) -> None:
@@ -202,12 +202,13 @@ class _TfWriter:
         self._writer.write(self._topic, stamp, data)
 
 
-def _encoder(transforms: Iterable[Transform]) -> TfEncoder:
+def tf_encoder(transforms: Iterable[Transform]) -> TfEncoder:
+    """What writes messages of these transforms."""
     return TfEncoder([(transform.parent, transform.child) for transform in transforms])
 
 
-def _numbers(transforms: Iterable[Transform], count: int) -> NDArray[np.float64]:
-    """Numbers of messages (count, F, 7), the quaternions in ROS's order."""
+def tf_numbers(transforms: Iterable[Transform], count: int) -> NDArray[np.float64]:
+    """What it takes for `count` messages: (count, F, 7), the quaternions in ROS's order."""
     parts = [
         np.concatenate([one.translation, one.rotation[..., [1, 2, 3, 0]]], axis=-1).reshape(-1, 7) for one in transforms
     ]

@@ -1,0 +1,25 @@
+"""The robot on live ROS 2 topics, over DDS and without a ROS installation: `python -m quadruped_env.live NODE`.
+
+`Node` has publishers and subscriptions; `topics` names this robot's topics; `nodes` are the programs. Needs the extras
+`dds` and `ros`.
+"""
+
+from quadruped_env.live.dds import Network
+from quadruped_env.live.graph import Endpoint, Graph
+from quadruped_env.live.node import Node, Publisher, Received, Subscription
+from quadruped_env.live.session import Session, add_common_arguments
+from quadruped_env.live.topics import TOPICS, Topic
+
+__all__ = [
+    "TOPICS",
+    "Endpoint",
+    "Graph",
+    "Network",
+    "Node",
+    "Publisher",
+    "Received",
+    "Session",
+    "Subscription",
+    "Topic",
+    "add_common_arguments",
+]

@@ -1,0 +1,148 @@
+"""Who is on the domain: every publisher and subscription, and why some do not get together."""
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Final
+
+from quadruped_env.live.profiles import incompatible, read_qos, read_type_hash
+from quadruped_env.live.topics import ros_name
+from quadruped_env.ros import Qos
+
+_TAKEN: Final = 256
+
+
+@dataclass(frozen=True)
+class Endpoint:
+    """A publisher or a subscription of some process."""
+
+    topic: str
+    """As ROS 2 names it"""
+    type_name: str
+    """`package/msg/Type`, or what DDS says where that is no name of ROS 2"""
+    writes: bool
+    qos: Qos
+    type_hash: str
+    """Empty where its maker gives none, as before Iron"""
+    handle: int
+    """`Received.writer` of what it writes"""
+    participant: str
+    """Key of its process"""
+
+    @property
+    def kind(self) -> str:
+        """`publisher` or `subscription`."""
+        return "publisher" if self.writes else "subscription"
+
+
+class Graph:
+    """What a participant has discovered.
+
+    Args:
+        participant: of `cyclonedds`.
+    """
+
+    def __init__(self, participant: Any) -> None:
+        from cyclonedds import builtin
+
+        self._participant = str(participant.guid)
+        self._readers = {
+            True: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsPublication),
+            False: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsSubscription),
+        }
+        self._people = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
+        self._endpoints: dict[str, Endpoint] = {}
+        self._names: dict[str, str] = {}
+
+    def endpoints(self, topic: str | None = None) -> list[Endpoint]:
+        """All that is there now, or all of one topic; this process's own too."""
+        self._update()
+        found = (one for one in self._endpoints.values() if topic in (None, one.topic))
+        return sorted(found, key=lambda one: (one.topic, one.type_name, not one.writes, one.handle))
+
+    def is_own(self, endpoint: Endpoint) -> bool:
+        """Whether it is this participant's."""
+        return endpoint.participant == self._participant
+
+    def owner(self, endpoint: Endpoint) -> str:
+        """Whose it is, as far as its process tells: its name, process id and machine."""
+        self._update()
+        return self._names.get(endpoint.participant, "a process that gives no name")
+
+    def problems(self) -> list[str]:
+        """What keeps publishers and subscriptions of the same topic apart, in words, each once."""
+        found: dict[str, None] = {}
+        for _, group in itertools.groupby(self.endpoints(), key=lambda one: one.topic):
+            ends = list(group)
+            for writer, reader in itertools.product(ends, ends):
+                if writer.writes and not reader.writes and (self.is_own(writer) or self.is_own(reader)):
+                    found.update(dict.fromkeys(self._apart(writer, reader)))
+        return list(found)
+
+    def _apart(self, writer: Endpoint, reader: Endpoint) -> Iterator[str]:
+        where = f"{writer.topic}, from {self._whose(writer)} to {self._whose(reader)}"
+        if writer.type_name != reader.type_name:
+            yield f"{where}: nothing will arrive; the types differ: {writer.type_name} and {reader.type_name}"
+        elif writer.type_hash and reader.type_hash and writer.type_hash != reader.type_hash:
+            yield (
+                f"{where}: both call their type {writer.type_name}, and their definitions differ "
+                f"({writer.type_hash} and {reader.type_hash}); what arrives cannot be trusted"
+            )
+        reason = incompatible(writer.qos, reader.qos)
+        if reason:
+            yield f"{where}: nothing will arrive; {reason}"
+
+    def _whose(self, endpoint: Endpoint) -> str:
+        return "this node" if self.is_own(endpoint) else self.owner(endpoint)
+
+    def _update(self) -> None:
+        from cyclonedds.core import InstanceState
+
+        for person in _taken(self._people):
+            key = str(person.key)
+            if person.sample_info.instance_state == InstanceState.Alive:
+                self._names[key] = _name(person.qos)
+            else:
+                self._names.pop(key, None)
+        for writes, reader in self._readers.items():
+            for one in _taken(reader):
+                key = str(one.key)
+                if one.sample_info.instance_state != InstanceState.Alive:
+                    self._endpoints.pop(key, None)
+                elif ros_name(one.topic_name):
+                    self._endpoints[key] = Endpoint(
+                        ros_name(one.topic_name),
+                        _ros_type(one.type_name),
+                        writes,
+                        read_qos(one.qos),
+                        read_type_hash(one.qos),
+                        one.sample_info.instance_handle,
+                        str(one.participant_key),
+                    )
+
+
+def _taken(reader: Any) -> Iterator[Any]:
+    """Every change since the last look."""
+    while samples := reader.take(_TAKEN):
+        yield from samples
+        if len(samples) < _TAKEN:
+            return
+
+
+def _ros_type(dds_name: str) -> str:
+    package, _, name = dds_name.partition("::msg::dds_::")
+    return f"{package}/msg/{name.removesuffix('_')}" if name else dds_name
+
+
+def _name(qos: Any) -> str:
+    """What a participant tells about itself; which of it there is depends on the maker of its DDS."""
+    told: dict[str, str] = {}
+    for policy in qos:
+        if hasattr(policy, "key"):
+            told[policy.key] = policy.value
+        elif policy.__scope__ == "EntityName":
+            told["name"] = policy.name
+    process = told.get("__Pid")
+    where = f"process {process} on {told.get('__Hostname', 'some machine')}" if process else ""
+    name = told.get("name") or told.get("__ProcessName", "")
+    return f"{name} ({where})" if name and where else name or where or "a process that gives no name"

@@ -1,0 +1,85 @@
+"""Joint states and joint commands as this robot can use them: checked, and in its own order of joints."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.ros.joint_state import Decoder, RawJointState
+
+
+class Joints(NamedTuple):
+    """One message in the order of `JOINT_NAMES`; what the message leaves out is None."""
+
+    stamp: int
+    """ns"""
+    positions: NDArray[np.float64] | None
+    """rad (8,)"""
+    velocities: NDArray[np.float64] | None
+    """rad/s (8,)"""
+    efforts: NDArray[np.float64] | None
+    """N m (8,); may hold NaN, which stands for unknown"""
+
+
+class JointReader:
+    """Reads the messages of one topic.
+
+    Args:
+        topic: for errors.
+    """
+
+    def __init__(self, topic: str) -> None:
+        self._topic = topic
+        self._decode = Decoder()
+        self._names: tuple[str, ...] | None = None
+        self._order = np.empty(0, dtype=np.intp)
+
+    def __call__(self, data: bytes) -> Joints:
+        """The joints that CDR bytes of a JointState hold.
+
+        Raises:
+            QuadrupedError: if they are damaged, the names are not this robot's, there are not as many values as names,
+                or a position or velocity is not finite.
+        """
+        try:
+            raw = self._decode(data)
+            if raw.names is not self._names:
+                self._order = _order(raw.names)
+                self._names = raw.names
+            return Joints(
+                raw.stamp,
+                self._values(raw, "position"),
+                self._values(raw, "velocity"),
+                self._values(raw, "effort", finite=False),
+            )
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{self._topic}: {error}") from error
+
+    def _values(self, raw: RawJointState, field: str, finite: bool = True) -> NDArray[np.float64] | None:
+        given = getattr(raw, field)
+        if not given:
+            return None
+        if len(given) != len(raw.names):
+            raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one a joint")
+        values = np.array(given)[self._order]
+        if finite and not np.isfinite(values).all():
+            wrong = int(np.flatnonzero(~np.isfinite(values))[0])
+            raise QuadrupedError(f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers")
+        return values
+
+
+def _order(names: tuple[str, ...]) -> NDArray[np.intp]:
+    """Where each of this robot's joints stands among names."""
+    if sorted(names) != sorted(JOINT_NAMES):
+        unknown = [name for name in names if name not in JOINT_NAMES]
+        missing = [name for name in JOINT_NAMES if name not in names]
+        if unknown or missing:
+            what = f"unknown {unknown[0]!r}" if unknown else f"{missing[0]} is missing"
+        else:
+            what = "one comes twice"
+        raise QuadrupedError(
+            f"the names are not this robot's: {what} among {len(names)}; expected each of {', '.join(JOINT_NAMES)} once"
+        )
+    return np.array([names.index(name) for name in JOINT_NAMES])

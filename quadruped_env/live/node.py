@@ -1,0 +1,199 @@
+"""A node: publishers and subscriptions of one process, and waiting for messages or for the time.
+
+node = Node("listener", Network.from_environment())
+states = node.subscribe(JOINT_STATES)
+while True:
+    node.wait(1.0)
+    for one in states.take():
+        print(states.decode(one))
+"""
+
+import statistics
+import time
+from collections import deque
+from typing import Any, Final, NamedTuple
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.dds import Network, open_participant
+from quadruped_env.live.graph import Graph
+from quadruped_env.live.profiles import dds_qos
+from quadruped_env.live.topics import Topic
+from quadruped_env.live.wire import wire_type
+from quadruped_env.ros import Qos, cdr
+
+NANOSECONDS: Final = 1_000_000_000
+"""in a second"""
+_TAKEN: Final = 256
+_LATENCIES: Final = 1000
+
+
+class Received(NamedTuple):
+    """One message as it came."""
+
+    data: bytes
+    """CDR"""
+    sent: int
+    """ns of the sender's clock"""
+    writer: int
+    """Who sent it: `Endpoint.handle`"""
+
+
+class Publisher:
+    """Sends messages on a topic. Made by `Node.publish`."""
+
+    def __init__(self, participant: Any, topic: Topic, qos: Qos) -> None:
+        from cyclonedds.pub import DataWriter
+
+        self.topic = topic
+        self.count = 0
+        """Messages sent"""
+        self._wire = wire_type(topic.type_name)
+        self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type))
+
+    def send(self, message: Any) -> None:
+        """Send a message of `quadruped_env.ros.cdr`.
+
+        Raises:
+            QuadrupedError: if it is of another type.
+        """
+        if message.__msgtype__ != self.topic.type_name:
+            raise QuadrupedError(
+                f"{self.topic.name}: holds messages of {self.topic.type_name}; found {message.__msgtype__}"
+            )
+        self.send_bytes(cdr.serialize(message))
+
+    def send_bytes(self, data: bytes) -> None:
+        """Send a message that is CDR bytes already.
+
+        Raises:
+            QuadrupedError: if they do not hold a message of the topic's type; DDS looks.
+        """
+        from cyclonedds.core import DDSException
+
+        try:
+            self._writer.write(self._wire(data))
+        except DDSException as error:
+            raise QuadrupedError(
+                f"{self.topic.name}: {len(data)} bytes could not be sent as a {self.topic.type_name}: {error}"
+            ) from error
+        self.count += 1
+
+    @property
+    def readers(self) -> int:
+        """How many subscriptions it reaches."""
+        return len(self._writer.get_matched_subscriptions())
+
+    def wait_until_read(self, seconds: float) -> bool:
+        """Wait until every reliable reader has what was sent; whether that came about in time."""
+        return bool(self._writer.wait_for_acks(round(seconds * NANOSECONDS)))
+
+
+class Subscription:
+    """Receives messages on a topic. Made by `Node.subscribe`."""
+
+    def __init__(self, participant: Any, topic: Topic, qos: Qos) -> None:
+        from cyclonedds.core import InstanceState, ReadCondition, SampleState, ViewState
+        from cyclonedds.sub import DataReader
+
+        self.topic = topic
+        self.count = 0
+        """Messages received"""
+        self.latencies: deque[float] = deque(maxlen=_LATENCIES)
+        """s from sending to taking, of the last ones; across machines as true as their clocks are"""
+        self._reader = DataReader(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type))
+        self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
+
+    def take(self) -> list[Received]:
+        """All that has come since the last call, in the order of its coming."""
+        taken: list[Received] = []
+        now = time.time_ns()
+        while samples := self._reader.take(_TAKEN):
+            for sample in samples:
+                # A sample without data says only that a publisher went.
+                if sample.sample_info.valid_data:
+                    sent = sample.sample_info.source_timestamp
+                    taken.append(Received(sample.data, sent, sample.sample_info.publication_handle))
+                    self.latencies.append((now - sent) / NANOSECONDS)
+            if len(samples) < _TAKEN:
+                break
+        self.count += len(taken)
+        return taken
+
+    def latest(self) -> Received | None:
+        """The last one that has come since the last call."""
+        taken = self.take()
+        return taken[-1] if taken else None
+
+    def decode(self, received: Received) -> Any:
+        """The message of `quadruped_env.ros.cdr` that was received.
+
+        Raises:
+            QuadrupedError: if its bytes are damaged.
+        """
+        try:
+            return cdr.deserialize(received.data, self.topic.type_name)
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{self.topic.name}: {error}") from error
+
+    @property
+    def writers(self) -> int:
+        """How many publishers it hears."""
+        return len(self._reader.get_matched_publications())
+
+    @property
+    def latency(self) -> float | None:
+        """Median of `latencies`, or None before the first message."""
+        return statistics.median(self.latencies) if self.latencies else None
+
+
+class Node:
+    """One node of the system.
+
+    Args:
+        name: what others may call it.
+        network: where to meet them; without it as ROS_DOMAIN_ID says, on this machine only.
+
+    Raises:
+        MissingExtraError: if cyclonedds is not installed.
+        QuadrupedError: if the domain cannot be joined.
+    """
+
+    def __init__(self, name: str, network: Network | None = None) -> None:
+        self.name = name
+        self.network = network or Network.from_environment()
+        self._participant = open_participant(self.network, name)
+        from cyclonedds.core import WaitSet
+
+        self.graph = Graph(self._participant)
+        self.publishers: list[Publisher] = []
+        self.subscriptions: list[Subscription] = []
+        self._waitset = WaitSet(self._participant)
+
+    def publish(self, topic: Topic, qos: Qos | None = None) -> Publisher:
+        """A publisher of a topic, which offers the topic's quality of service or another one."""
+        publisher = Publisher(self._participant, topic, qos or topic.qos)
+        self.publishers.append(publisher)
+        return publisher
+
+    def subscribe(self, topic: Topic, qos: Qos | None = None) -> Subscription:
+        """A subscription to a topic, which asks for the topic's quality of service or another one."""
+        subscription = Subscription(self._participant, topic, qos or topic.qos)
+        self.subscriptions.append(subscription)
+        self._waitset.attach(subscription.condition)
+        return subscription
+
+    def wait(self, seconds: float) -> bool:
+        """Wait until a message is there to take, or for a time; whether there is one."""
+        return bool(self._waitset.wait(max(0, round(seconds * NANOSECONDS))) > 0)
+
+    def close(self) -> None:
+        """Leave the domain, so that others learn of it at once."""
+        participant, self._participant = self._participant, None
+        if participant is not None:
+            participant._delete(participant._ref)
+
+
+def _dds_topic(participant: Any, topic: Topic) -> Any:
+    from cyclonedds.topic import Topic as DdsTopic
+
+    return DdsTopic(participant, topic.dds_name, wire_type(topic.type_name))

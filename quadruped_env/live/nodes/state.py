@@ -1,0 +1,48 @@
+"""robot_state_publisher's job: from /joint_states to /tf, with the robot's description for those who draw it.
+
+Sends /robot_description and /tf_static once, latched, and a /tf for every joint state: where each link is in the frame
+of its parent. The names may come in any order; what it cannot use it refuses, and says why. In RViz the fixed frame is
+`base_link`, or `odom` beside `sim`.
+"""
+
+import argparse
+import time
+from typing import Final
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.session import Session
+from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
+from quadruped_env.live.transforms import TransformWriter, description_message, fixed_message
+from quadruped_env.ros import SENSOR_DATA_QOS
+
+SUMMARY: Final = "joint states in, transforms out: robot_state_publisher's job"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """This node takes none of its own."""
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Publish until the session ends."""
+    node = session.node
+    description, fixed = node.publish(ROBOT_DESCRIPTION), node.publish(TF_STATIC)
+    transforms = node.publish(TF)
+    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
+    read, write = JointReader(JOINT_STATES.name), TransformWriter()
+    description.send(description_message())
+    fixed.send_bytes(fixed_message(time.time_ns()))
+    while session.running:
+        session.wait()
+        for received in states.take():
+            try:
+                joints = read(received.data)
+                if joints.positions is None:
+                    raise QuadrupedError(f"{JOINT_STATES.name}: has no positions; send one a joint")
+            except QuadrupedError as error:
+                session.say_once(f"refused: {error}")
+                continue
+            transforms.send_bytes(write(joints.stamp, joints.positions))
+        session.wait_for("" if states.count else JOINT_STATES.name)
+        session.report()
+    return 0

@@ -1,0 +1,72 @@
+"""Real time: loops that keep to a grid of deadlines, and meters of rate."""
+
+import time
+from collections.abc import Callable
+
+Clock = Callable[[], float]
+"""s from any start, which never goes back"""
+
+
+class Pace:
+    """Deadlines at equal distances from a start, so that lateness never adds up.
+
+    Args:
+        period: s between deadlines.
+        clock: of `time.monotonic`'s kind.
+        most_behind: s; what a loop is later than that is lost, so that it does not race to catch up.
+    """
+
+    def __init__(self, period: float, clock: Clock = time.monotonic, most_behind: float = 0.1) -> None:
+        self.period = period
+        self.ticks = 0
+        """Deadlines that were met or passed over"""
+        self.lost = 0
+        """Deadlines that were passed over"""
+        self.latest = 0.0
+        """s by which the latest one was missed"""
+        self._clock = clock
+        self._start = clock()
+        self._most_behind = most_behind
+
+    @property
+    def due(self) -> float:
+        """The next deadline, on the clock."""
+        return self._start + self.ticks * self.period
+
+    @property
+    def remaining(self) -> float:
+        """Seconds to the next deadline; negative once it has passed."""
+        return self.due - self._clock()
+
+    def tick(self) -> bool:
+        """Whether a deadline has come, which then counts as met."""
+        late = -self.remaining
+        if late < 0.0:
+            return False
+        self.latest = max(self.latest, late)
+        if late > self._most_behind:
+            missed = int(late / self.period)
+            self.ticks += missed
+            self.lost += missed
+        self.ticks += 1
+        return True
+
+
+class Rate:
+    """How fast a count grows, from look to look.
+
+    Args:
+        clock: of `time.monotonic`'s kind.
+    """
+
+    def __init__(self, clock: Clock = time.monotonic) -> None:
+        self._clock = clock
+        self._then = clock()
+        self._count = 0
+
+    def per_second(self, count: int) -> float:
+        """Growth per second since the last call."""
+        now = self._clock()
+        elapsed, self._then = now - self._then, now
+        grown, self._count = count - self._count, count
+        return grown / elapsed if elapsed > 0.0 else 0.0

@@ -1,0 +1,180 @@
+"""A node as a program: it says what it does and waits for, keeps a status line, and ends cleanly."""
+
+import argparse
+import signal
+import sys
+import time
+from collections.abc import Iterable
+from types import FrameType, TracebackType
+from typing import Any, Final, Self, TextIO
+
+from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
+from quadruped_env.live.node import Node, Publisher, Subscription
+from quadruped_env.live.pace import Pace, Rate
+
+LOOK: Final = 0.1
+"""s; the longest wait between two looks at whether to end"""
+STATUS_PERIOD: Final = 1.0
+"""s between status lines on a terminal"""
+STATUS_PERIOD_LOG: Final = 10.0
+"""s between status lines elsewhere"""
+PROBLEMS_PERIOD: Final = 1.0
+"""s between looks at who is on the domain"""
+
+
+def add_common_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments that every node takes."""
+    group = parser.add_argument_group("every node")
+    group.add_argument(
+        "--domain-id", type=int, metavar="N", help=f"whom to meet: those of the same domain ({DOMAIN_VARIABLE}, or 0)"
+    )
+    group.add_argument(
+        "--subnet",
+        action="store_true",
+        help="meet other machines of the subnet as well; without it nothing leaves or enters this machine",
+    )
+    group.add_argument("--seconds", type=float, metavar="S", help="end after this time (with Ctrl-C)")
+    group.add_argument("--quiet", action="store_true", help="no status line")
+
+
+class Session:
+    """A running node: a context that ends with Ctrl-C, a time, or `stop`.
+
+    Args:
+        name: of the node.
+        arguments: with those of `add_common_arguments`.
+        log: where it says what happens.
+
+    Raises:
+        MissingExtraError: if cyclonedds is not installed.
+        QuadrupedError: if the domain cannot be joined.
+    """
+
+    def __init__(self, name: str, arguments: argparse.Namespace, log: TextIO | None = None) -> None:
+        self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
+        self._log = log or sys.stderr
+        self._quiet: bool = arguments.quiet
+        self._stopped = False
+        self._start = time.monotonic()
+        self._end = None if arguments.seconds is None else self._start + arguments.seconds
+        self._waiting_for = ""
+        self._waiting_since = self._start
+        self._said: set[str] = set()
+        self._rates: dict[Any, Rate] = {}
+        self._status_pace = Pace(STATUS_PERIOD if self._log.isatty() else STATUS_PERIOD_LOG)
+        self._problems_pace = Pace(PROBLEMS_PERIOD)
+        self._status_width = 0
+        self._handlers: dict[int, Any] = {}
+        self._status_pace.tick()
+
+    def __enter__(self) -> Self:
+        # Only Python's main thread may have signals; a test runs a node in another one.
+        try:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                self._handlers[number] = signal.signal(number, self._interrupted)
+        except ValueError:
+            pass
+        self.say(f"on {self.node.network}")
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        for number, handler in self._handlers.items():
+            signal.signal(number, handler)
+        if kind is None:
+            counts = [
+                f"{one.count} {verb} {one.topic.name}"
+                for ends, verb in ((self.node.publishers, "on"), (self.node.subscriptions, "from"))
+                for one in ends
+                if one.count
+            ]
+            self.say(f"ended after {self.elapsed:.1f} s; messages: {', '.join(counts) or 'none'}")
+        self.node.close()
+
+    @property
+    def running(self) -> bool:
+        """Whether to go on."""
+        return not self._stopped and (self._end is None or time.monotonic() < self._end)
+
+    @property
+    def elapsed(self) -> float:
+        """Seconds since the start."""
+        return time.monotonic() - self._start
+
+    def stop(self) -> None:
+        """Let the node end at its next look."""
+        self._stopped = True
+
+    def wait(self, seconds: float = LOOK) -> bool:
+        """Wait for a message, or for a time, but no longer than until the next look; whether there is a message."""
+        return self.node.wait(min(seconds, LOOK))
+
+    def say(self, text: str) -> None:
+        """Write a line to the log."""
+        self._write(f"[{self.node.name}] {text}\n")
+
+    def say_once(self, text: str) -> None:
+        """Write a line unless it was written before."""
+        if text not in self._said:
+            self._said.add(text)
+            self.say(text)
+
+    def wait_for(self, what: str) -> None:
+        """Say what the node waits for, when that changes; nothing when it waits no more."""
+        if what == self._waiting_for:
+            return
+        now = time.monotonic()
+        if what:
+            self.say(f"waiting for {what}")
+        else:
+            self.say(f"there: {self._waiting_for}, after {now - self._waiting_since:.1f} s")
+        self._waiting_for, self._waiting_since = what, now
+
+    def report(self, *details: str) -> None:
+        """Keep the status line, and say what keeps nodes apart. To be called often: it looks at the time itself."""
+        if self._problems_pace.tick():
+            for problem in self.node.graph.problems():
+                self.say_once(problem)
+        if self._status_pace.tick() and not self._quiet:
+            self._write_status(self._ends(details))
+
+    def _ends(self, details: Iterable[str]) -> str:
+        parts = [f"{self.elapsed:.0f} s", *(detail for detail in details if detail)]
+        ends: list[Publisher | Subscription] = [*self.node.publishers, *self.node.subscriptions]
+        for one in ends:
+            rate = self._rates.setdefault(one, Rate(time.monotonic)).per_second(one.count)
+            parts.append(_rate_text(one, rate))
+        if self._waiting_for:
+            parts.append(f"waiting for {self._waiting_for}")
+        return " | ".join(parts)
+
+    def _write_status(self, text: str) -> None:
+        if not self._log.isatty():
+            self.say(text)
+            return
+        line = f"[{self.node.name}] {text}"
+        self._log.write(f"\r{line.ljust(self._status_width)}")
+        self._log.flush()
+        self._status_width = len(line)
+
+    def _write(self, line: str) -> None:
+        if self._status_width:
+            self._log.write(f"\r{' ' * self._status_width}\r")
+            self._status_width = 0
+        self._log.write(line)
+        self._log.flush()
+
+    def _interrupted(self, number: int, frame: FrameType | None) -> None:
+        if self._stopped:
+            # Asked a second time: whatever hangs is to hang no longer.
+            raise KeyboardInterrupt
+        self.stop()
+
+
+def _rate_text(one: Publisher | Subscription, rate: float) -> str:
+    if isinstance(one, Publisher):
+        return f"{one.topic.name} {rate:.1f} Hz to {one.readers}"
+    latency = one.latency
+    late = "" if latency is None else f", {1e3 * latency:.1f} ms old"
+    return f"{one.topic.name} {rate:.1f} Hz{late}"

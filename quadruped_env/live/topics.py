@@ -1,0 +1,65 @@
+"""The topics of this robot: name, message type, quality of service."""
+
+from dataclasses import dataclass
+from typing import Final
+
+from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, MessageType, Qos, message_type
+
+
+@dataclass(frozen=True)
+class Topic:
+    """One topic, as ROS 2 names it."""
+
+    name: str
+    type_name: str
+    qos: Qos
+    """What its publisher offers, and a subscriber asks for unless it says otherwise"""
+
+    @property
+    def dds_name(self) -> str:
+        """What ROS 2 calls it on DDS."""
+        return f"rt{self.name}"
+
+    @property
+    def type(self) -> MessageType:
+        """Its message type."""
+        return message_type(self.type_name)
+
+
+def ros_name(dds_name: str) -> str:
+    """The name in ROS 2 of a topic on DDS; empty if ROS 2 would not show it."""
+    return dds_name.removeprefix("rt") if dds_name.startswith("rt/") else ""
+
+
+_DEFAULT: Final = Qos(depth=10)
+"""What rclcpp and `ros2 topic pub` take"""
+_LATEST: Final = Qos(depth=1)
+
+JOINT_STATES: Final = Topic("/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
+IMU: Final = Topic("/imu/data", "sensor_msgs/msg/Imu", _DEFAULT)
+ODOMETRY: Final = Topic("/odom", "nav_msgs/msg/Odometry", _DEFAULT)
+TF: Final = Topic("/tf", "tf2_msgs/msg/TFMessage", TF_QOS)
+TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS)
+CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False))
+ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LATCHED_QOS)
+CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
+JOINT_COMMANDS: Final = Topic("/joint_commands", "sensor_msgs/msg/JointState", _LATEST)
+"""Joint targets: names with positions in rad; names with efforts of zero and no positions let the robot go limp"""
+PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
+"""To `sim`: velocity in m/s that is added to the base's, in the world's axes"""
+
+TOPICS: Final = {
+    topic.name: topic
+    for topic in (
+        JOINT_STATES,
+        IMU,
+        ODOMETRY,
+        TF,
+        TF_STATIC,
+        CLOCK,
+        ROBOT_DESCRIPTION,
+        CMD_VEL,
+        JOINT_COMMANDS,
+        PUSH,
+    )
+}

@@ -1,0 +1,26 @@
+"""DDS domains for tests: each test has one to itself, on a machine where several suites may run at a time."""
+
+import contextlib
+import fcntl
+import random
+import tempfile
+from pathlib import Path
+
+FIRST, LAST = 101, 200
+"""Those whose ports lie away from the domains that people use; the system may give some of the ports to others"""
+
+
+@contextlib.contextmanager
+def claimed():
+    """A domain that no other test has now."""
+    numbers = list(range(FIRST, LAST + 1))
+    random.shuffle(numbers)
+    for number in numbers:
+        with (Path(tempfile.gettempdir()) / f"quadruped-test-domain-{number}.lock").open("w") as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                continue
+            yield number
+            return
+    raise RuntimeError("every domain for tests is taken")

@@ -1,0 +1,381 @@
+"""Live topics: what goes over them is what ROS 2 would send, and what cannot work is said in words."""
+
+import os
+import socket
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
+from quadruped_env.live import TOPICS, Network, Node, Topic
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.pace import Pace, Rate
+from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
+from quadruped_env.ros import MESSAGE_TYPES, Qos, cdr
+
+pytest.importorskip("cyclonedds")
+
+STAMP = 1_700_000_000_123_456_789
+
+
+@pytest.fixture
+def nodes(domain_id):
+    """Makes nodes on the test's domain, and closes them."""
+    made = []
+
+    def make(name="test"):
+        made.append(Node(name))
+        return made[-1]
+
+    yield make
+    for node in made:
+        node.close()
+
+
+def wait_until(condition, seconds=10.0):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "what the test waits for did not come"
+        time.sleep(0.005)
+
+
+def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, velocity=(), effort=()):
+    return cdr.message(
+        "sensor_msgs/msg/JointState",
+        header=cdr.header(stamp),
+        name=list(names),
+        position=position,
+        velocity=velocity,
+        effort=effort,
+    )
+
+
+def filled(type_name, rng):
+    """A message of a type with something in every field."""
+    kind = MESSAGE_TYPES[type_name]
+
+    def value(field):
+        if field.is_message:
+            return filled(field.base, rng)
+        if field.base == "string":
+            return "some text é"[: rng.integers(0, 12)]
+        return rng.normal() if field.base == "float64" else int(rng.integers(0, 10**9))
+
+    fields = {}
+    for field in kind.fields:
+        count = field.count or int(rng.integers(0, 4))
+        fields[field.name] = [value(field) for _ in range(count)] if field.many else value(field)
+    return cdr.message(type_name, **fields)
+
+
+def test_every_type_arrives_as_it_was_sent(nodes):
+    node, rng = nodes(), np.random.default_rng(0)
+    topics = [Topic(f"/test/{name.rpartition('/')[2].lower()}", name, Qos(depth=100)) for name in MESSAGE_TYPES]
+    ends = [(node.publish(topic), node.subscribe(topic)) for topic in topics]
+    sent = {topic.name: [cdr.serialize(filled(topic.type_name, rng)) for _ in range(5)] for topic in topics}
+    wait_until(lambda: all(publisher.readers and subscription.writers for publisher, subscription in ends))
+    for publisher, _ in ends:
+        for data in sent[publisher.topic.name]:
+            publisher.send_bytes(data)
+    for _, subscription in ends:
+        received = subscription.take()
+        # DDS fills the last word up.
+        assert [one.data[: len(data)] for one, data in zip(received, sent[subscription.topic.name], strict=True)] == (
+            sent[subscription.topic.name]
+        )
+        assert cdr.serialize(subscription.decode(received[0])) == sent[subscription.topic.name][0]
+
+
+def test_two_processes_exchange_joint_states(nodes):
+    """The other process answers each joint state with one of twice the positions."""
+    node = nodes()
+    answers = Topic("/answers", JOINT_STATES.type_name, Qos(depth=100))
+    publisher, subscription = node.publish(Topic("/joint_states", JOINT_STATES.type_name, Qos(depth=100))), None
+    subscription = node.subscribe(answers)
+    program = f"""
+from quadruped_env.live import Node, Topic
+from quadruped_env.ros import Qos
+node = Node("other")
+asked = node.subscribe(Topic("/joint_states", {JOINT_STATES.type_name!r}, Qos(depth=100)))
+answers = node.publish(Topic("/answers", {JOINT_STATES.type_name!r}, Qos(depth=100)))
+count = 0
+while count < 50:
+    node.wait(5.0)
+    for one in asked.take():
+        message = asked.decode(one)
+        message.position = 2.0 * message.position
+        answers.send(message)
+        count += 1
+answers.wait_until_read(5.0)
+"""
+    with subprocess.Popen([sys.executable, "-c", program]) as other:
+        wait_until(lambda: publisher.readers and subscription.writers, 20.0)
+        expected = [(STAMP + i, np.arange(8.0) + i) for i in range(50)]
+        for stamp, positions in expected:
+            publisher.send(joint_state(stamp, position=positions))
+        received = []
+        wait_until(lambda: received.extend(subscription.take()) or len(received) == 50)
+        assert other.wait(10) == 0
+    for one, (stamp, positions) in zip(received, expected, strict=True):
+        message = subscription.decode(one)
+        assert message.header.stamp.sec * 10**9 + message.header.stamp.nanosec == stamp
+        np.testing.assert_array_equal(message.position, 2.0 * positions)
+        assert message.name == list(JOINT_NAMES)
+
+
+def test_names_types_and_hashes_are_those_of_ros(nodes):
+    node, other = nodes("one"), nodes("two")
+    node.publish(JOINT_STATES)
+    other.subscribe(TOPICS["/clock"])
+    wait_until(lambda: len(other.graph.endpoints()) == 2)
+    clock, states = other.graph.endpoints()
+    assert (states.topic, states.type_name, states.kind) == (
+        "/joint_states",
+        "sensor_msgs/msg/JointState",
+        "publisher",
+    )
+    assert states.type_hash == "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"
+    assert states.qos == JOINT_STATES.qos
+    assert not other.graph.is_own(states)
+    assert other.graph.is_own(clock)
+    assert f"one (process {os.getpid()} on " in other.graph.owner(states)
+    assert clock.qos == Qos(depth=1, reliable=False)
+    node.close()
+    wait_until(lambda: [one.topic for one in other.graph.endpoints()] == ["/clock"])
+
+
+def test_a_latched_topic_reaches_who_comes_late(nodes):
+    node = nodes()
+    node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data="<robot/>"))
+    late = nodes().subscribe(ROBOT_DESCRIPTION)
+    received = []
+    wait_until(lambda: received.extend(late.take()) or received)
+    assert late.decode(received[0]).data == "<robot/>"
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested", "words"),
+    [
+        (Qos(10, reliable=False), Qos(10), "asks for reliable delivery, the writer offers best effort"),
+        (Qos(1), Qos(1, transient_local=True), "asks for transient local (latched), the writer offers volatile"),
+    ],
+)
+def test_incompatible_qualities_are_said_in_words(nodes, offered, requested, words):
+    writer, reader = nodes("writer"), nodes("reader")
+    publisher, subscription = writer.publish(JOINT_STATES, offered), reader.subscribe(JOINT_STATES, requested)
+    for node, us in ((writer, "from this node to reader (process"), (reader, "to this node")):
+        wait_until(node.graph.problems)
+        (problem,) = node.graph.problems()
+        assert words in problem
+        assert us in problem
+        assert problem.startswith("/joint_states, from ")
+    assert publisher.readers == subscription.writers == 0
+
+
+def test_a_compatible_pair_is_no_problem(nodes):
+    writer, reader = nodes(), nodes()
+    writer.publish(JOINT_STATES)
+    subscription = reader.subscribe(JOINT_STATES, Qos(5, reliable=False))
+    wait_until(lambda: subscription.writers)
+    assert writer.graph.problems() == reader.graph.problems() == []
+
+
+def test_different_types_on_a_topic_are_said_in_words(nodes):
+    writer, reader = nodes(), nodes()
+    writer.publish(Topic("/joint_states", "std_msgs/msg/String", Qos(10)))
+    subscription = reader.subscribe(JOINT_STATES)
+    wait_until(reader.graph.problems)
+    (problem,) = reader.graph.problems()
+    assert "the types differ: std_msgs/msg/String and sensor_msgs/msg/JointState" in problem
+    assert subscription.writers == 0
+
+
+def test_a_publisher_refuses_a_message_of_another_type(nodes):
+    publisher = nodes().publish(JOINT_STATES)
+    with pytest.raises(QuadrupedError, match=r"/joint_states: holds .*JointState; found std_msgs/msg/String"):
+        publisher.send(cdr.message("std_msgs/msg/String"))
+
+
+def test_damaged_bytes_are_not_sent(nodes):
+    with pytest.raises(QuadrupedError, match="/tf: 8 bytes could not be sent as a tf2_msgs/msg/TFMessage"):
+        nodes().publish(TF).send_bytes(b"\x00\x01\x00\x00\xff\xff\xff\x7f")
+
+
+def test_nothing_listens_beyond_this_machine(nodes):
+    """Every socket of DDS is bound to the loopback interface, and a message from its own address is not heard."""
+    if not sys.platform.startswith("linux"):
+        pytest.skip("how sockets are bound is asked of Linux")
+    before = set(os.listdir("/proc/self/fd"))
+    nodes().publish(JOINT_STATES)
+    found = 0
+    for name in set(os.listdir("/proc/self/fd")) - before:
+        try:
+            duplicate = socket.socket(fileno=os.dup(int(name)))
+        except OSError:
+            continue
+        with duplicate:
+            if duplicate.family == socket.AF_INET:
+                device = duplicate.getsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, 16)
+                assert device.rstrip(b"\0") == b"lo", duplicate
+                found += 1
+    assert found >= 2
+
+
+@pytest.mark.parametrize(("value", "expected"), [("", 0), ("42", 42), (" 7 ", 7)])
+def test_the_domain_is_the_one_that_ros_would_take(value, expected):
+    assert Network.from_environment(environment={"ROS_DOMAIN_ID": value}).domain_id == expected
+    assert Network.from_environment(domain_id=3, environment={"ROS_DOMAIN_ID": value}).domain_id == 3
+    assert not Network.from_environment(environment={}).subnet
+
+
+@pytest.mark.parametrize("value", ["x", "-1", "233", "1.5"])
+def test_a_domain_that_is_none_is_refused(value):
+    with pytest.raises(QuadrupedError, match=f"ROS_DOMAIN_ID: expected .*0 to 232; found '?{value}"):
+        Network.from_environment(environment={"ROS_DOMAIN_ID": value})
+
+
+def test_without_the_extra_it_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "cyclonedds.core", None)
+    with pytest.raises(MissingExtraError, match=r"'dds' extra: pip install 'mini-quadruped\[dds\]'"):
+        Node("test", Network(1))
+
+
+def test_joints_come_in_any_order_of_names():
+    order = np.random.default_rng(1).permutation(8)
+    positions, velocities = np.linspace(-1.0, 1.0, 8), np.arange(8.0)
+    message = joint_state(names=[JOINT_NAMES[i] for i in order], position=positions[order], velocity=velocities[order])
+    joints = JointReader("/joint_states")(cdr.serialize(message))
+    np.testing.assert_array_equal(joints.positions, positions)
+    np.testing.assert_array_equal(joints.velocities, velocities)
+    assert joints.efforts is None
+    assert joints.stamp == STAMP
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"names": (), "position": (0.0,) * 12}, "LF_hip_joint is missing among 0"),
+        ({"names": JOINT_NAMES[:7], "position": (0.0,) * 7}, "RH_knee_joint is missing among 7"),
+        ({"names": ("left", *JOINT_NAMES[1:])}, "unknown 'left' among 8"),
+        ({"names": (*JOINT_NAMES, "LF_hip_joint"), "position": (0.0,) * 9}, "one comes twice"),
+        ({"position": (0.0,) * 7}, "position holds 7 values for 8 names"),
+        ({"position": (0.0, 0.0, np.nan, *(0.0,) * 5)}, "position of RF_hip_joint is nan"),
+        ({"velocity": (np.inf,) * 8}, "velocity of LF_hip_joint is inf"),
+    ],
+)
+def test_joints_that_are_not_this_robots_are_refused(changes, words):
+    with pytest.raises(QuadrupedError) as raised:
+        JointReader("/joint_states")(cdr.serialize(joint_state(**changes)))
+    assert str(raised.value).startswith("/joint_states: ")
+    assert words in str(raised.value)
+
+
+class Hands:
+    """A clock that a test turns."""
+
+    now = 100.0
+
+    def __call__(self):
+        return self.now
+
+
+def test_lateness_does_not_add_up():
+    """Each tick is met 3 ms late, and the hundredth is still due one second after the start."""
+    clock = Hands()
+    pace = Pace(0.01, clock)
+    for i in range(100):
+        assert pace.due == pytest.approx(100.0 + 0.01 * i)
+        clock.now = pace.due - 1e-6
+        assert not pace.tick()
+        clock.now += 0.003
+        assert pace.tick()
+    assert pace.due == pytest.approx(101.0)
+    assert pace.lost == 0
+    assert pace.latest == pytest.approx(0.003, abs=1e-5)
+
+
+def test_what_is_too_late_is_lost_and_the_grid_stays():
+    clock = Hands()
+    pace = Pace(0.01, clock, most_behind=0.1)
+    clock.now = 100.05
+    assert sum(pace.tick() for _ in range(20)) == 6  # caught up with
+    clock.now = 105.004
+    assert pace.tick()
+    assert pace.lost == 494
+    assert pace.due == pytest.approx(105.01)
+
+
+def test_rate_is_growth_per_second():
+    clock = Hands()
+    rate = Rate(clock)
+    clock.now += 2.0
+    assert rate.per_second(50) == pytest.approx(25.0)
+    clock.now += 1.0
+    assert rate.per_second(60) == pytest.approx(10.0)
+
+
+def started(*arguments):
+    return subprocess.Popen(
+        [sys.executable, "-m", "quadruped_env.live", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+
+
+def test_state_does_what_robot_state_publisher_does(nodes):
+    """Its transforms, put together, are the forward kinematics; and Ctrl-C ends it without a traceback."""
+    node = nodes()
+    publisher = node.publish(JOINT_STATES)
+    transforms, fixed, description = (node.subscribe(topic) for topic in (TF, TF_STATIC, ROBOT_DESCRIPTION))
+    positions = np.array([0.4, -0.5, 0.3, -0.1, -0.2, -1.5, 1.1, -0.9])
+    with started("state") as process:
+        try:
+            wait_until(lambda: publisher.readers and transforms.writers, 20.0)
+            publisher.send(joint_state(names=reversed(JOINT_NAMES), position=positions[::-1]))
+            publisher.send(joint_state(position=(0.0,) * 5))
+            received = []
+            wait_until(lambda: received.extend(transforms.take()) or received)
+            wait_until(lambda: description.count or description.take())
+            wait_until(lambda: fixed.count or fixed.take())
+        finally:
+            process.send_signal(2)
+            output = process.communicate(timeout=10)[0]
+    assert process.returncode == 0, output
+    assert "refused: /joint_states: position holds 5 values for 8 names" in output
+    assert "Traceback" not in output
+    assert output.splitlines()[-1].startswith("[state] ended after")
+    expected = forward_kinematics(positions)
+    poses = {"base_link": (np.zeros(3), np.eye(3))}
+    for one in transforms.decode(received[0]).transforms:
+        origin, rotation = poses[one.header.frame_id]
+        move, turn = one.transform.translation, one.transform.rotation
+        assert turn.x == turn.z == 0.0
+        c, s = turn.w**2 - turn.y**2, 2.0 * turn.w * turn.y  # every joint turns about y
+        local = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+        poses[one.child_frame_id] = (origin + rotation @ [move.x, move.y, move.z], rotation @ local)
+        np.testing.assert_allclose(poses[one.child_frame_id][0], expected[one.child_frame_id][0], atol=1e-12)
+    assert poses.keys() == expected.keys()
+
+
+def test_state_sends_the_urdf(nodes):
+    description = nodes().subscribe(ROBOT_DESCRIPTION)
+    with started("state", "--seconds", "5") as process:
+        received = []
+        wait_until(lambda: received.extend(description.take()) or received, 20.0)
+        process.terminate()
+        assert process.wait(10) == 0
+    assert description.decode(received[0]).data == asset_path("mini_quadruped.urdf").read_text()
+
+
+def test_help_tells_what_each_node_does():
+    from quadruped_env.live.__main__ import make_parser
+    from quadruped_env.live.nodes import MODULES, node_module
+
+    text = make_parser().format_help()
+    for name in MODULES:
+        assert f"{name} " in text
+        assert node_module(name).__doc__.count("\n") >= 3
