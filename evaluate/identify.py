@@ -30,6 +30,7 @@ from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.identification import BASES, FITTED, QUANTITIES, find_commands, identify
 from quadruped_env.evaluation.identification.report import check_report_extra, identification_files, save
 from quadruped_env.evaluation.motors_file import read_motors
+from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import check_free, free_path
 from quadruped_env.trajectory.arguments import add_reading_options, load_with, reading_options
@@ -71,23 +72,24 @@ def main() -> None:
         check_free(identification_files(out), args.overwrite)
         check_report_extra()
         start = None if args.start is None else read_motors(args.start)
-        measured = load_with(args.file, args, ProgressLine("reading"))
-        if args.commands_topic is not None:
-            options = {**reading_options(args), "topic": args.commands_topic}
-            commands = JointTrajectory.load(args.commands or args.file, **options)
-        else:
-            commands = load_with(args.commands or find_commands(args.file), args)
-        found = identify(
-            measured,
-            commands,
-            args.base,
-            start,
-            args.fit,
-            args.share,
-            args.timestep,
-            args.without,
-            ProgressLine("fitting"),
-        )
+        with plain_warnings("identify.py"):
+            measured = load_with(args.file, args, ProgressLine("reading"))
+            if args.commands_topic is not None:
+                options = {**reading_options(args), "topic": args.commands_topic}
+                commands = JointTrajectory.load(args.commands or args.file, **options)
+            else:
+                commands = load_with(args.commands or find_commands(args.file), args)
+            found = identify(
+                measured,
+                commands,
+                args.base,
+                start,
+                args.fit,
+                args.share,
+                args.timestep,
+                args.without,
+                ProgressLine("fitting"),
+            )
         save(found, out, shlex.join(["python", "evaluate/identify.py", *sys.argv[1:]]), args.overwrite)
     except (QuadrupedError, MissingExtraError) as error:
         sys.exit(f"identify.py: {error}")

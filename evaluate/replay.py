@@ -28,7 +28,7 @@ from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.motors_file import read_motors
-from quadruped_env.evaluation.options import add_video_option
+from quadruped_env.evaluation.options import add_video_option, plain_warnings
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.replay import MODES, replay, replay_files
 from quadruped_env.evaluation.replay_report import write_replay_report
@@ -74,15 +74,16 @@ def main() -> None:
     try:
         check_free(replay_files(out), args.overwrite)
         prepare_video(args.video, args.overwrite)
-        result = replay(
-            load_with(args.file, args, ProgressLine("reading")),
-            args.mode,
-            args.clip,
-            ProgressLine("playing"),
-            None if args.motors is None else read_motors(args.motors),
-            load_with(args.compare, args) if isinstance(args.compare, Path) else None,
-        )
-        result.save(out, args.overwrite, ProgressLine("writing"), compare)
+        with plain_warnings("replay.py"):
+            result = replay(
+                load_with(args.file, args, ProgressLine("reading")),
+                args.mode,
+                args.clip,
+                ProgressLine("playing"),
+                None if args.motors is None else read_motors(args.motors),
+                load_with(args.compare, args) if isinstance(args.compare, Path) else None,
+            )
+            result.save(out, args.overwrite, ProgressLine("writing"), compare)
         if not args.no_report:
             write_replay_report(result, out, shlex.join(["python", "evaluate/replay.py", *sys.argv[1:]]), compare)
         if args.video:

@@ -2,12 +2,32 @@
 
 import argparse
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
+from quadruped_env.errors import QuadrupedWarning
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.evaluation.video import STILLS, SUFFIXES
+
+
+@contextmanager
+def plain_warnings(program: str) -> Iterator[None]:
+    """Say this package's warnings as errors are said: in a line, with the program's name."""
+
+    def say(message: Warning | str, category: type[Warning], *rest: Any) -> None:
+        if issubclass(category, QuadrupedWarning):
+            print(f"{program}: {message}", file=sys.stderr)
+        else:
+            usual(message, category, *rest)
+
+    with warnings.catch_warnings():
+        usual = warnings.showwarning
+        warnings.showwarning = say  # type: ignore[assignment]
+        yield
 
 
 def add_video_option(parser: argparse.ArgumentParser) -> None:

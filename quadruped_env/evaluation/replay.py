@@ -189,7 +189,7 @@ class Replay:
 
     def remarks(self) -> list[str]:
         """What the reader should know beside the numbers, in sentences."""
-        remarks = []
+        remarks = list(self.recorded.source.notes)
         if self.clipped.any():
             names = ", ".join(name for name, count in zip(JOINT_NAMES, self.clipped, strict=True) if count)
             remarks.append(f"{self.clipped.sum()} recorded positions were moved to a joint's limit: {names}.")

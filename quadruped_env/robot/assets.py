@@ -9,27 +9,28 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.motors import MotorConfig
 
 ASSETS = ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml")
+MAPS = ("dyna1.toml",)
 
 
 def _asset_directory() -> Path:
-    """The directory of the model files: inside an installed package, beside it in a checkout."""
+    """The directory of the assets: inside an installed package, beside it in a checkout."""
     # An editable install maps the package `quadruped_env.assets` to the checkout's folder, and a wheel holds a
     # copy inside the package: both answer to find_spec. A bare checkout on sys.path has only the folder.
     spec = importlib.util.find_spec("quadruped_env.assets")
     if spec is not None and spec.submodule_search_locations:
-        return Path(next(iter(spec.submodule_search_locations))) / "mini_quadruped"
-    return Path(__file__).parents[2] / "assets" / "mini_quadruped"
+        return Path(next(iter(spec.submodule_search_locations)))
+    return Path(__file__).parents[2] / "assets"
 
 
 def asset_path(name: str) -> Path:
-    """The path of one of the robot's files: its URDF, its MJCF, or the MJCF scene around it.
+    """The path of one of the robot's files (its URDF, its MJCF, the MJCF scene around it), or of a map of a recording.
 
     Raises:
         QuadrupedError: if there is no such asset.
     """
-    if name not in ASSETS:
-        raise QuadrupedError(f"asset_path: unknown asset {name!r}; valid names are {', '.join(ASSETS)}")
-    return _asset_directory() / name
+    if name not in (*ASSETS, *MAPS):
+        raise QuadrupedError(f"asset_path: unknown asset {name!r}; valid names are {', '.join([*ASSETS, *MAPS])}")
+    return _asset_directory() / ("maps" if name in MAPS else "mini_quadruped") / name
 
 
 def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:

@@ -116,7 +116,7 @@ def align(
 
 def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
     """What the reader should know about a recording, in sentences."""
-    found = []
+    found = [*measured.source.notes, *(note for note in commands.source.notes if note not in measured.source.notes)]
     for part, what in ((measured, "measurements"), (commands, "commands")):
         gaps = part.gaps()
         if gaps:
