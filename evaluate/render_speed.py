@@ -16,8 +16,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         description="Pictures a second of 640x480 with this machine's OpenGL on one core, rendering alone and as a "
         "film with overlays and H.264, for sizes of the shadow map, with and without multisampling; and how much the "
-        "pictures differ from the best. Films use what is marked as chosen. Takes half a minute; let nothing else run "
-        "meanwhile.",
+        "pictures differ from the best. Films use what is marked as chosen. Takes half a minute.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--output", type=Path, default=Path("results/render_speed.json"), help="where to write JSON")

@@ -27,6 +27,8 @@ FRAME_RATE: Final = 25
 # dark specks, and MuJoCo cuts a plane into squares of which the default size costs half of the time.
 SHADOW_SIZE: Final = 1024
 MULTISAMPLES: Final = 4
+_SLICES, _STACKS = 20, 12
+"""Around and along balls and cylinders: MuJoCo's 28 and 16 look the same in this size, and take a tenth longer"""
 _GROUND_HALF_SIZE: Final = 40.0
 """m"""
 _GROUND_SQUARE: Final = 10.0
@@ -134,6 +136,7 @@ class Camera:
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = shadow_size
         self._model.vis.quality.offsamples = multisamples
+        self._model.vis.quality.numslices, self._model.vis.quality.numstacks = _SLICES, _STACKS
         self._model.vis.map.zfar = _FAR
         self._ground = self._model.geom("ground").id
         self._model.geom_size[self._ground] = _GROUND_HALF_SIZE, _GROUND_HALF_SIZE, _GROUND_SQUARE

@@ -14,7 +14,7 @@ AVERAGED: Final = 0.5
 GAIT_SECONDS: Final = 2.0
 """s that the gait diagram looks back"""
 
-_PANEL_HEIGHT: Final = 76
+_HEAD_HEIGHT, _PANEL_HEIGHT = 32, 76
 _MARGIN: Final = 14
 _AIR: Final = 232
 """Grey of a foot in the air"""
@@ -63,29 +63,31 @@ class Overlay:
     def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
         """The picture (H, W, 3) at a sample, with what there is to say about it."""
         picture = picture.copy()
-        height, width = picture.shape[:2]
-        top = height - _PANEL_HEIGHT
-        if self._velocity is not None or self._gait is not None:
-            # Seven parts of white, in whole numbers, which are quick.
-            picture[top:] = (picture[top:] >> 3) + 223
-        if self._gait is not None:
-            end = round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH)
-            strip = self._gait[:, max(0, end - _GAIT_WIDTH) : end]
-            rows, columns = strip.shape[:2]
-            picture[top + 10 : top + 10 + rows, width - _MARGIN - columns : width - _MARGIN] = strip
-        image = self._to_image(picture)
+        # Pillow gets the edges alone: to and fro with the whole picture takes as long as drawing.
+        head, panel = picture[:_HEAD_HEIGHT], picture[-_PANEL_HEIGHT:]
+        image = self._to_image(head)
         pen = self._pen_for(image)
         pen.text((_MARGIN, 10), self._title, fill=INK, font=self._font)
         clock = f"{(sample + 1) * self._timestep:.1f} s"
-        pen.text((width - _MARGIN, 10), clock, fill=INK, font=self._font, anchor="ra")
-        if self._velocity is not None:
-            for row in range(len(_QUANTITIES)):
-                self._draw_velocity(pen, row, sample, top + 14 + 28 * row)
-        if self._gait is not None:
-            for leg, name in enumerate(LEG_NAMES):
-                at = width - _MARGIN - _GAIT_WIDTH - 26, top + 10 + _BAND_STEP * leg + _BAND // 2
-                pen.text(at, name, fill=INK, font=self._small, anchor="lm")
-        return np.asarray(image)
+        pen.text((picture.shape[1] - _MARGIN, 10), clock, fill=INK, font=self._font, anchor="ra")
+        head[:] = image
+        if self._velocity is not None or self._gait is not None:
+            # Seven parts of white, in whole numbers, which are quick.
+            image = self._to_image((panel >> 3) + 223)
+            pen = self._pen_for(image)
+            if self._velocity is not None:
+                for row in range(len(_QUANTITIES)):
+                    self._draw_velocity(pen, row, sample, 14 + 28 * row)
+            if self._gait is not None:
+                left = image.width - _MARGIN - _GAIT_WIDTH
+                for leg, name in enumerate(LEG_NAMES):
+                    at = left - 26, 10 + _BAND_STEP * leg + _BAND // 2
+                    pen.text(at, name, fill=INK, font=self._small, anchor="lm")
+                end = max(1, round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH))
+                strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - _GAIT_WIDTH) : end]))
+                image.paste(strip, (image.width - _MARGIN - strip.width, 10))
+            panel[:] = image
+        return picture
 
     def _draw_velocity(self, pen: Any, row: int, sample: int, top: int) -> None:
         """A bar from zero to the velocity, a mark at its command, and both in figures."""
@@ -125,8 +127,8 @@ def gait_strip(contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]
         contact: (T, 4).
         timestep: s between samples; `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
     """
-    columns = round(len(contact) * timestep / GAIT_SECONDS * _GAIT_WIDTH)
-    samples = np.minimum(np.arange(columns) * len(contact) // max(columns, 1), len(contact) - 1)
+    columns = max(1, round(len(contact) * timestep / GAIT_SECONDS * _GAIT_WIDTH))
+    samples = np.arange(columns) * len(contact) // columns
     strip = np.full((_BAND_STEP * len(LEG_NAMES), columns, 3), 255, np.uint8)
     for leg, name in enumerate(LEG_NAMES):
         colour = np.array([int(LEG_COLOURS[name][i : i + 2], 16) for i in (1, 3, 5)], np.uint8)

@@ -1,6 +1,8 @@
 """How fast films are made, on one core: what the size of the shadow and the multisampling cost, and what they change.
 
-The choice is `SHADOW_SIZE` and `MULTISAMPLES` in `film.py`.
+The choice is `SHADOW_SIZE` and `MULTISAMPLES` in `film.py`. Counted is the processor's time, of all threads of this
+process on its one core: alone on the machine it is the time that passes, and beside other work it still is what the
+film costs.
 """
 
 import os
@@ -67,12 +69,12 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
                 camera.picture(walk, 0)
                 times, pictures = [], []
                 for sample in walk.frame_samples():
-                    start = time.perf_counter()
+                    start = time.process_time()
                     pictures.append(camera.picture(walk, sample))
-                    times.append(time.perf_counter() - start)
-                start = time.perf_counter()
+                    times.append(time.process_time() - start)
+                start = time.process_time()
                 encode_mp4(camera.film(walk))
-                film = len(times) / (time.perf_counter() - start)
+                film = len(times) / (time.process_time() - start)
             shown = np.array(pictures, np.int16)
             best = shown if best is None else best
             difference = float(np.abs(shown - best).mean())
