@@ -335,10 +335,15 @@ def test_state_does_what_robot_state_publisher_does(nodes):
     with started("state") as process:
         try:
             wait_until(lambda: publisher.readers and transforms.writers, 20.0)
-            publisher.send(joint_state(names=reversed(JOINT_NAMES), position=positions[::-1]))
-            publisher.send(joint_state(position=(0.0,) * 5))
             received = []
-            wait_until(lambda: received.extend(transforms.take()) or received)
+
+            def answered():
+                # Again and again: the node may know of this publisher only after the publisher knows of it.
+                publisher.send(joint_state(position=(0.0,) * 5))
+                publisher.send(joint_state(names=reversed(JOINT_NAMES), position=positions[::-1]))
+                return received.extend(transforms.take()) or received
+
+            wait_until(answered)
             wait_until(lambda: description.count or description.take())
             wait_until(lambda: fixed.count or fixed.take())
         finally:
