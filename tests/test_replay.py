@@ -6,17 +6,35 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, forward_kinematics
+from quadruped_env import (
+    JOINT_NAMES,
+    JointTrajectory,
+    QuadrupedError,
+    SinusoidalGait,
+    asset_path,
+    forward_kinematics,
+)
 from quadruped_env.evaluation.baseline import baseline_files, run_baseline
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.recording import MAX_SECONDS, play, publish, record
 from quadruped_env.evaluation.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.evaluation.results import free_path, write_json
+from quadruped_env.evaluation.saturation import saturation
+from quadruped_env.evaluation.signals import lag
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import GaitController, ZeroController
-from quadruped_env.robot import JOINT_POSITION_HIGH, LINK_NAMES, STANCE, STANCE_HEIGHT
+from quadruped_env.robot import (
+    JOINT_POSITION_HIGH,
+    LINK_NAMES,
+    STANCE,
+    STANCE_HEIGHT,
+    JointMotor,
+    MotorConfig,
+    sole_heights,
+)
 
 EVALUATE = Path(__file__).parents[1] / "evaluate"
+DYNA1 = Path(__file__).parents[2] / "shared" / "data" / "dyna1"
 
 
 def assert_same(a, b):
@@ -185,6 +203,96 @@ class TestReplay:
         positions[1, 1] = JOINT_POSITION_HIGH[1] + 0.9 * LIMIT_TOLERANCE
         assert replay(standing(positions=positions), "kinematic").clipped.sum() == 0
 
+    def test_it_starts_in_the_first_pose_on_its_feet(self):
+        """Of a gait, three feet or four are on the ground, none is in it, and nothing jumps at the start."""
+        for preset in PRESETS:
+            commands = publish(SinusoidalGait.preset(preset), 0.2, 50.0)
+            result = replay(commands)
+            np.testing.assert_array_equal(result.played.positions[0], commands.positions[0])
+            soles = sole_heights(commands.positions[0], result.motion.base_pose[0])
+            assert soles.min() == pytest.approx(0.0, abs=1e-12)
+            assert (soles < 1e-9).sum() >= 3
+            assert result.report()["motion"]["feet_on_ground_at_start"] >= 3
+            assert np.abs(np.diff(result.motion.base_pose[:3, 2])).max() < 2e-3
+
+    def test_limits_and_saturation(self):
+        """A step of 1 rad asks for more than a motor has: kp times the step is 40 N m."""
+        positions = np.tile(STANCE, (4, 1))
+        positions[2:, 6] = STANCE[6] + 0.5
+        stamps = np.array([0, 400, 401, 800]) * 1_000_000
+        result = replay(standing(stamps=stamps, positions=positions))
+        report = result.report()["limits"]
+        hip = report["RH_hip_joint"]
+        assert hip["saturated"]["share"] > 0.0
+        assert hip["saturated"]["first_at"] == pytest.approx(0.42, abs=0.021)
+        assert hip["saturated"]["largest_torque_asked"] > 10.0
+        assert hip["largest_torque"] <= 10.0 + 1e-9
+        assert hip["fastest_recorded"] > 5.0
+        assert "Recorded faster than the motors' 5 rad/s: RH_hip_joint." in result.remarks()
+        assert report["LF_knee_joint"]["saturated"] == {
+            "share": 0.0,
+            "largest_torque_asked": pytest.approx(report["LF_knee_joint"]["saturated"]["largest_torque_asked"]),
+            "first_at": None,
+        }
+
+    def test_wanted_torque_and_what_is_too_much(self):
+        """By hand: kp 40, kd 1; at 2 rad/s forwards a motor has 10 - 2 * 2 = 6 N m left, and 10 N m to brake with."""
+        stamps = np.array([0, 20, 40, 60]) * 1_000_000
+        positions, velocities = np.zeros((2, 4, 8))
+        positions[:, 1::2] = -1.0
+        velocities[2:, 0] = 2.0
+        targets = positions.copy()
+        targets[1:3, 0] = 0.1, -0.4
+        target, played = (JointTrajectory(stamps, JOINT_NAMES, p, velocities) for p in (targets, positions))
+        found = saturation(target, played, MotorConfig())
+        # A target acts over the step that follows it.
+        np.testing.assert_allclose(found.asked[:, 0], [0.0, 0.0, 0.1 * 40 - 2.0, -0.4 * 40 - 2.0])
+        np.testing.assert_allclose(found.excess[:, 0], [0.0, 0.0, 0.0, 8.0])
+        late = saturation(target, played, MotorConfig(delay=0.02))
+        np.testing.assert_allclose(late.asked[:, 0], [0.0, 0.0, -2.0, 0.1 * 40 - 2.0])
+        targets[1, 0] = 0.3
+        pulled = saturation(JointTrajectory(stamps, JOINT_NAMES, targets), played, MotorConfig())
+        assert pulled.excess[2, 0] == pytest.approx(0.3 * 40 - 2.0 - 6.0)
+
+    def test_lag_is_the_delay_that_was_put_in(self):
+        times = np.arange(0, 4, 0.02)
+        target = JointTrajectory(np.rint(times * 1e9).astype(int), JOINT_NAMES, np.sin(3 * times)[:, None] * np.ones(8))
+        late = JointTrajectory(target.stamps, JOINT_NAMES, target.positions_at(times - 0.06))
+        assert lag(target, late) == [pytest.approx(0.06, abs=2e-3)] * 8
+        assert lag(standing(4.0), standing(4.0)) == [None] * 8
+
+    def test_gaps_are_reported(self):
+        stamps = np.array([0, 20, 40, 60, 640, 660]) * 1_000_000
+        result = replay(standing(stamps=stamps, positions=np.tile(STANCE, (6, 1))), "kinematic")
+        assert result.report()["gaps"] == [{"start": 0.06, "seconds": 0.58}]
+        assert "1 gaps in the recording, the longest of 0.58 s at 0.06 s" in result.table()
+
+    def test_other_motors(self):
+        weak = JointMotor(stall_torque=0.5)
+        commands = publish(SinusoidalGait.preset("tuned"), 0.5, 50.0)
+        result = replay(commands, motors=MotorConfig(hip=weak, knee=weak))
+        assert np.abs(result.played.efforts).max() <= 0.5 + 1e-9
+        assert result.saturation().report()["LF_knee_joint"]["share"] > 0.3
+
+    def test_recorded_against_simulated(self):
+        commands = publish(SinusoidalGait.preset("tuned"), 1.0, 50.0)
+        truth = play(commands).joints
+        offset = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions - 0.1, truth.velocities, truth.efforts * 2)
+        found = replay(commands, measured=offset).comparison().report()
+        for name in JOINT_NAMES:
+            assert found["positions"]["joints"][name] == pytest.approx(
+                {"rms": 0.1, "mean": 0.1, "max": 0.1, "correlation": 1.0}
+            )
+            assert found["velocities"]["joints"][name]["rms"] == 0.0
+            assert found["efforts"]["joints"][name]["correlation"] == pytest.approx(1.0)
+        positions_only = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions)
+        signals = replay(commands, measured=positions_only).comparison()
+        assert list(signals.recorded) == ["positions", "velocities"]
+        assert "made from its positions" in signals.table()
+        later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
+        with pytest.raises(QuadrupedError, match="compare recordings that were made on one clock"):
+            replay(commands, measured=later).comparison()
+
     def test_one_row_is_the_start(self):
         result = replay(JointTrajectory([7], JOINT_NAMES, [STANCE]))
         assert result.played.stamps.tolist() == [7]
@@ -286,6 +394,41 @@ class TestPrograms:
         results = tmp_path / "results"
         played = results / "replay-baseline-tuned-commands" / "joint_states.csv"
         assert played.read_bytes() == (results / "baseline-tuned.csv").read_bytes()
+
+    def test_against_what_the_robot_did(self, tmp_path):
+        commands = publish(SinusoidalGait.preset("tuned"), 0.5, 50.0)
+        commands.save(tmp_path / "told.csv")
+        did = play(commands).joints
+        names = (*JOINT_NAMES, "tail_joint")
+        wider = [np.c_[array, np.zeros(len(did))] for array in (did.positions, did.velocities, did.efforts)]
+        JointTrajectory(did.stamps, names, *wider).save(tmp_path / "did.csv")
+        done = run(tmp_path, "replay.py", "told.csv", "--compare", "did.csv", "--out", "out")
+        assert done.returncode == 0, done.stderr
+        assert done.stderr == "replay.py: did.csv: left out what this robot does not have: tail_joint\n"
+        assert "efforts (N m)" in done.stdout
+        numbers = json.loads((tmp_path / "out" / "tracking.json").read_text())["comparison"]
+        assert numbers["efforts"]["joints"]["RH_knee_joint"]["max"] == 0.0
+        page = (tmp_path / "out" / "report.html").read_text()
+        assert page.count("data:image/svg+xml") == 6
+        assert "Recorded against simulated" in page
+
+    def test_another_robots_recording(self, tmp_path):
+        if not DYNA1.is_dir():
+            pytest.skip("needs the recording of Dyna1 in ../shared/data/dyna1")
+        layout = asset_path("dyna1.toml")
+        files = (DYNA1 / "control.csv", "--compare", DYNA1 / "measured.csv", "--columns", layout, "--map", layout)
+        done = run(tmp_path, "replay.py", *files, "--out", "out", "--no-report")
+        assert done.returncode == 0, done.stderr
+        report = json.loads((tmp_path / "out" / "tracking.json").read_text())
+        assert report["motion"]["fell_at"] is None
+        assert report["motion"]["feet_on_ground_at_start"] >= 3
+        assert report["tracking_error"]["all"]["max"] < 0.1
+        did = report["comparison"]["positions"]["joints"]
+        assert did["RF_knee_joint"]["correlation"] > 0.99
+        assert did["LF_hip_joint"]["rms"] > 0.1  # this motor of the real robot did not move
+        refused = run(tmp_path, "replay.py", DYNA1 / "control.csv", "--columns", layout, "--out", "other")
+        assert refused.returncode == 1
+        assert "--" in refused.stderr
 
     def test_the_articles_publisher(self, tmp_path):
         arguments = ("--preset", "article", "--rate", "20", "--commands", "--seconds", "2", "--episodes", "1")

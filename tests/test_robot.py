@@ -20,6 +20,8 @@ from quadruped_env.robot import (
     fixed_transforms,
     joint_transforms,
     load_model,
+    resting_pose,
+    sole_heights,
 )
 
 # Written out here, not imported: these are the facts of the tutorial that the files and the package have to repeat.
@@ -514,6 +516,39 @@ class TestTransforms:
     def test_errors(self, positions, base_pose, message):
         with pytest.raises(QuadrupedError, match=message):
             joint_transforms(positions, base_pose)
+
+
+class TestResting:
+    def test_in_the_stance_on_all_fours_and_level(self):
+        pose = resting_pose(STANCE)
+        np.testing.assert_allclose(pose, [0, 0, STANCE_HEIGHT, 1, 0, 0, 0], rtol=0, atol=1e-7)
+        np.testing.assert_allclose(sole_heights(STANCE, pose), 0.0, rtol=0, atol=1e-12)
+
+    def test_bent_front_legs_lower_the_front(self):
+        """The pitch follows from the two heights of the feet and the distance between them."""
+        positions = STANCE.copy()
+        positions[:4] = [1.2, -1.9] * 2
+        front, hind = (-0.03 * np.cos(h) - 0.14 * np.cos(h + k) for h, k in ((1.2, -1.9), (0.6, -0.72)))
+        reach = 0.15 - 0.03 * np.sin(1.2) - 0.14 * np.sin(1.2 - 1.9), -0.15 - 0.03 * np.sin(0.6) - 0.14 * np.sin(-0.12)
+        pose = resting_pose(positions)
+        pitch = np.arctan2(front - hind, reach[0] - reach[1])
+        np.testing.assert_allclose(pose[3:], [np.cos(pitch / 2), 0, np.sin(pitch / 2), 0], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(sole_heights(positions, pose), 0.0, rtol=0, atol=1e-9)
+
+    def test_nothing_is_below_the_ground_and_the_robot_is_carried(self, model):
+        data, scratch = mujoco.MjData(model), np.zeros(6)
+        ground = model.geom("ground").id
+        robot = [i for i in range(model.ngeom) if model.geom_group[i] == 3]
+        rng = np.random.default_rng(0)
+        on_feet = 0
+        for _ in range(200):
+            positions = rng.uniform([-1.5, -2.0] * 4, [1.5, 0.0] * 4)
+            data.qpos = [*resting_pose(positions), *positions]
+            mujoco.mj_forward(model, data)
+            lowest = min(mujoco.mj_geomDistance(model, data, ground, geom, 1.0, scratch) for geom in robot)
+            assert lowest == pytest.approx(0.0, abs=1e-9)
+            on_feet += (sole_heights(positions, data.qpos[:7]) < 1e-9).sum() >= 3
+        assert on_feet > 50
 
 
 class TestAssets:

@@ -265,6 +265,7 @@ def replay(
     recorded = trajectory.in_joint_order()
     playable, clipped = _within_limits(recorded, clip)
     motors = motors or MotorConfig()
+    measured = None if measured is None else measured.in_joint_order()
     if mode == "kinematic":
         return Replay(mode, recorded, playable, None, clipped, playable, motors, measured)
     motion = play(playable, progress=progress, motors=motors)
