@@ -79,16 +79,17 @@ def _indexed(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
             connections = [connection for connection in reader.connections if connection.topic == topic]
             for connection in connections:
                 _check_connection(connection, reading)
-            total = max(sum(connection.msgcount for connection in connections), 1)
-            reading.expected_rows = total
+            total = reading.expected_rows = sum(connection.msgcount for connection in connections)
             found = 0
             for _, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):
                     raise TypeError("time or bytes of a message are of another type")
                 if found % _MESSAGES_A_STEP == 0:
-                    reading.at(found / total)
+                    reading.at(found / max(total, 1))
                 yield time, bytes(data)
                 found += 1
+            if found != total:
+                raise ValueError(f"it says that there are {total} messages")
     except (QuadrupedError, MissingExtraError):
         raise
     # rosbags reads damaged bytes until something gives, and it is not documented what.

@@ -4,6 +4,7 @@ Messages come in the order in which they stand in the file.
 """
 
 import re
+import struct
 import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
@@ -102,14 +103,22 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
 def _scan(reading: Reading, storage: str) -> Iterator[tuple[Path, Topic | Message]]:
     """Topics and messages of all files of a bag, each with its file."""
     if storage != DIRECTORY:
-        for found in _SCANNERS[storage](reading.path, reading):
+        for found in _scan_file(reading.path, storage, reading):
             yield reading.path, found
         return
     for path in storage_files(reading.path):
         with ExitStack() as stack:
             plain = decompressed(path, stack, reading) if path.suffix == ".zstd" else path
-            for found in _SCANNERS[plain.suffix](plain, reading):
+            for found in _scan_file(plain, plain.suffix, reading):
                 yield path, found
+
+
+def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | Message]:
+    """Topics and messages of one file, up to where nothing makes sense any more."""
+    try:
+        yield from _SCANNERS[storage](path, reading)
+    except (struct.error, LookupError, ValueError, OverflowError, MemoryError) as error:
+        reading.note(f"{path.name}: what follows is damaged: {error!r}")
 
 
 def storage_files(directory: Path) -> list[Path]:

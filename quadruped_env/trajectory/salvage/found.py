@@ -1,5 +1,6 @@
 """What the scanners of all formats find, and the compressions that they share."""
 
+import bz2
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -52,8 +53,11 @@ def decompress(data: bytes, compression: str, size: int) -> bytes:
         raise ValueError(f"it claims {size} bytes")
     if not compression:
         return data[:size]
+    decompressor: Any
     if compression == "zstd":
         decompressor = zstd().ZstdDecompressor()
+    elif compression == "bz2":
+        decompressor = bz2.BZ2Decompressor()
     elif compression == "lz4":
         from lz4.frame import LZ4FrameDecompressor
 

@@ -1,6 +1,5 @@
 """ROS 1 bags without their index: https://wiki.ros.org/Bags/Format/2.0."""
 
-import bz2
 import struct
 from collections.abc import Iterator, Mapping
 from io import BytesIO
@@ -8,7 +7,7 @@ from pathlib import Path
 from typing import BinaryIO, Final
 
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.salvage.found import MAX_SIZE, Message, Topic, decompress
+from quadruped_env.trajectory.salvage.found import Message, Topic, decompress
 
 _MAGIC: Final = b"#ROSBAG V2.0\n"
 _MESSAGE, _CHUNK, _CONNECTION = 2, 5, 7
@@ -35,7 +34,8 @@ def _records(file: BinaryIO, size: int, name: str, reading: Reading) -> Iterator
             data = file.read(min(length, size))
             op = fields["op"][0]
             if op == _CHUNK:
-                plain = _plain(data, fields["compression"].decode(), struct.unpack("<I", fields["size"])[0])
+                compression = fields["compression"].decode().removeprefix("none")
+                plain = decompress(data, compression, struct.unpack("<I", fields["size"])[0])
                 yield from _records(BytesIO(plain), len(plain), f"{name}: chunk at byte {start}", reading)
             elif op == _CONNECTION and whole:
                 kind = _fields(data)["type"].decode()
@@ -62,13 +62,3 @@ def _fields(data: bytes) -> Mapping[str, bytes]:
         fields[name.decode()] = value
         at += 4 + length
     return fields
-
-
-def _plain(data: bytes, compression: str, size: int) -> bytes:
-    if compression in {"", "none"}:
-        return data
-    if compression == "bz2":
-        if size > MAX_SIZE:
-            raise ValueError(f"a chunk claims {size} bytes")
-        return bz2.BZ2Decompressor().decompress(data, size)
-    return decompress(data, compression, size)

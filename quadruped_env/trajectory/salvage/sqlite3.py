@@ -26,6 +26,9 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
     with path.open("rb") as file:
         header = file.read(_HEADER)
         size = path.stat().st_size
+        if len(header) < _HEADER:
+            reading.note(f"{path.name}: cut off at byte {size}, within the header")
+            return
         page_size, unused = struct.unpack_from(">H", header, 16)[0], header[20]
         page_size = 65536 if page_size == 1 else page_size
         if page_size < 512 or page_size & (page_size - 1):

@@ -1,0 +1,366 @@
+"""Mutated files of every format: refused with this package's own error, or read as what they now say.
+
+By default a few hundred files a format; `pytest -m slow` tries thousands.
+"""
+
+import re
+import signal
+import sqlite3
+import struct
+
+import numpy as np
+import pytest
+from trajectories import assert_same, random_trajectory
+
+from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env.trajectory.column_map import ColumnMap
+
+pytest.importorskip("rosbags")
+import yaml
+from rosbags.rosbag1 import Reader as Reader1
+from rosbags.typesys import Stores, get_typestore
+from test_bags import write_ros1
+
+JOINT_STATE = "sensor_msgs/msg/JointState"
+NAMES = ["a_joint", "b_joint"]
+SECONDS = 20.0
+"""A file that takes longer than this to read hangs the reader"""
+
+
+def small(rows=12):
+    trajectory = random_trajectory(rows=rows)
+    numbers = [np.round(array[:, :2], 3) for array in (trajectory.positions, trajectory.efforts)]
+    return JointTrajectory(trajectory.stamps, NAMES, numbers[0], numbers[0] * 2.0, np.nan_to_num(numbers[1]))
+
+
+# What a file says, by code that shares nothing with the reader, without any checks.
+
+
+def says_csv(path):
+    """This project's CSV."""
+    lines = [line.rstrip("\r").split(",") for line in path.read_bytes().decode("utf-8-sig").split("\n")[:-1]]
+    header, rows = lines[0], lines[1:]
+    names = [title.removeprefix("position.") for title in header if title.startswith("position.")]
+    columns = {
+        kind: [[float(row[header.index(f"{kind}.{name}")]) for name in names] for row in rows]
+        for kind in ("position", "velocity", "effort")
+        if f"{kind}.{names[0]}" in header
+    }
+    return JointTrajectory(
+        [int(row[0]) for row in rows], names, columns["position"], columns.get("velocity"), columns.get("effort")
+    )
+
+
+def says_table(path):
+    """A CSV of other columns, by Python's own reader."""
+    import csv
+    from fractions import Fraction
+
+    with path.open(encoding="utf-8-sig", newline=None) as file:
+        header, *rows = csv.reader(file)
+    header = [title.strip() for title in header]
+    at = [header.index(name) for name in ("time", *NAMES)]
+    rows = [[row[i].strip() for i in at] for row in rows]
+    stamps = [round(Fraction(row[0]) * 10**9) for row in rows]
+    return JointTrajectory(stamps, NAMES, [[float(cell) for cell in row[1:]] for row in rows])
+
+
+def says_yaml(path):
+    """Echoed YAML, by PyYAML's own types."""
+    number = re.compile(r"^[-+]?[\d.]+(e[-+]?\d+)?$", re.IGNORECASE)
+    special = {".nan": np.nan, ".inf": np.inf, "-.inf": -np.inf}
+
+    def value(item):
+        if isinstance(item, str) and (
+            number.match(item.strip()) or item.strip().lower().strip("+-") in {"nan", "inf", "infinity"}
+        ):
+            return float(item)
+        return special.get(item, item)
+
+    text = path.read_text(encoding="utf-8-sig")
+    found = []
+    for document in re.split(r"---[^\S\n]*\n", text):
+        if document.strip() and not document.lstrip().startswith("A message was lost!!!"):
+            found.append(yaml.load(document, yaml.BaseLoader))  # noqa: S506
+    names = found[0]["name"]
+    assert all(set(one["name"]) == set(names) for one in found)
+    arrays = {
+        kind: [[value(one[kind][one["name"].index(name)]) for name in names] for one in found]
+        if found[0][kind]
+        else None
+        for kind in ("position", "velocity", "effort")
+    }
+    stamps = [int(one["header"]["stamp"]["sec"]) * 10**9 + int(one["header"]["stamp"]["nanosec"]) for one in found]
+    return built(stamps, names, **{kind: None if a is None else np.array(a, float) for kind, a in arrays.items()})
+
+
+def says_echo(path):
+    """Echoed CSV whose joints are two."""
+    rows = [
+        line.split(",")
+        for line in path.read_text(encoding="utf-8-sig").split("\n")[:-1]
+        if not line.startswith(("A message was lost!!!", "\t"))
+    ]
+    names = rows[0][3:5]
+    groups = [[row[5:7] for row in rows], [row[7:9] for row in rows], [row[9:11] for row in rows]]
+    order = [[row[3:5].index(name) for name in names] for row in rows]
+    arrays = [np.array([[float(g[i]) for i in o] for g, o in zip(group, order, strict=True)]) for group in groups]
+    return built([int(row[0]) * 10**9 + int(row[1]) for row in rows], names, *arrays)
+
+
+def built(stamps, names, position, velocity, effort):
+    """A trajectory of messages' numbers, in which velocities that are all unknown count as none."""
+    if velocity is not None and np.isnan(velocity).all():
+        velocity = None
+    return JointTrajectory(stamps, names, position, velocity, effort)
+
+
+def says_messages(messages):
+    """Messages of rosbags, put together."""
+    names = list(messages[0].name)
+    order = [[list(message.name).index(name) for name in names] for message in messages]
+
+    def array(kind):
+        rows = [getattr(message, kind) for message in messages]
+        return np.array([row[o] for row, o in zip(rows, order, strict=True)]) if len(rows[0]) else None
+
+    stamps = [message.header.stamp.sec * 10**9 + message.header.stamp.nanosec for message in messages]
+    return built(stamps, names, array("position"), array("velocity"), array("effort"))
+
+
+def says_sqlite3(path):
+    """A bag's sqlite3 file, by SQLite itself."""
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    database = sqlite3.connect(f"{path.as_uri()}?immutable=1", uri=True)
+    try:
+        rows = database.execute(
+            "SELECT data FROM messages JOIN topics ON topics.id = topic_id "
+            "WHERE type = 'sensor_msgs/msg/JointState' ORDER BY timestamp, messages.id"
+        ).fetchall()
+    finally:
+        database.close()
+    return says_messages([store.deserialize_cdr(data, JOINT_STATE) for (data,) in rows])
+
+
+def says_compressed(path):
+    """A compressed sqlite3 file, unpacked by another library than rosbags'."""
+    zstandard = pytest.importorskip("zstandard")
+    plain = path.with_name("plain")
+    with path.open("rb") as source, plain.open("wb") as target:
+        zstandard.ZstdDecompressor().copy_stream(source, target)
+    found = says_sqlite3(plain)
+    plain.unlink()
+    return found
+
+
+def says_ros1(path):
+    """A ROS 1 bag, by rosbags' own messages."""
+    store = get_typestore(Stores.ROS1_NOETIC)
+    with Reader1(path) as reader:
+        connections = [one for one in reader.connections if one.msgtype == JOINT_STATE]
+        found = [store.deserialize_ros1(data, JOINT_STATE) for _, _, data in reader.messages(connections)]
+    return says_messages(found)
+
+
+def write_table(trajectory, path):
+    rows = [
+        f"{stamp // 10**9}.{stamp % 10**9:09d},walk,{row[0]!r},{row[1]!r}\n"
+        for stamp, row in zip(trajectory.stamps.tolist(), trajectory.positions.tolist(), strict=True)
+    ]
+    path.write_text(f"time,mode,{','.join(NAMES)}\n" + "".join(rows))
+
+
+def write_yaml(trajectory, path):
+    documents = []
+    for state in trajectory:
+        lists = zip(
+            ("name", "position", "velocity", "effort"),
+            (NAMES, state.position, state.velocity, state.effort),
+            strict=True,
+        )
+        body = "".join(f"{key}:\n" + "".join(f"- {value}\n" for value in values) for key, values in lists)
+        sec, nanosec = divmod(state.stamp, 10**9)
+        documents.append(f"header:\n  stamp:\n    sec: {sec}\n    nanosec: {nanosec}\n  frame_id: ''\n{body}---\n")
+    path.write_text("".join(documents))
+
+
+def write_echo(trajectory, path):
+    lines = []
+    for state in trajectory:
+        numbers = [*state.position.tolist(), *state.velocity.tolist(), *state.effort.tolist()]
+        lines.append(",".join(map(str, [*divmod(state.stamp, 10**9), "", *NAMES, *numbers])) + "\n")
+    path.write_text("".join(lines))
+
+
+WRITERS = {
+    "csv": lambda trajectory, path: trajectory.save(path),
+    "table.csv": write_table,
+    "echo.yaml": write_yaml,
+    "echo.csv": write_echo,
+    "mcap": lambda trajectory, path: trajectory.save(path),
+    "zstd.mcap": lambda trajectory, path: trajectory.save(path, compress=True),
+    "db3": lambda trajectory, path: trajectory.save(path),
+    "bag": write_ros1,
+    "bz2.bag": lambda trajectory, path: write_ros1(path, trajectory, "BZ2"),
+    "lz4.bag": lambda trajectory, path: write_ros1(path, trajectory, "LZ4"),
+    "metadata": lambda trajectory, path: trajectory.save(path),
+    "db3.zstd": lambda trajectory, path: trajectory.save(path, storage="sqlite3", compress=True),
+}
+WRITERS["bag"] = lambda trajectory, path: write_ros1(path, trajectory)
+
+SAYS = {
+    "csv": says_csv,
+    "table.csv": says_table,
+    "echo.yaml": says_yaml,
+    "echo.csv": says_echo,
+    "db3": says_sqlite3,
+    "db3.zstd": says_compressed,
+    "bag": says_ros1,
+    "bz2.bag": says_ros1,
+    "lz4.bag": says_ros1,
+}
+"""Formats without checksums; of the others, whatever is read must be what was written"""
+
+OPTIONS = {"table.csv": {"columns": ColumnMap("time", NAMES)}}
+
+
+def mutated(data, rng):
+    """The bytes with one or a few kinds of damage."""
+    for _ in range(rng.integers(1, 4)):
+        data = DAMAGES[rng.integers(0, len(DAMAGES))](data, rng)
+    return data
+
+
+def place(data, rng, longest=40):
+    """Where a piece of the data begins and ends."""
+    start = int(rng.integers(0, len(data) + 1))
+    return start, min(len(data), start + int(rng.integers(1, longest)))
+
+
+def cut_off(data, rng):
+    return data[: place(data, rng)[0]]
+
+
+def inserted(data, rng):
+    at, _ = place(data, rng)
+    return data[:at] + rng.bytes(int(rng.integers(1, 9))) + data[at:]
+
+
+def overwritten(data, rng):
+    start, end = place(data, rng, 9)
+    return data[:start] + rng.bytes(end - start) + data[end:]
+
+
+def mistyped(data, rng):
+    at, _ = place(data, rng)
+    text = bytes(rng.choice(list(b"0123456789.,-+eE \n\r\t_\"'naif[]{}:#&*"), rng.integers(1, 4)).astype(np.uint8))
+    return data[:at] + text + data[at + int(rng.integers(0, 4)) :]
+
+
+def removed(data, rng):
+    start, end = place(data, rng)
+    return data[:start] + data[end:]
+
+
+def repeated(data, rng):
+    start, end = place(data, rng)
+    return data[:end] + data[start:]
+
+
+def zeroed(data, rng):
+    start, end = place(data, rng)
+    return data[:start] + bytes(end - start) + data[end:]
+
+
+def long_length(data, rng):
+    at, _ = place(data, rng)
+    return data[:at] + struct.pack("<Q", 2**64 - int(rng.integers(1, 9))) + data[at + 8 :]
+
+
+def other_length(data, rng):
+    at, _ = place(data, rng)
+    return data[:at] + struct.pack("<I", int(rng.integers(0, 2**32))) + data[at + 4 :]
+
+
+def lines_swapped(data, rng):
+    lines = data.split(b"\n")
+    i, j = rng.integers(0, len(lines), 2).tolist()
+    lines[i], lines[j] = lines[j], lines[i]
+    return b"\n".join(lines)
+
+
+def bit_flipped(data, rng):
+    start, _ = place(data, rng)
+    return (
+        data[:start]
+        + bytes(byte ^ 1 << int(rng.integers(0, 8)) for byte in data[start : start + 1])
+        + data[start + 1 :]
+    )
+
+
+DAMAGES = (
+    cut_off,
+    inserted,
+    overwritten,
+    mistyped,
+    removed,
+    repeated,
+    zeroed,
+    long_length,
+    other_length,
+    lines_swapped,
+    bit_flipped,
+)
+
+
+def interrupt(*_):
+    raise TimeoutError(f"reading took over {SECONDS} s")
+
+
+def fuzz(directory, kind, count, seed):
+    """Read `count` mutated files; returns how many were refused and how many were read."""
+    rng = np.random.default_rng(seed)
+    original, path = small(), directory / f"file.{kind}"
+    if kind in {"metadata", "db3.zstd"}:
+        path = directory / "bag"
+    WRITERS[kind](original, path)
+    damaged = {"metadata": path / "metadata.yaml", "db3.zstd": path / "bag.db3.zstd"}.get(kind, path)
+    data = damaged.read_bytes()
+    refused = read = 0
+    signal.signal(signal.SIGALRM, interrupt)
+    for _ in range(count):
+        damaged.write_bytes(mutated(data, rng))
+        options = dict(OPTIONS.get(kind, {}), degrees=False)
+        plain = rng.random() < 0.6
+        if not plain:
+            options |= {name: True for name in ("salvage", "drop", "sort") if rng.random() < 0.6}
+        signal.setitimer(signal.ITIMER_REAL, SECONDS)
+        try:
+            loaded = JointTrajectory.load(path, **options)
+        except QuadrupedError as error:
+            assert str(error).startswith((str(path), "slice"))  # noqa: PT017
+            refused += 1
+            continue
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+        read += 1
+        if plain:
+            expected = SAYS[kind](damaged) if kind in SAYS else original
+            assert_same(loaded, expected)
+    return refused, read
+
+
+@pytest.mark.parametrize("kind", WRITERS)
+def test_damaged_files_are_refused_or_read_as_they_are(tmp_path, kind):
+    refused, read = fuzz(tmp_path, kind, 200, seed=0)
+    assert refused > 20
+    assert read > 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", WRITERS)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_thousands_of_damaged_files(tmp_path, kind, seed):
+    refused, read = fuzz(tmp_path, kind, 3000, seed)
+    assert refused > 300
+    assert read > 30
