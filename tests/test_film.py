@@ -1,4 +1,5 @@
 import io
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -16,6 +17,7 @@ from quadruped_env.evaluation.replay import replay
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies.policy import shipped_directory
 from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT
 
 PROGRAMS = Path(__file__).parents[1] / "evaluate"
@@ -211,8 +213,10 @@ def test_every_program_that_runs_the_robot_films_it(tmp_path, camera):
         "baseline.py": ("--seconds", 1, "--episodes", 1, "--out", "walk.csv"),
         "replay.py": ("walk.csv",),
         "policy.py": ("flat", *short),
+        "compare.py": ("flat", "other", *short),
         "picture.py": (),
     }
+    shutil.copytree(shipped_directory("flat"), tmp_path / "other")
     for name, arguments in programs.items():
         option = "--output" if name == "picture.py" else "--video"
         file = tmp_path / f"{name}.png"

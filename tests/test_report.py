@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import failures, pictures, plots, run_comparison, subject
+from quadruped_env.evaluation import failures, pictures, plots, report, run_comparison, subject
 from quadruped_env.evaluation.comparison import (
     COMMANDS,
     CONTROLLERS,
@@ -182,7 +182,15 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written):
     assert TaskConfig.from_dict(document["config"]).action.mode == "residual"
 
 
-def test_without_opengl_the_report_is_made_and_names_the_package(run_directory, comparison, tmp_path, monkeypatch):
+@pytest.fixture
+def without_figures(monkeypatch):
+    """Figures take most of a report's time."""
+    monkeypatch.setattr(report, "_figures", lambda *_: [])
+
+
+def test_without_opengl_the_report_is_made_and_names_the_package(
+    run_directory, comparison, tmp_path, monkeypatch, without_figures
+):
     def broken(*args):
         raise AttributeError("no context")
 
@@ -195,6 +203,16 @@ def test_without_opengl_the_report_is_made_and_names_the_package(run_directory, 
     assert "srcdoc=" in html
     assert "libegl1" in html
     assert "<video" not in html
+
+
+def test_without_viser_the_report_is_made_and_names_the_extra(
+    run_directory, comparison, tmp_path, monkeypatch, without_figures
+):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    page, _, missing = write_report(find_subject(str(run_directory), tmp_path), comparison, "", with_video=False)
+    assert missing == ["No 3D replay: The 3D replay needs the 'viewer' extra: pip install 'mini-quadruped[viewer]'"]
+    assert "<iframe" not in page.read_text()
+    assert "script-src" not in page.read_text()
 
 
 def test_table_has_a_row_for_every_motion(comparison):
@@ -388,6 +406,7 @@ def test_without_falls_the_worst_has_the_largest_error(comparison):
     assert not any(math.isinf(failure.badness) for failure in worst)
     assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
     assert worst[0].row == int(np.nanargmax(tolerated))
+    assert "It stayed on its feet. Farthest off was its " in worst[0].story
     assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, heading_of, tilt, up_in_body, window_means
@@ -11,6 +12,8 @@ from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.verdict import VELOCITY_TOLERANCE, YAW_RATE_TOLERANCE
 
 SHOWN: Final = 3
+_TOLERANCES: Final = np.array([VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]])
+"""m/s and rad/s"""
 _LEANING: Final = 0.3
 """Share of the world's up direction along an axis of the base from which the robot leans to that side"""
 _DRIFT: Final = 0.3
@@ -44,7 +47,7 @@ def worst_episodes(comparison: Comparison, controller: str = "policy", count: in
     for i, command in enumerate(comparison.commands):
         rows = comparison.rows(i)
         errors = np.stack([comparison.values[controller][m][i] for m in ("forward_velocity_error", "yaw_rate_error")])
-        off = np.max(errors / np.array([[VELOCITY_TOLERANCE[1]], [YAW_RATE_TOLERANCE[1]]]), axis=0)
+        off = np.max(errors / _TOLERANCES[:, None], axis=0)
         fell = rollout.fallen[rows]
         alive = rollout.valid[:, rows].sum(axis=0)
         badness = np.where(fell, np.inf, np.nan_to_num(off))
@@ -60,7 +63,7 @@ def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Fa
     fell_at = (alive + 1) * one.timestep if one.fallen[0] else None
     velocity = np.stack([one.linear_velocity_b[..., 0], one.yaw_rate], axis=-1)
     means, whole = window_means(velocity, one.valid, one.timestep)
-    off = np.abs(means[:, 0] - command) / [VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]]
+    off = np.abs(means[:, 0] - command) / _TOLERANCES
     off[~whole[:, 0]] = 0.0
     moment = fell_at
     if moment is None:
@@ -88,12 +91,19 @@ def _fall(one: Rollout, alive: int, fell_at: float) -> str:
     return f"It fell at {fell_at:.1f} s, {way}, at {angle:.0f}° of tilt."
 
 
-def _velocities(command: Command, done: np.ndarray) -> str:
-    words = []
-    for asked, got, metric in zip(command, done, ("forward_velocity", "yaw_rate"), strict=True):
-        show, unit = METRICS[metric].show, METRICS[metric].unit
-        words.append(f"{show(got)} {unit} where {show(asked)} {unit} was asked for")
-    return f"Until the end it did, on average, {words[0]}, and {words[1]}."
+def _velocities(command: Command, done: NDArray[np.float64]) -> str:
+    """What it did on average, first the velocity that was farther off."""
+    names = ("forward_velocity", "yaw_rate")
+    off = np.abs(done - command) / _TOLERANCES
+    worse, other = (names[i] for i in np.argsort(-off))
+    shown = {
+        name: f"{METRICS[name].show(got)} {METRICS[name].unit} where {asked:g} was asked for"
+        for name, got, asked in zip(names, done, command, strict=True)
+    }
+    return (
+        f"Farthest off was its {METRICS[worse].label.lower()}, on average {shown[worse]}; "
+        f"its {METRICS[other].label.lower()} was {shown[other]}."
+    )
 
 
 def _drift(one: Rollout, command: Command) -> str:
