@@ -1,5 +1,6 @@
 import browser
 import domains
+import mujoco
 import numpy as np
 import pytest
 
@@ -50,3 +51,12 @@ def mirrored(qpos, qvel, ctrl):
         np.concatenate([base_velocity, qvel[6:][swap]]),
         ctrl[swap],
     )
+
+
+@pytest.fixture
+def opengl(model):
+    """Skips where nothing can be rendered."""
+    try:
+        mujoco.Renderer(model, 8, 8).close()
+    except Exception as error:  # every backend fails in its own way
+        pytest.skip(f"no OpenGL: {type(error).__name__}: {error}")

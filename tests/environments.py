@@ -1,0 +1,93 @@
+"""Environments and random play that the tests of the environments share."""
+
+import gymnasium
+import numpy as np
+from gymnasium.vector import AutoresetMode
+
+from quadruped_env.envs import ENV_ID
+
+ROWS = 6
+EPISODE_STEPS = 40
+ACTION_MODES = ("position", "residual")
+
+# Rough enough for falls within an episode of EPISODE_STEPS, and everything that is random is on.
+ROUGH = {
+    "command": {"resample_interval": [0.1, 0.5]},
+    "termination": {"max_tilt": 0.35},
+    "randomization": {
+        "start_tilt": 0.2,
+        "friction": [0.2, 1.2],
+        "payload": [-0.5, 1.0],
+        "push_velocity": 3.0,
+        "push_interval": [0.2, 0.8],
+        "observation_noise": 1.0,
+    },
+}
+# Nothing ends an episode but time.
+SAFE = {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}}
+
+
+def make(**kwargs):
+    return gymnasium.make(ENV_ID, **kwargs)
+
+
+def make_native(num_envs=ROWS, **kwargs):
+    return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **kwargs)
+
+
+def make_sync(num_envs=ROWS, **kwargs):
+    vector_kwargs = {"autoreset_mode": AutoresetMode.SAME_STEP}
+    return gymnasium.make_vec(
+        ENV_ID, num_envs=num_envs, vectorization_mode="sync", vector_kwargs=vector_kwargs, **kwargs
+    )
+
+
+def assert_same(actual, expected, path="result"):
+    """Equal in type, shape and every bit, NaN and the sign of zero included."""
+    assert type(actual) is type(expected), path
+    if isinstance(expected, dict):
+        assert sorted(actual) == sorted(expected), path
+        for key, value in expected.items():
+            assert_same(actual[key], value, f"{path}[{key!r}]")
+    elif isinstance(expected, (list, tuple)) or (isinstance(expected, np.ndarray) and expected.dtype == object):
+        assert len(actual) == len(expected), path
+        for i, (one, other) in enumerate(zip(actual, expected, strict=True)):
+            assert_same(one, other, f"{path}[{i}]")
+    elif isinstance(expected, (np.ndarray, np.generic)):
+        assert (actual.shape, actual.dtype) == (expected.shape, expected.dtype), path
+        if actual.tobytes() != expected.tobytes():
+            np.testing.assert_array_equal(actual, expected, err_msg=path)
+            raise AssertionError(f"{path}: equal but for the bits of a NaN or of a zero")
+    elif isinstance(expected, float):
+        assert actual.hex() == expected.hex(), path
+    else:
+        assert actual == expected, path
+
+
+def episodes(env, steps, seed=0):
+    """Random play with masked, fixed-command and partly seeded resets in between: all that the calls returned."""
+    rng = np.random.default_rng(seed)
+    log = [env.reset(seed=seed)]
+    for step in range(1, steps + 1):
+        action = rng.uniform(-1.3, 1.3, env.action_space.shape).astype(np.float32)
+        log.append(env.step(action))
+        if step % 37 == 0:
+            mask = rng.random(env.num_envs) < 0.5
+            mask[rng.integers(env.num_envs)] = True
+            options = {"reset_mask": mask}
+            if step % 2:
+                options["command"] = [0.2, -0.1]
+            seeds = [None if rng.random() < 0.5 else int(rng.integers(1000)) for _ in range(env.num_envs)]
+            log.append(env.reset(seed=seeds, options=options))
+    return log
+
+
+def play(env, steps, seed=0):
+    """Random play of a single environment from where it is, a new episode after each that ends."""
+    rng = np.random.default_rng(seed)
+    log = []
+    for _ in range(steps):
+        log.append(env.step(rng.uniform(-1.0, 1.0, 8).astype(np.float32)))
+        if log[-1][2] or log[-1][3]:
+            log.append(env.reset())
+    return log

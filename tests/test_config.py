@@ -1,0 +1,99 @@
+"""The task's config: JSON, defaults, and what is refused."""
+
+import dataclasses
+import json
+import math
+
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.task import (
+    ActionConfig,
+    CommandConfig,
+    RandomizationConfig,
+    RewardConfig,
+    TaskConfig,
+    TerminationConfig,
+)
+
+CONFIG = TaskConfig(
+    decimation=5,
+    physics_timestep=0.002,
+    clock_frequency=1.5,
+    action=ActionConfig(mode="residual", residual_scale=0.3),
+    command=CommandConfig(forward_velocity=(0.0, 1.0), standing_fraction=0.2),
+    reward=RewardConfig(weights=RewardConfig().weights | {"upright": -3.0}, base_height=0.15),
+    termination=TerminationConfig(max_tilt=0.7),
+    randomization=RandomizationConfig(friction=(0.5, 1.0), payload=None, push_velocity=0.4),
+)
+
+
+def test_a_config_survives_json():
+    document = json.loads(json.dumps(CONFIG.to_dict()))
+    again = TaskConfig.from_dict(document)
+    assert again == CONFIG
+    assert again.to_dict() == CONFIG.to_dict()
+    assert TaskConfig.from_dict({}) == TaskConfig()
+    assert TaskConfig.from_dict(TaskConfig().to_dict()) == TaskConfig()
+
+
+def test_what_a_config_leaves_out_keeps_its_default():
+    config = TaskConfig.from_dict({"decimation": 2, "reward": {"weights": {"upright": -7}}})
+    default = TaskConfig()
+    assert config.decimation == 2
+    assert config.control_timestep == default.physics_timestep * 2
+    assert config.reward.weights == default.reward.weights | {"upright": -7.0}
+    assert tuple(config.reward.weights) == tuple(default.reward.weights), "the order in which terms are added"
+    assert config.command == default.command
+
+
+def test_configs_share_nothing_and_do_not_change():
+    one, other = TaskConfig(), TaskConfig()
+    assert one.reward.weights is not other.reward.weights
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        one.decimation = 3
+    document = one.to_dict()
+    document["reward"]["weights"]["upright"] = 9.0
+    assert one == other
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"tempo": 1}, r"config: unknown field 'tempo'; valid fields are decimation, physics_timestep"),
+        ({"command": {"speed": 1}}, r"config.command: unknown field 'speed'; valid fields are forward_velocity"),
+        ({"command": 0.3}, r"config.command: expected a mapping of fields; found 0.3"),
+        ({"command": {"yaw_rate": 0.3}}, r"config.command.yaw_rate: expected a pair \(low, high\); found 0.3"),
+        ({"command": {"yaw_rate": [0.3, 0.1]}}, r"command.yaw_rate must be a pair .* low <= high; found \(0.3, 0.1\)"),
+        ({"command": {"yaw_rate": [0.3, "x"]}}, r"config.command.yaw_rate: expected a number; found 'x'"),
+        ({"command": {"resample_interval": [0, 1]}}, r"command.resample_interval must be positive"),
+        ({"command": {"standing_fraction": -0.1}}, r"command.standing_fraction must be at least 0; found -0.1"),
+        ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.4"),
+        ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
+        ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\); found 0"),
+        ({"action": {"residual_scale": math.nan}}, r"action.residual_scale.*found nan"),
+        ({"decimation": True}, r"config.decimation: expected a whole number; found True"),
+        ({"decimation": 0}, r"config: decimation must be 1 or more; found 0"),
+        ({"physics_timestep": "fast"}, r"config.physics_timestep: expected a number; found 'fast'"),
+        ({"physics_timestep": -0.1}, r"physics_timestep must be positive"),
+        ({"clock_frequency": 0}, r"clock_frequency must be positive"),
+        ({"clock_frequency": math.inf}, r"clock_frequency.*found inf"),
+        ({"reward": {"weights": {"speed": 1}}}, r"reward.weights: unknown reward term 'speed'; valid terms are"),
+        ({"reward": {"weights": {"upright": "much"}}}, r"config.reward.weights\['upright'\]: expected a number"),
+        ({"reward": {"weights": {"upright": math.nan}}}, r"reward.weights\['upright'\].*found nan"),
+        ({"reward": {"weights": [1, 2]}}, r"config.reward.weights: expected a mapping"),
+        ({"reward": {"base_height": 0}}, r"reward.base_height must be positive; found 0"),
+        ({"termination": {"max_tilt": 4}}, r"termination.max_tilt must be in \(0, pi\] \(rad\); found 4"),
+        ({"termination": {"max_trunk_force": -1}}, r"termination.max_trunk_force must be at least 0"),
+        ({"randomization": {"start_tilt": -1}}, r"randomization.start_tilt must be at least 0; found -1"),
+        ({"randomization": {"friction": [0, 1]}}, r"randomization.friction must be positive"),
+        ({"randomization": {"friction": [1, 0.5]}}, r"randomization.friction must be a pair"),
+        ({"randomization": {"payload": [-3, 0]}}, r"randomization.payload must be over -1 kg"),
+        ({"randomization": {"push_velocity": -1}}, r"randomization.push_velocity must be at least 0"),
+        ({"randomization": {"push_interval": [0, 1]}}, r"randomization.push_interval must be positive"),
+        ({"randomization": {"observation_noise": -1}}, r"randomization.observation_noise must be at least 0"),
+    ],
+)
+def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        TaskConfig.from_dict(values)

@@ -1,0 +1,134 @@
+"""Environments remade from a spec, copied, and restored go on identically."""
+
+import copy
+import pickle
+
+import gymnasium
+import numpy as np
+import pytest
+from environments import (
+    ACTION_MODES,
+    EPISODE_STEPS,
+    ROUGH,
+    ROWS,
+    assert_same,
+    episodes,
+    make,
+    make_native,
+    play,
+)
+from gymnasium.envs.registration import EnvSpec
+
+from quadruped_env.envs import MiniQuadrupedVectorEnv
+from quadruped_env.task import TaskConfig
+
+
+def through_json(spec):
+    return EnvSpec.from_json(spec.to_json())
+
+
+def through_pickle(value):
+    return pickle.loads(pickle.dumps(value))  # noqa: S301
+
+
+@pytest.mark.parametrize("remake", [through_json, through_pickle])
+def test_a_spec_makes_the_same_environment_again(remake):
+    env = make(action_mode="residual", config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    again = gymnasium.make(remake(env.spec))
+    assert again.spec == env.spec
+    env.reset(seed=2), again.reset(seed=2)
+    assert_same(play(again, 60), play(env, 60))
+
+
+@pytest.mark.parametrize("remake", [through_json, through_pickle])
+def test_a_vector_spec_makes_the_same_environment_again(remake):
+    env = make_native(action_mode="residual", config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    again = gymnasium.make_vec(remake(env.spec))
+    assert isinstance(again, MiniQuadrupedVectorEnv)
+    assert_same(episodes(again, 60), episodes(env, 60))
+
+
+def test_a_config_object_is_taken_as_well_as_plain_values():
+    config = TaskConfig.from_dict(ROUGH)
+    env, again = make(config=config), make(config=ROUGH)
+    assert env.unwrapped.task.config == again.unwrapped.task.config == config
+    residual = make(config=config, action_mode="residual").unwrapped.task.config
+    assert residual.action.mode == "residual"
+    assert config.action.mode == "position", "the caller's config must not change"
+
+
+@pytest.mark.parametrize("mode", ACTION_MODES)
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_a_copy_taken_within_an_episode_goes_on_identically(mode, duplicate):
+    env = make(action_mode=mode, config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    env.reset(seed=4)
+    play(env, 17)
+    copied = duplicate(env)
+    expected = play(env, 120, seed=9)
+    assert_same(play(copied, 120, seed=9), expected)
+    assert sum(len(entry) == 2 for entry in expected) > 2, "the play must go on into new episodes"
+
+
+@pytest.mark.parametrize("mode", ACTION_MODES)
+def test_a_restored_single_environment_goes_on_identically(mode):
+    env, fresh = (make(action_mode=mode, config=ROUGH, disable_env_checker=True).unwrapped for _ in range(2))
+    env.reset(seed=4)
+    play(env, 33)
+    state = through_pickle(env.get_state())
+    expected = play(env, 120, seed=9)
+    assert sum(len(entry) == 2 for entry in expected) > 1, "the play must go on into new episodes"
+    for other in (env, fresh):
+        other.set_state(state)
+        assert_same(play(other, 120, seed=9), expected)
+
+
+def test_a_restored_vector_environment_goes_on_identically():
+    kwargs = {"action_mode": "residual", "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
+    env, fresh = make_native(**kwargs), make_native(**kwargs)
+    episodes(env, 50)
+    state = env.get_state()
+
+    def go_on(e):
+        rng = np.random.default_rng(1)
+        return [e.step(rng.uniform(-1, 1, e.action_space.shape).astype(np.float32)) for _ in range(100)]
+
+    expected = go_on(env)
+    assert any("final_info" in info for *_, info in expected)
+    for other in (env, fresh):
+        other.set_state(state)
+        assert_same(go_on(other), expected)
+
+
+def test_a_row_can_go_on_in_a_single_environment():
+    vector, single = make_native(config=ROUGH), make(config=ROUGH, disable_env_checker=True).unwrapped
+    vector.reset(seed=0)
+    rng = np.random.default_rng(0)
+    for _ in range(5):
+        vector.step(rng.uniform(-1, 1, (ROWS, 8)))
+    single.set_state(vector.get_state()[2])
+    for _ in range(10):
+        action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
+        observation, reward, terminated, *_ = vector.step(action)
+        one, one_reward, one_terminated, *_ = single.step(action[2])
+        assert one_terminated == terminated[2]
+        assert one_reward == reward[2]
+        if terminated[2]:
+            break
+        assert_same(one, observation[2])
+
+
+def test_environments_share_nothing():
+    env, other = make(config=ROUGH), make(config=ROUGH)
+    env.reset(seed=0)
+    expected = play(env, 40)
+    env.reset(seed=0), other.reset(seed=7)
+    log = []
+    rng = np.random.default_rng(0)
+    for _ in range(40):
+        log.append(env.step(rng.uniform(-1.0, 1.0, 8).astype(np.float32)))
+        other.step(np.ones(8, dtype=np.float32))
+        other.unwrapped.model.geom_friction[:] = 0.01
+        other.unwrapped.model.opt.gravity[2] = -1.0
+        if log[-1][2] or log[-1][3]:
+            log.append(env.reset())
+    assert_same(log, expected)

@@ -1,0 +1,194 @@
+"""The observation: layout, readings, noise."""
+
+import math
+
+import numpy as np
+import pytest
+from tasks import NEVER_FALLS, STILL_START, column, make_env, make_task
+
+from quadruped_env import JOINT_NAMES
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.task import (
+    OBSERVATION_LAYOUT,
+    OBSERVATION_WIDTH,
+    RandomizationConfig,
+    randomization,
+)
+from quadruped_env.task.observations import (
+    OBSERVATION_HIGH,
+    OBSERVATION_LOW,
+    OBSERVATION_NOISE,
+    OBSERVATION_SCALE,
+    scale_observation,
+)
+
+# --- observations ---
+
+
+def test_the_layout_is_bounded_and_adds_up():
+    assert sum(field.width for field in OBSERVATION_LAYOUT) == OBSERVATION_WIDTH
+    names = [field.name for field in OBSERVATION_LAYOUT]
+    assert len(set(names)) == len(names)
+    for field in OBSERVATION_LAYOUT:
+        assert -math.inf < field.low < field.high < math.inf, field.name
+        assert field.scale > 0, field.name
+        assert field.noise >= 0, field.name
+        assert field.offset is None or len(field.offset) == field.width, field.name
+    observation = make_task(4).observe()
+    assert observation.shape == (4, OBSERVATION_WIDTH)
+    assert observation.dtype == np.float32
+
+
+def test_an_observation_is_the_readings_offset_scaled_and_clipped():
+    task = make_task(64, termination=NEVER_FALLS)
+    rng = np.random.default_rng(0)
+    for _ in range(20):
+        action = rng.choice([-1.0, -0.5, 1.0], (64, 8))
+        observation = task.step(action).observation
+        state = task.simulation.state
+        clock = np.stack([np.sin(task.phase), np.cos(task.phase)], axis=1)
+        clock[(task.command == 0).all(axis=1)] = 0.0
+        readings = {
+            "projected_gravity": -state.up_b,
+            "angular_velocity": state.angular_velocity_b,
+            "joint_position": state.joint_position,
+            "joint_velocity": state.joint_velocity,
+            "last_action": action,
+            "command": task.command,
+            "gait_clock": clock,
+        }
+        assert list(readings) == [field.name for field in OBSERVATION_LAYOUT]
+        for field in OBSERVATION_LAYOUT:
+            offset = 0.0 if field.offset is None else np.array(field.offset)
+            wanted = (readings[field.name] - offset) * field.scale
+            wanted = np.clip(wanted, field.low, field.high).astype(np.float32)
+            np.testing.assert_array_equal(column(field.name, observation), wanted, err_msg=field.name)
+    for raw, bound in ((1e6, OBSERVATION_HIGH), (-1e6, OBSERVATION_LOW)):
+        np.testing.assert_array_equal(
+            scale_observation(np.full((2, OBSERVATION_WIDTH), raw)), [bound.astype(np.float32)] * 2
+        )
+
+
+@pytest.mark.parametrize(("roll", "pitch"), [(0.0, 0.0), (0.3, 0.0), (0.0, 0.3), (-0.5, 0.7), (math.pi, 0.0)])
+@pytest.mark.parametrize("yaw", [0.0, 2.0])
+def test_projected_gravity_is_the_closed_form_of_a_tilted_robot(roll, pitch, yaw):
+    env = make_env(termination=NEVER_FALLS)
+    half = np.array([roll, pitch, yaw]) / 2
+    (sr, sp, sy), (cr, cp, cy) = np.sin(half), np.cos(half)
+    quaternion = [
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    ]
+    qpos = np.concatenate([[0.0, 0.0, 1.0], quaternion, STANCE])
+    env.task.simulation.reset(np.array([0]), qpos[None], np.zeros((1, 14)))
+    gravity = column("projected_gravity", env.task.observe())[0]
+    expected = [math.sin(pitch), -math.sin(roll) * math.cos(pitch), -math.cos(roll) * math.cos(pitch)]
+    np.testing.assert_allclose(gravity, expected, atol=1e-6)
+    # The closed form in which the start's attitude is drawn is the same.
+    angles = (np.array([angle]) for angle in (roll, pitch, yaw))
+    np.testing.assert_allclose(randomization._quaternion(*angles)[0], quaternion, atol=1e-12)
+
+
+def test_no_column_is_stuck():
+    task = make_task(16, termination=NEVER_FALLS)
+    rng = np.random.default_rng(0)
+    observations = np.array([task.step(rng.uniform(-1, 1, (16, 8))).observation for _ in range(60)])
+    assert (observations.std(axis=(0, 1)) > 1e-3).all()
+    # Within one row as well, but for the command, which stays for seconds.
+    moving = observations.std(axis=0) > 1e-5
+    np.testing.assert_array_equal(column("projected_gravity", moving), True)
+    np.testing.assert_array_equal(column("joint_position", moving), True)
+
+
+def test_joints_are_observed_and_driven_in_the_order_of_their_names():
+    env = make_env(randomization=STILL_START)
+    model, data = env.model, env.data
+    for i, name in enumerate(JOINT_NAMES):
+        qpos, qvel = data.qpos.copy(), np.zeros(14)
+        qpos[7:] = STANCE
+        qpos[model.joint(name).qposadr[0]] += 0.25
+        qvel[model.joint(name).dofadr[0]] = 1.0
+        env.task.simulation.reset(np.array([0]), qpos[None], qvel[None])
+        observation = env.task.observe()[0]
+        unit = np.eye(8)[i]
+        np.testing.assert_allclose(column("joint_position", observation), 0.25 * unit, atol=1e-6)
+        velocity_scale = next(field.scale for field in OBSERVATION_LAYOUT if field.name == "joint_velocity")
+        np.testing.assert_allclose(column("joint_velocity", observation), velocity_scale * unit, atol=1e-6)
+        env.step(unit)
+        expected = STANCE + env.task.config.action.position_scale * unit
+        np.testing.assert_allclose(
+            data.ctrl, np.clip(expected, JOINT_POSITION_LOW, JOINT_POSITION_HIGH), atol=1e-12, err_msg=name
+        )
+        assert model.actuator(i).name == name
+
+
+def test_the_clock_turns_at_its_frequency_and_stops_at_a_zero_command():
+    task = make_task(3, fixed_command=(0.3, 0.0), clock_frequency=1.7, termination=NEVER_FALLS)
+    np.testing.assert_array_equal(task.phase, np.clip(task.phase, 0, math.tau))
+    assert len(np.unique(task.phase)) == 3, "each row starts at a phase of its own"
+    start = task.phase.copy()
+    for step in range(1, 60):
+        clock = column("gait_clock", task.step(np.zeros((3, 8))).observation)
+        phase = start + math.tau * 1.7 * task.config.control_timestep * step
+        np.testing.assert_allclose(clock, np.stack([np.sin(phase), np.cos(phase)], axis=1), atol=1e-6)
+        assert (task.phase >= 0).all()
+        assert (task.phase < math.tau).all()
+    task.reset(np.arange(3), command=(0.0, 0.0))
+    np.testing.assert_array_equal(column("gait_clock", task.observe()), 0.0)
+    task.reset(np.arange(3), command=(0.0, 0.5))
+    np.testing.assert_allclose((column("gait_clock", task.observe()) ** 2).sum(axis=1), 1.0, rtol=1e-6)
+
+
+# --- observation noise ---
+
+
+def test_observation_noise_stays_within_each_fields_amplitude():
+    quiet = make_task(32, randomization=RandomizationConfig(observation_noise=0.0))
+    noisy = make_task(32, randomization=RandomizationConfig(observation_noise=1.0))
+    np.testing.assert_array_equal(noisy.simulation.state.joint_position, quiet.simulation.state.joint_position)
+    differences = []
+    for _ in range(20):
+        action = np.zeros((32, 8))
+        difference = noisy.step(action).observation.astype(float) - quiet.step(action).observation
+        assert (abs(difference) <= OBSERVATION_NOISE * OBSERVATION_SCALE + 1e-6).all()
+        differences.append(difference)
+    differences = np.array(differences)
+    noiseless = OBSERVATION_NOISE == 0
+    np.testing.assert_array_equal(differences[..., noiseless], 0.0)
+    inside = (abs(quiet.observe()) < OBSERVATION_HIGH - 0.5).all(axis=0) & ~noiseless
+    spread = differences[..., inside].std(axis=(0, 1))
+    np.testing.assert_allclose(spread, (OBSERVATION_NOISE * OBSERVATION_SCALE)[inside] / math.sqrt(3), rtol=0.15)
+
+
+def test_observing_twice_gives_the_same_noise():
+    task = make_task(randomization=RandomizationConfig(observation_noise=1.0))
+    np.testing.assert_array_equal(task.observe(), task.observe())
+
+
+def test_counter_noise_is_uniform_and_white():
+    key = np.random.default_rng(0).integers(0, 2**53, 200).astype(np.uint64)
+    noise = np.array([randomization.counter_noise(key, np.full(200, step), 34) for step in range(50)])
+    assert noise.shape == (50, 200, 34)
+    assert noise.min() >= -1.0
+    assert noise.max() < 1.0
+    count = noise.size
+    assert abs(noise.mean()) < 4 * math.sqrt(1 / 3 / count)
+    assert noise.var() == pytest.approx(1 / 3, rel=0.01)
+    assert len(np.unique(noise)) == count, "no number twice"
+    for axis in range(3):
+        shifted = np.roll(noise, 1, axis=axis)
+        assert abs((noise * shifted).mean()) < 4 / 3 / math.sqrt(count), f"correlated along axis {axis}"
+    histogram = np.histogram(noise, bins=20, range=(-1, 1))[0]
+    assert (abs(histogram - count / 20) < 5 * math.sqrt(count / 20)).all()
+
+
+def test_counter_noise_depends_on_key_and_step_alone():
+    key, step = np.array([7, 8, 9], dtype=np.uint64), np.array([0, 5, 1000])
+    noise = randomization.counter_noise(key, step, 34)
+    for row in range(3):
+        np.testing.assert_array_equal(randomization.counter_noise(key[[row]], step[[row]], 34)[0], noise[row])
+    # A step's numbers are not those of the step before, shifted.
+    after = randomization.counter_noise(key, step + 1, 34)
+    assert not np.isin(after, noise).any()

@@ -1,0 +1,103 @@
+"""Stable-Baselines3's view of the native environment."""
+
+from types import SimpleNamespace
+
+import gymnasium
+import numpy as np
+import pytest
+from environments import EPISODE_STEPS, ROUGH, ROWS, assert_same, make_native
+
+
+@pytest.fixture
+def sb3(request):
+    """Stable-Baselines3's view and the native environment, alike."""
+    from quadruped_env.envs import make_sb3_vec_env
+
+    kwargs = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
+    return SimpleNamespace(
+        env=make_sb3_vec_env(ROWS, seed=3, **kwargs),
+        native=make_native(**kwargs),
+        make=make_sb3_vec_env,
+    )
+
+
+def test_stable_baselines3s_view_gives_the_native_numbers(sb3):
+    observation = sb3.env.reset()
+    assert_same(observation, sb3.native.reset(seed=3)[0])
+    rng = np.random.default_rng(0)
+    returns, lengths = np.zeros(ROWS), np.zeros(ROWS, dtype=int)
+    term_sums = np.zeros((ROWS, len(sb3.native.task.term_names)))
+    falls = time_outs = 0
+    for _ in range(200):
+        action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
+        observation, reward, done, infos = sb3.env.step(action)
+        expected, expected_reward, terminated, truncated, native_info = sb3.native.step(action)
+        assert_same(observation, expected)
+        assert_same(reward, expected_reward.astype(np.float32))
+        assert_same(done, terminated | truncated)
+        returns += expected_reward
+        lengths += 1
+        for row, info in enumerate(infos):
+            source = native_info["final_info"] if done[row] else native_info
+            term_sums[row] += [source[f"reward_{name}"][row] for name in sb3.native.task.term_names]
+            if not done[row]:
+                assert info == {}
+                continue
+            assert_same(info["terminal_observation"], native_info["final_obs"][row])
+            assert info["TimeLimit.truncated"] is bool(truncated[row] and not terminated[row])
+            assert info["episode"]["r"] == pytest.approx(returns[row], rel=1e-12, abs=1e-12)
+            assert info["episode"]["l"] == lengths[row]
+            np.testing.assert_allclose(info["episode"]["terms"], term_sums[row], rtol=1e-12)
+            returns[row], lengths[row], term_sums[row] = 0.0, 0, 0.0
+            falls += terminated[row]
+            time_outs += info["TimeLimit.truncated"]
+    assert falls > 10
+    assert time_outs > 5
+
+
+def test_the_episodes_that_stable_baselines3_is_told_of_are_those_that_its_monitor_sees(sb3):
+    from stable_baselines3.common.vec_env import VecMonitor
+
+    monitored, plain = VecMonitor(sb3.env), sb3.make(ROWS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    monitored.reset(), plain.reset()
+    rng = np.random.default_rng(0)
+    count = 0
+    for _ in range(100):
+        action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
+        seen, told = monitored.step(action)[3], plain.step(action)[3]
+        for one, other in zip(seen, told, strict=True):
+            if other:
+                assert other["episode"]["l"] == one["episode"]["l"]
+                assert other["episode"]["r"] == pytest.approx(one["episode"]["r"], rel=1e-5, abs=1e-4)
+                count += 1
+    assert count > 10
+
+
+def test_seeds_and_options_reach_the_environment_at_stable_baselines3s_next_reset(sb3):
+    first = sb3.env.reset()
+    second = sb3.env.reset()
+    assert (second != first).any(), "the seed counts once"
+    sb3.env.seed(3)
+    assert_same(sb3.env.reset(), first)
+    sb3.env.set_options({"command": (0.25, 0.0)})
+    sb3.env.reset()
+    np.testing.assert_array_equal(sb3.env.task.command, [[0.25, 0.0]] * ROWS)
+    sb3.env.reset()
+    assert (sb3.env.task.command != [0.25, 0.0]).any(), "options count once"
+
+
+def test_the_default_seed_of_stable_baselines3s_view_is_not_a_fixed_one(sb3):
+    assert (sb3.make(2).reset() != sb3.make(2).reset()).any()
+
+
+def test_attributes_can_be_read_through_stable_baselines3_and_not_written(sb3):
+    assert sb3.env.num_envs == ROWS
+    assert sb3.env.get_attr("num_envs", indices=[0, 2]) == [ROWS, ROWS]
+    assert len(sb3.env.get_attr("metadata")) == ROWS
+    assert sb3.env.env_is_wrapped(gymnasium.Wrapper, indices=0) == [False]
+    assert sb3.env.render_mode is None
+    with pytest.raises(NotImplementedError, match=r"set_attr.*'gravity'"):
+        sb3.env.set_attr("gravity", 0)
+    with pytest.raises(NotImplementedError, match=r"env_method.*'jump'"):
+        sb3.env.env_method("jump")
+    sb3.env.close()
