@@ -97,3 +97,11 @@ def test_configs_share_nothing_and_do_not_change():
 def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
     with pytest.raises(QuadrupedError, match=message):
         TaskConfig.from_dict(values)
+
+
+def test_the_weights_are_those_of_the_terms():
+    weights = RewardConfig().weights
+    with pytest.raises(QuadrupedError, match=r"reward.weights: 'uprigth' is unknown; the terms are track_forward"):
+        RewardConfig(weights=weights | {"uprigth": 1.0})
+    with pytest.raises(QuadrupedError, match=r"reward.weights: 'fall' is missing"):
+        RewardConfig(weights={name: weight for name, weight in weights.items() if name != "fall"})

@@ -18,6 +18,28 @@ ACTION_MODES: Final = ("position", "residual")
 
 Range = tuple[float, float]
 
+REWARD_WEIGHTS: Final = types.MappingProxyType(
+    {
+        "track_forward_velocity": 2.0,
+        "track_yaw_rate": 1.0,
+        "forward_progress": 2.0,
+        "turn_progress": 1.0,
+        "gait_clock": 3.0,
+        "upright": -2.0,
+        "base_height": -20.0,
+        "vertical_velocity": -0.5,
+        "roll_pitch_rate": -0.03,
+        "lateral_velocity": -0.5,
+        "action_rate": -0.03,
+        "mechanical_power": -0.005,
+        "foot_slip": -0.3,
+        "stand_still": -1.0,
+        "joint_limits": -2.0,
+        "fall": -50.0,
+    }
+)
+"""Weight of every reward term, per second"""
+
 
 def _check(condition: bool, name: str, value: object, rule: str) -> None:
     if not condition:
@@ -76,26 +98,7 @@ class CommandConfig:
 class RewardConfig:
     """Weight of every reward term, per second, and the shapes of the terms. Penalties have negative weights."""
 
-    weights: dict[str, float] = field(
-        default_factory=lambda: {
-            "track_forward_velocity": 2.0,
-            "track_yaw_rate": 1.0,
-            "forward_progress": 2.0,
-            "turn_progress": 1.0,
-            "gait_clock": 3.0,
-            "upright": -2.0,
-            "base_height": -20.0,
-            "vertical_velocity": -0.5,
-            "roll_pitch_rate": -0.03,
-            "lateral_velocity": -0.5,
-            "action_rate": -0.03,
-            "mechanical_power": -0.005,
-            "foot_slip": -0.3,
-            "stand_still": -1.0,
-            "joint_limits": -2.0,
-            "fall": -50.0,
-        }
-    )
+    weights: dict[str, float] = field(default_factory=lambda: dict(REWARD_WEIGHTS))
     forward_velocity_std: float = 0.1
     """m/s; width of the tracking kernel exp(-(error / std)^2)"""
     yaw_rate_std: float = 0.25
@@ -119,6 +122,11 @@ class RewardConfig:
     def __post_init__(self) -> None:
         for name in ("forward_velocity_std", "yaw_rate_std", "velocity_time_constant", "base_height", "foot_lift"):
             _check(getattr(self, name) > 0, f"reward.{name}", getattr(self, name), "positive")
+        for name in sorted(set(self.weights) ^ set(REWARD_WEIGHTS)):
+            raise QuadrupedError(
+                f"config: reward.weights: {name!r} is {'unknown' if name in self.weights else 'missing'}; "
+                f"the terms are {', '.join(REWARD_WEIGHTS)}"
+            )
         for name, weight in self.weights.items():
             _check(math.isfinite(weight), f"reward.weights[{name!r}]", weight, "finite")
 
@@ -245,11 +253,14 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
     if origin is dict:
         if not isinstance(value, dict):
             raise QuadrupedError(f"{path}: expected a mapping of terms to weights; found {value!r}")
-        default = RewardConfig().weights
-        unknown = sorted(set(value) - set(default))
+        unknown = sorted(set(value) - set(REWARD_WEIGHTS))
         if unknown:
-            raise QuadrupedError(f"{path}: unknown reward term {unknown[0]!r}; valid terms are {', '.join(default)}")
-        return default | {name: _convert(float, weight, f"{path}[{name!r}]") for name, weight in value.items()}
+            raise QuadrupedError(
+                f"{path}: unknown reward term {unknown[0]!r}; valid terms are {', '.join(REWARD_WEIGHTS)}"
+            )
+        return dict(REWARD_WEIGHTS) | {
+            name: _convert(float, weight, f"{path}[{name!r}]") for name, weight in value.items()
+        }
     if origin is Literal:
         return value
     if isinstance(value, bool) or not isinstance(value, (int, float)) or (hint is int and not isinstance(value, int)):
