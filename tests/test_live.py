@@ -384,3 +384,15 @@ def test_help_tells_what_each_node_does():
     for name in MODULES:
         assert f"{name} " in text
         assert node_module(name).__doc__.count("\n") >= 3
+
+
+def test_a_publisher_that_went_is_no_message(nodes):
+    gone, node = nodes(), nodes()
+    subscription = node.subscribe(JOINT_STATES)
+    publisher = gone.publish(JOINT_STATES)
+    wait_until(lambda: subscription.writers and publisher.readers)
+    publisher.send(joint_state())
+    publisher.wait_until_read(5.0)
+    gone.close()
+    wait_until(lambda: not subscription.writers)
+    assert len(subscription.take()) == 1

@@ -45,7 +45,8 @@ class Graph:
     def __init__(self, participant: Any) -> None:
         from cyclonedds import builtin
 
-        self._participant = str(participant.guid)
+        self.participant = str(participant.guid)
+        """Key of this process, as `Endpoint.participant`"""
         self._readers = {
             True: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsPublication),
             False: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsSubscription),
@@ -62,7 +63,7 @@ class Graph:
 
     def is_own(self, endpoint: Endpoint) -> bool:
         """Whether it is this participant's."""
-        return endpoint.participant == self._participant
+        return endpoint.participant == self.participant
 
     def owner(self, endpoint: Endpoint) -> str:
         """Whose it is, as far as its process tells: its name, process id and machine."""

@@ -17,12 +17,11 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.dds import Network, open_participant
 from quadruped_env.live.graph import Graph
 from quadruped_env.live.profiles import dds_qos
+from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import Topic
 from quadruped_env.live.wire import wire_type
 from quadruped_env.ros import Qos, cdr
 
-NANOSECONDS: Final = 1_000_000_000
-"""in a second"""
 _TAKEN: Final = 256
 _LATENCIES: Final = 1000
 
@@ -91,7 +90,7 @@ class Publisher:
 class Subscription:
     """Receives messages on a topic. Made by `Node.subscribe`."""
 
-    def __init__(self, participant: Any, topic: Topic, qos: Qos) -> None:
+    def __init__(self, participant: Any, topic: Topic, qos: Qos, ignore_own: bool = False) -> None:
         from cyclonedds.core import InstanceState, ReadCondition, SampleState, ViewState
         from cyclonedds.sub import DataReader
 
@@ -100,7 +99,7 @@ class Subscription:
         """Messages received"""
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
         """s from sending to taking, of the last ones; across machines as true as their clocks are"""
-        self._reader = DataReader(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type))
+        self._reader = DataReader(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type, ignore_own))
         self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
 
     def take(self) -> list[Received]:
@@ -175,9 +174,15 @@ class Node:
         self.publishers.append(publisher)
         return publisher
 
-    def subscribe(self, topic: Topic, qos: Qos | None = None) -> Subscription:
-        """A subscription to a topic, which asks for the topic's quality of service or another one."""
-        subscription = Subscription(self._participant, topic, qos or topic.qos)
+    def subscribe(self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False) -> Subscription:
+        """A subscription to a topic, which asks for the topic's quality of service or another one.
+
+        Args:
+            topic: what to hear.
+            qos: what to ask for.
+            ignore_own: hear only others, not what this node itself publishes.
+        """
+        subscription = Subscription(self._participant, topic, qos or topic.qos, ignore_own)
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
         return subscription

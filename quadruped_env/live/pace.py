@@ -57,11 +57,12 @@ class Rate:
 
     Args:
         clock: of `time.monotonic`'s kind.
+        since: when the count was 0, on the clock; None is now.
     """
 
-    def __init__(self, clock: Clock = time.monotonic) -> None:
+    def __init__(self, clock: Clock = time.monotonic, since: float | None = None) -> None:
         self._clock = clock
-        self._then = clock()
+        self._then = clock() if since is None else since
         self._count = 0
 
     def per_second(self, count: int) -> float:

@@ -8,8 +8,14 @@ _BLOCKING: Final = 100_000_000
 """ns that a reliable writer waits for a slow reader, which is what DDS takes by default"""
 
 
-def dds_qos(qos: Qos, kind: MessageType) -> Any:
-    """What an endpoint is created with; its user data carries the type hash, as ROS 2 does from Iron on."""
+def dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
+    """What an endpoint is created with; its user data carries the type hash, as ROS 2 does from Iron on.
+
+    Args:
+        qos: the profile.
+        kind: the type of its messages.
+        ignore_own: whether it is kept apart from what the same participant has.
+    """
     from cyclonedds.core import Policy
     from cyclonedds.core import Qos as DdsQos
 
@@ -17,6 +23,7 @@ def dds_qos(qos: Qos, kind: MessageType) -> Any:
         Policy.Reliability.Reliable(_BLOCKING) if qos.reliable else Policy.Reliability.BestEffort,
         Policy.Durability.TransientLocal if qos.transient_local else Policy.Durability.Volatile,
         Policy.History.KeepLast(qos.depth),
+        Policy.IgnoreLocal.Participant if ignore_own else Policy.IgnoreLocal.Nothing,
         Policy.Userdata(f"typehash={kind.type_hash};".encode()),
     )
 

@@ -143,7 +143,7 @@ class Session:
         parts = [f"{self.elapsed:.0f} s", *(detail for detail in details if detail)]
         ends: list[Publisher | Subscription] = [*self.node.publishers, *self.node.subscriptions]
         for one in ends:
-            rate = self._rates.setdefault(one, Rate(time.monotonic)).per_second(one.count)
+            rate = self._rates.setdefault(one, Rate(since=self._start)).per_second(one.count)
             parts.append(_rate_text(one, rate))
         if self._waiting_for:
             parts.append(f"waiting for {self._waiting_for}")

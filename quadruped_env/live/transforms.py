@@ -12,22 +12,19 @@ from quadruped_env.trajectory.bag_writer import tf_encoder, tf_numbers
 
 
 class TransformWriter:
-    """Writes `/tf`, for joint states with or without the base's pose, but always the same."""
+    """Writes `/tf` for joint states."""
 
     def __init__(self) -> None:
         self._encode: TfEncoder | None = None
 
-    def __call__(
-        self, stamp: int, positions: NDArray[np.float64], base_pose: NDArray[np.float64] | None = None
-    ) -> bytes:
+    def __call__(self, stamp: int, positions: NDArray[np.float64]) -> bytes:
         """The CDR bytes of one message.
 
         Args:
             stamp: ns.
             positions: of the joints, rad (8,).
-            base_pose: of `base_link` in `odom`: m and quaternion wxyz (7,).
         """
-        transforms = joint_transforms(positions, base_pose)
+        transforms = joint_transforms(positions)
         self._encode = self._encode or tf_encoder(transforms)
         return self._encode(stamp, tf_numbers(transforms, 1)[0])
 

@@ -36,6 +36,9 @@ def wire_type(type_name: str) -> Any:
         def deserialize(cls, data: bytes, *_: Any, **__: Any) -> Any:
             return cls(data)
 
+        # What a reader gets of a publisher that went.
+        deserialize_key = deserialize
+
     kind = message_type(type_name)
     fields = {field.name: _member(field) for field in kind.fields}
     # cyclonedds makes a `::` of every dot.

@@ -4,7 +4,9 @@ from types import ModuleType
 from typing import Final
 
 MODULES: Final = {
+    "sim": "sim",
     "state": "state",
+    "controller": "controller",
 }
 """Name of a node -> its module, in the order in which --help lists them"""
 

@@ -1,0 +1,66 @@
+"""What controllers tell the robot, on both ends: joint targets, or to go limp."""
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.joints import Joints
+from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, VELOCITY_LIMIT
+from quadruped_env.ros.joint_state import Encoder
+
+LIMP: Final = None
+"""In place of joint targets: no motor pulls"""
+
+Target = NDArray[np.float64] | None
+"""Joint positions to go to, rad (8,), or `LIMP`"""
+
+
+def limited(target: NDArray[np.float64], last: NDArray[np.float64], seconds: float) -> NDArray[np.float64]:
+    """A target that a motor may be given: within the joints' range, and no faster from the last one than 5 rad/s.
+
+    Args:
+        target: rad (8,).
+        last: the target before, or where the joints were; rad (8,).
+        seconds: since then.
+    """
+    reach = VELOCITY_LIMIT * seconds
+    within = np.minimum(np.maximum(target, JOINT_POSITION_LOW), JOINT_POSITION_HIGH)
+    # The range has the last word: joints that were beyond it come back at once.
+    near = np.minimum(np.maximum(within, last - reach), last + reach)
+    return np.minimum(np.maximum(near, JOINT_POSITION_LOW), JOINT_POSITION_HIGH)
+
+
+class CommandWriter:
+    """Writes `/joint_commands`."""
+
+    def __init__(self) -> None:
+        self._encode = Encoder(JOINT_NAMES)
+        self._zeros = np.zeros(len(JOINT_NAMES)).tobytes()
+
+    def __call__(self, stamp: int, target: Target) -> bytes:
+        """The CDR bytes of one message.
+
+        Args:
+            stamp: ns, of the state that the target answers.
+            target: what to do.
+        """
+        if target is LIMP:
+            return self._encode(stamp, b"", b"", self._zeros)
+        return self._encode(stamp, target.astype("<f8", copy=False).tobytes())
+
+
+def read_target(joints: Joints) -> Target:
+    """What a message of `/joint_commands` asks for.
+
+    Raises:
+        QuadrupedError: if it asks for anything but positions, or efforts of zero.
+    """
+    if joints.positions is not None:
+        return joints.positions
+    if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
+        return LIMP
+    raise QuadrupedError(
+        "/joint_commands: has no positions; send positions in rad, or efforts of 0 alone to let the robot go limp"
+    )

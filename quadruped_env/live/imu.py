@@ -1,0 +1,41 @@
+"""`/imu/data`: attitude and angular velocity of the base, checked."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.stamps import read_stamp
+
+_NORM_ERROR = 0.05
+
+
+class Imu(NamedTuple):
+    """One message."""
+
+    stamp: int
+    """ns"""
+    orientation: NDArray[np.float64]
+    """Unit quaternion wxyz (4,)"""
+    angular_velocity: NDArray[np.float64]
+    """rad/s in the base's axes (3,)"""
+
+
+def read_imu(message: Any) -> Imu:
+    """What a `sensor_msgs/msg/Imu` says of the base.
+
+    Raises:
+        QuadrupedError: if it has no attitude, or a value is not finite.
+    """
+    if message.orientation_covariance[0] == -1.0:
+        raise QuadrupedError("/imu/data: says that it has no orientation; send one, as from an attitude filter")
+    turn, rate = message.orientation, message.angular_velocity
+    orientation = np.array([turn.w, turn.x, turn.y, turn.z])
+    angular_velocity = np.array([rate.x, rate.y, rate.z])
+    if not (np.isfinite(orientation).all() and np.isfinite(angular_velocity).all()):
+        raise QuadrupedError("/imu/data: a value is not finite; send finite numbers")
+    norm = float(np.linalg.norm(orientation))
+    if abs(norm - 1.0) > _NORM_ERROR:
+        raise QuadrupedError(f"/imu/data: the orientation has length {norm:.3g}; send a unit quaternion")
+    return Imu(read_stamp(message.header.stamp), orientation / norm, angular_velocity)

@@ -1,0 +1,141 @@
+"""Drive the robot with a policy, 50 times a second: from /joint_states, /imu/data and /cmd_vel to /joint_commands.
+
+    python -m quadruped_env.live controller              the shipped policy
+    python -m quadruped_env.live controller runs/latest  a run's
+    python -m quadruped_env.live controller tuned        the scripted gait that follows /cmd_vel
+
+Waits for fresh states, goes slowly from where the joints are to the stance, and then follows /cmd_vel; without one
+newer than 0.5 s it stands. Holds when no state comes for 0.2 s, and lets the robot go limp after 1 s, or when it has
+fallen; afterwards it waits for fresh states again. Never asks for more than the joints' range and 5 rad/s. States with
+NaN, other names or counts, or stamps that are old or repeated are refused, and said. Each command bears the stamp of
+the state that it answers.
+"""
+
+import argparse
+import time
+from typing import Final
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.commands import CommandWriter
+from quadruped_env.live.imu import Imu, read_imu
+from quadruped_env.live.joints import JointReader, Joints
+from quadruped_env.live.node import Publisher, Subscription
+from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
+from quadruped_env.live.session import Session
+from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.viewer.sources import asked_source
+
+SUMMARY: Final = "a policy drives the robot: states and /cmd_vel in, joint commands out"
+_LOOK: Final = 0.01
+"""s; how often silence is looked for"""
+_IMU_AGE: Final = 0.02
+"""s by which attitude and joints may be apart"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What decides."""
+    parser.add_argument(
+        "policy",
+        nargs="?",
+        default="flat",
+        metavar="POLICY",
+        help="'flat', a run's directory, or a gait: 'tuned', 'trot', 'walk', 'bound', 'pace' (%(default)s)",
+    )
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Drive the robot until the session ends, then let it go limp."""
+    controller, config = asked_source(arguments.policy).make()
+    pilot = Pilot(controller, config, say=session.say)
+    node = session.node
+    commands = node.publish(JOINT_COMMANDS)
+    states, attitudes, velocities = node.subscribe(JOINT_STATES), node.subscribe(IMU), node.subscribe(CMD_VEL)
+    write, inbox = CommandWriter(), _Inbox(session, states, attitudes)
+    last = None
+    while session.running:
+        session.wait(_LOOK)
+        now = time.monotonic()
+        _take_command(session, pilot, velocities, now)
+        measurement = inbox.measurement()
+        answer = None
+        if measurement is not None:
+            try:
+                answer = pilot.measured(measurement, now)
+            except QuadrupedError as error:
+                session.say_once(f"refused: {error}")
+        last = _send(commands, write, answer or pilot.silent(now)) or last
+        session.wait_for(_missing(pilot, states, attitudes))
+        session.report("" if pilot.mode is not Mode.WALKING or pilot.moving(now) else "standing: no /cmd_vel")
+    if last is not None:
+        _send(commands, write, Answer(last.stamp, None))
+        commands.wait_until_read(0.5)
+    return 0
+
+
+class _Inbox:
+    """Makes measurements of joint states and attitudes."""
+
+    def __init__(self, session: Session, states: Subscription, attitudes: Subscription) -> None:
+        self._session = session
+        self._states = states
+        self._attitudes = attitudes
+        self._read = JointReader(JOINT_STATES.name)
+        self._imu: Imu | None = None
+
+    def measurement(self) -> Measurement | None:
+        """The newest one, if there is a new one that can be used."""
+        # States first: an attitude that was sent before a state is there by then.
+        states = self._states.take()
+        attitude = self._attitudes.latest()
+        if attitude is not None:
+            try:
+                self._imu = read_imu(self._attitudes.decode(attitude))
+            except QuadrupedError as error:
+                self._session.say_once(f"refused: {error}")
+        usable = [joints for received in states if (joints := self._joints(received.data)) is not None]
+        if not usable or self._imu is None:
+            return None
+        newest = max(usable, key=lambda joints: joints.stamp)
+        if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NANOSECONDS:
+            self._session.say_once(f"refused: {IMU.name} and {JOINT_STATES.name} are over {_IMU_AGE:g} s apart")
+            return None
+        assert newest.positions is not None
+        assert newest.velocities is not None
+        return Measurement(
+            newest.stamp, newest.positions, newest.velocities, self._imu.orientation, self._imu.angular_velocity
+        )
+
+    def _joints(self, data: bytes) -> Joints | None:
+        try:
+            joints = self._read(data)
+            if joints.positions is None or joints.velocities is None:
+                raise QuadrupedError(f"{JOINT_STATES.name}: needs positions and velocities; send one of each a joint")
+        except QuadrupedError as error:
+            self._session.say_once(f"refused: {error}")
+            return None
+        return joints
+
+
+def _take_command(session: Session, pilot: Pilot, velocities: Subscription, now: float) -> None:
+    received = velocities.latest()
+    if received is None:
+        return
+    try:
+        twist = velocities.decode(received)
+        pilot.command(twist.linear.x, twist.angular.z, now)
+    except QuadrupedError as error:
+        session.say_once(f"refused: {error}")
+
+
+def _send(commands: Publisher, write: CommandWriter, answer: Answer | None) -> Answer | None:
+    if answer is not None:
+        commands.send_bytes(write(answer.stamp, answer.target))
+    return answer
+
+
+def _missing(pilot: Pilot, states: Subscription, attitudes: Subscription) -> str:
+    if pilot.mode is not Mode.WAITING:
+        return ""
+    silent = [one.topic.name for one in (states, attitudes) if not one.writers]
+    return f"{' and '.join(silent)}: nobody publishes" if silent else "fresh states"

@@ -1,0 +1,127 @@
+"""The simulated robot in real time, as a robot on ROS 2 would show itself.
+
+    publishes   /joint_states, /imu/data, /odom, /tf (base_link in odom), /clock      100 Hz
+    takes       /joint_commands   sensor_msgs/JointState: names with positions in rad; efforts of 0 alone let it go limp
+                /push             geometry_msgs/Vector3: velocity in m/s, added to the base's
+
+Stands until it is commanded. Without a command for 1 s its motors go limp, as a driver's watchdog sees to it. It obeys
+one publisher of commands at a time. Stamps are this machine's time. There can be one robot on a domain: where somebody
+publishes /joint_states already it refuses to start.
+
+    ros2 topic pub --once /push geometry_msgs/msg/Vector3 "{y: 0.5}"
+"""
+
+import argparse
+import gc
+import time
+from typing import Final
+
+import numpy as np
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.commands import read_target
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.node import Received, Subscription
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.sensors import Sensors
+from quadruped_env.live.session import Session
+from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
+from quadruped_env.live.sole import SolePublisher
+from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.live.topics import JOINT_COMMANDS, PUSH
+
+SUMMARY: Final = "the simulated robot in real time"
+STEPS_PER_STATE: Final = 2
+_HARDEST: Final = 5.0
+"""m/s"""
+_OBEYS: Final = 0.5
+"""s after its last command that a publisher may still be the one that is obeyed"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What is simulated."""
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of where the robot faces (%(default)s)")
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Simulate until the session ends."""
+    robot = SimulatedRobot(arguments.seed)
+    sole = SolePublisher(session)
+    sole.check()
+    sensors = Sensors(session.node)
+    commands = _Commands(session, robot, session.node.subscribe(JOINT_COMMANDS))
+    pushes = session.node.subscribe(PUSH)
+    # What is there now stays: the collector need not look at it again while time matters.
+    gc.collect()
+    gc.freeze()
+    start = time.time_ns()
+    pace = Pace(TIMESTEP)
+    step = round(TIMESTEP * NANOSECONDS)
+    fell = False
+    while session.running:
+        session.wait(pace.remaining)
+        commands.take()
+        for received in pushes.take():
+            _push(session, robot, pushes, received)
+        while pace.tick():
+            if robot.step():
+                session.say("limp: no command for 1 s")
+            if pace.ticks % STEPS_PER_STATE == 0:
+                sensors.send(start + (pace.ticks - 1) * step, robot.state)
+        if robot.diverged:
+            session.say("the simulation diverged; the robot is back at its start")
+            robot.reset()
+        if robot.fallen != fell:
+            fell = robot.fallen
+            session.say("fallen" if fell else "on its feet")
+        sole.watch()
+        session.report(
+            "limp" if robot.limp else "",
+            f"{1e3 * pace.latest:.1f} ms late at most",
+            f"{pace.lost} steps lost" if pace.lost else "",
+        )
+    return 0
+
+
+class _Commands:
+    """Hands commands on to the robot: checked, in order, and of one publisher at a time."""
+
+    def __init__(self, session: Session, robot: SimulatedRobot, subscription: Subscription) -> None:
+        self._session = session
+        self._robot = robot
+        self._subscription = subscription
+        self._read = JointReader(JOINT_COMMANDS.name)
+        self._writer = 0
+        self._stamp = 0
+        self._obeyed = -_OBEYS
+
+    def take(self) -> None:
+        """Hand on what has come."""
+        for received in self._subscription.take():
+            try:
+                self._hand_on(received)
+            except QuadrupedError as error:
+                self._session.say_once(f"refused: {error}")
+
+    def _hand_on(self, received: Received) -> None:
+        joints = self._read(received.data)
+        target = read_target(joints)
+        now = time.monotonic()
+        if now - self._obeyed <= _OBEYS:
+            if received.writer != self._writer:
+                raise QuadrupedError(f"{JOINT_COMMANDS.name}: from a second publisher; end one of the two")
+            # A stamp of 0 is what `ros2 topic pub` sends.
+            if 0 < joints.stamp < self._stamp:
+                raise QuadrupedError(f"{JOINT_COMMANDS.name}: older than the one before; such messages are left out")
+        self._writer, self._stamp, self._obeyed = received.writer, joints.stamp, now
+        self._robot.command(target)
+
+
+def _push(session: Session, robot: SimulatedRobot, pushes: Subscription, received: Received) -> None:
+    vector = pushes.decode(received)
+    velocity = np.array([vector.x, vector.y, vector.z])
+    if not np.linalg.norm(velocity) <= _HARDEST:
+        session.say(f"refused: {PUSH.name}: {velocity.tolist()} is not a velocity of at most {_HARDEST:g} m/s")
+        return
+    session.say(f"pushed by {velocity.tolist()} m/s")
+    robot.push(velocity)

@@ -1,0 +1,241 @@
+"""The controller's head: when to act, on what, and when to stop. It knows no network and no clock but what it is told.
+
+    waiting --fresh states--> ramping --at the stance--> walking
+    ramping, walking --no state for 0.2 s--> holding --for 1 s--> limp --> waiting
+    ramping, walking --fallen--> limp
+    holding --fresh states--> ramping
+
+Walking is following the command, which is to stand where there is none, or none newer than 0.5 s.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.commands import LIMP, Target, limited
+from quadruped_env.live.gate import Gate
+from quadruped_env.live.measured import MeasuredRobot
+from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.policies import Controller
+from quadruped_env.robot import STANCE
+from quadruped_env.task import RandomizationConfig, Task, TaskConfig
+
+_ROW: Final = np.zeros(1, dtype=np.intp)
+_EARLY: Final = 0.25
+"""of a control step; by which a state may come before its tick and still be it, as stamps of real robots jitter"""
+
+
+@dataclass(frozen=True)
+class Safety:
+    """When the controller moves the robot, and when it stops."""
+
+    fresh_states: int = 10
+    """in a row, before the robot moves"""
+    hold_after: float = 0.2
+    """s without a state"""
+    limp_after: float = 1.0
+    """s without a state"""
+    command_lasts: float = 0.5
+    """s that a velocity command is followed"""
+    ramp_speed: float = 1.0
+    """rad/s; mean speed of the joint that has the longest way to the stance"""
+    ramp_least: float = 1.0
+    """s; the shortest ramp"""
+    settle: float = 0.5
+    """s in the stance before walking"""
+
+
+class Mode(Enum):
+    """What the controller is about."""
+
+    WAITING = "waiting for fresh states"
+    RAMPING = "going to the stance"
+    WALKING = "following the command"
+    HOLDING = "holding: no states come"
+    LIMP = "limp"
+
+
+class Measurement(NamedTuple):
+    """What the robot measured at one time, in this robot's order of joints."""
+
+    stamp: int
+    """ns"""
+    positions: NDArray[np.float64]
+    """rad (8,)"""
+    velocities: NDArray[np.float64]
+    """rad/s (8,)"""
+    orientation: NDArray[np.float64]
+    """Unit quaternion wxyz (4,)"""
+    angular_velocity: NDArray[np.float64]
+    """rad/s in the base's axes (3,)"""
+
+
+class Answer(NamedTuple):
+    """A command to the robot."""
+
+    stamp: int
+    """ns of the state that it answers"""
+    target: Target
+
+
+class Pilot:
+    """Drives one robot with one controller.
+
+    Args:
+        controller: what decides while walking.
+        config: the task that the controller is made for.
+        safety: when to stop.
+        say: is told every change in words.
+    """
+
+    def __init__(
+        self,
+        controller: Controller,
+        config: TaskConfig,
+        safety: Safety | None = None,
+        say: Callable[[str], None] = lambda text: None,
+    ) -> None:
+        # What a training varies is here as it is.
+        config = replace(config, randomization=RandomizationConfig())
+        self.safety = safety or Safety()
+        self.mode = Mode.WAITING
+        self._say = say
+        self._controller = controller
+        self._robot = MeasuredRobot()
+        self._task = Task(self._robot, config)
+        self._ranges = config.command.forward_velocity, config.command.yaw_rate
+        self._max_tilt = config.termination.max_tilt
+        self.period = config.control_timestep
+        """s between commands"""
+        self._step = round(self.period * NANOSECONDS)
+        self._gate = Gate("/joint_states")
+        self._fresh = 0
+        self._heard = -math.inf
+        self._stamp = 0
+        self._due: int | None = None
+        self._silent_due = 0.0
+        self._command = np.zeros(2)
+        self._command_at = -math.inf
+        self._last = STANCE.copy()
+        self._ramp_from = STANCE.copy()
+        self._ramp_start = 0
+        self._ramp_time = 1.0
+
+    def command(self, forward_velocity: float, yaw_rate: float, now: float) -> None:
+        """Take a velocity command, m/s and rad/s, within what the controller was made for.
+
+        Raises:
+            QuadrupedError: if it is not finite; the one before goes on, for as long as it lasts.
+        """
+        asked = np.array([forward_velocity, yaw_rate])
+        if not np.isfinite(asked).all():
+            raise QuadrupedError(f"/cmd_vel: {asked.tolist()} is not finite; send finite numbers")
+        self._command = np.array([min(max(v, low), high) for v, (low, high) in zip(asked, self._ranges, strict=True)])
+        self._command_at = now
+
+    def moving(self, now: float) -> bool:
+        """Whether a velocity command is in force."""
+        return now - self._command_at <= self.safety.command_lasts
+
+    def measured(self, measurement: Measurement, now: float) -> Answer | None:
+        """Take a measurement; the command that it calls for, if one is due.
+
+        Raises:
+            QuadrupedError: if the measurement is not fit to act on, saying why; it counts as none.
+        """
+        refusal = self._gate.refusal(measurement.stamp, now)
+        if refusal:
+            raise QuadrupedError(refusal)
+        self._heard, self._stamp = now, measurement.stamp
+        self._robot.measure(*measurement[1:])
+        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP):
+            self._qualify(measurement)
+        if self.mode not in (Mode.RAMPING, Mode.WALKING):
+            return None
+        if math.acos(min(1.0, max(-1.0, float(self._robot.state.up_b[0, 2])))) > self._max_tilt:
+            self._go_limp("the robot has fallen; put it on its feet")
+            return Answer(measurement.stamp, LIMP)
+        if self._due is None or self._stamp > self._due + self._step:
+            # The first one, or so many were missed that the grid begins anew here.
+            self._due = self._stamp
+        if self._stamp < self._due - _EARLY * self._step:
+            return None
+        self._due += self._step
+        return self._act(now)
+
+    def silent(self, now: float) -> Answer | None:
+        """What to command when no measurement comes; to be called often."""
+        silence = now - self._heard
+        if self.mode is Mode.WAITING:
+            if silence > self.safety.limp_after:
+                self._begin_anew()
+            return None
+        if self.mode is Mode.LIMP:
+            if silence > self.safety.limp_after:
+                self._begin_anew()
+                self._enter(Mode.WAITING, "")
+            return None
+        if silence <= self.safety.hold_after:
+            return None
+        if silence > self.safety.limp_after:
+            self._go_limp(f"no state for {self.safety.limp_after:g} s")
+            return Answer(self._stamp, LIMP)
+        if self.mode is not Mode.HOLDING:
+            self._enter(Mode.HOLDING, f"no state for {self.safety.hold_after:g} s")
+            self._fresh, self._silent_due = 0, now
+        if now < self._silent_due:
+            return None
+        self._silent_due += self.period
+        return Answer(self._stamp, self._last)
+
+    def _qualify(self, measurement: Measurement) -> None:
+        self._fresh += 1
+        upright = float(self._robot.state.up_b[0, 2]) > math.cos(self._max_tilt)
+        if self._fresh < self.safety.fresh_states or not upright:
+            return
+        self._last = measurement.positions.copy()
+        self._ramp_from, self._ramp_start = self._last, measurement.stamp
+        way = float(np.abs(STANCE - self._ramp_from).max())
+        self._ramp_time = max(self.safety.ramp_least, way / self.safety.ramp_speed)
+        self._due = None
+        self._enter(Mode.RAMPING, f"{self._ramp_time:.1f} s")
+
+    def _act(self, now: float) -> Answer:
+        if self.mode is Mode.RAMPING:
+            target = self._ramp()
+        else:
+            command = self._command if self.moving(now) else np.zeros(2)
+            if not np.array_equal(command, self._task.command[0]):
+                self._task.set_command(_ROW, command)
+            self._controller.step(self._task, self._task.observe())
+            target = self._robot.joint_target
+        self._last = limited(target, self._last, self.period)
+        return Answer(self._stamp, self._last)
+
+    def _ramp(self) -> NDArray[np.float64]:
+        elapsed = (self._stamp - self._ramp_start) / NANOSECONDS
+        if elapsed >= self._ramp_time + self.safety.settle:
+            self._task.reset(_ROW, seeds=[0], command=(0.0, 0.0))
+            self._enter(Mode.WALKING, "")
+        share = min(elapsed / self._ramp_time, 1.0)
+        # Begins and ends at rest.
+        smooth = share * share * (3.0 - 2.0 * share)
+        return self._ramp_from + smooth * (STANCE - self._ramp_from)
+
+    def _go_limp(self, why: str) -> None:
+        self._enter(Mode.LIMP, why)
+        self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        self._gate.reset()
+        self._fresh = 0
+
+    def _enter(self, mode: Mode, why: str) -> None:
+        self.mode = mode
+        self._say(f"{mode.value}{f' ({why})' if why else ''}")

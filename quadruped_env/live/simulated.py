@@ -1,0 +1,89 @@
+"""The simulated robot with what surrounds it on a real one: motors that obey commands, and a watchdog."""
+
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.live.commands import LIMP, Target
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, load_model
+from quadruped_env.simulation import SingleSimulation
+from quadruped_env.task import RandomizationConfig
+from quadruped_env.task.randomization import START_DRAWS, start_states
+
+TIMESTEP: Final = 0.005
+"""s of a physics step"""
+WATCHDOG: Final = 1.0
+"""s without a command after which motors that were commanded go limp"""
+_ROW: Final = np.zeros(1, dtype=np.intp)
+
+
+class SimulatedRobot:
+    """One robot on its ground, standing at first.
+
+    Args:
+        seed: of where it faces and of how it begins.
+    """
+
+    def __init__(self, seed: int = 0) -> None:
+        self._simulation = SingleSimulation(load_model(TIMESTEP))
+        self.state = self._simulation.state
+        self._generator = np.random.default_rng(seed)
+        self._target = STANCE.copy()
+        self.limp = False
+        """Whether the motors are off"""
+        self._commanded_for: float | None = None
+        """s since the last command; None before the first"""
+        self.reset()
+
+    def reset(self) -> None:
+        """Put the robot on its feet, at the origin."""
+        still = RandomizationConfig(
+            start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
+        )
+        qpos, qvel = start_states(self._generator.random((1, START_DRAWS)), still)
+        self._simulation.reset(_ROW, qpos, qvel)
+        self._target = qpos[0, 7:].copy()
+        self._commanded_for = None
+        self._switch(on=True)
+
+    def command(self, target: Target) -> None:
+        """Obey a command from the next physics step on; targets beyond the joints' range are brought into it."""
+        self._commanded_for = 0.0
+        if target is LIMP:
+            self._switch(on=False)
+            return
+        self._target = np.clip(target, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+        self._switch(on=True)
+
+    def push(self, velocity: NDArray[np.float64]) -> None:
+        """Add a velocity (3,) in m/s to the base's, in the world's axes."""
+        self._simulation.push(_ROW, velocity[None])
+
+    def step(self) -> bool:
+        """Advance by one physics step; whether the watchdog let the robot go limp in it."""
+        barked = False
+        if self._commanded_for is not None:
+            self._commanded_for += TIMESTEP
+            barked = not self.limp and self._commanded_for > WATCHDOG
+            if barked:
+                self._switch(on=False)
+        self._simulation.step(self._target[None], 1)
+        return barked
+
+    @property
+    def diverged(self) -> bool:
+        """Whether MuJoCo gave up."""
+        return bool(self._simulation.diverged()[0])
+
+    @property
+    def fallen(self) -> bool:
+        """Whether the robot leans further than it could recover from."""
+        return bool(self.state.up_b[0, 2] < np.cos(1.0))
+
+    def _switch(self, on: bool) -> None:
+        self.limp = not on
+        options = self._simulation.model.opt
+        bit = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
+        options.disableflags = options.disableflags & ~bit if on else options.disableflags | bit
