@@ -13,6 +13,7 @@ from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, asset_pa
 from quadruped_env.robot import joint_transforms
 from quadruped_env.ros import cdr
 from quadruped_env.ros.tf import TfEncoder
+from quadruped_env.trajectory import JointMap, JointRule, formats
 
 pytest.importorskip("rosbags")
 from rosbags.rosbag1 import Writer as Writer1
@@ -489,6 +490,37 @@ class TestSalvage:
         loaded = JointTrajectory.load(path, salvage=True)
         assert loaded.stamps.tolist() == [i for i in range(20) if i != 5]
         assert loaded.source.notes == ("left out 1 of 20: the message is damaged",)
+
+
+class TestStream:
+    def test_pieces_are_short_and_add_up(self, tmp_path):
+        trajectory = random_trajectory(rows=10_000)
+        trajectory.save(tmp_path / "a.mcap")
+        shares = []
+        stream = formats.stream(tmp_path / "a.mcap", progress=shares.append)
+        pieces = list(stream)
+        assert max(map(len, pieces)) <= 4096
+        np.testing.assert_array_equal(np.concatenate([piece.efforts for piece in pieces]), trajectory.efforts)
+        assert pieces[1].source.row(0).endswith("message 4096")
+        assert shares == sorted(shares)
+        assert shares[-1] == 1.0
+        assert len(shares) > 5
+
+    def test_a_bag_that_lacks_messages_is_refused(self, tmp_path):
+        path = write_bag(tmp_path / "bag", [(i, fields(i)) for i in range(20)], "sqlite3")
+        (file,) = path.glob("*.db3")
+        with sqlite3.connect(file) as database:
+            database.execute("DELETE FROM messages WHERE id > 15")
+        with pytest.raises(QuadrupedError, match=r"message 15: .*it says that there are 20 messages; keep .*--salvage"):
+            JointTrajectory.load(path)
+        assert len(JointTrajectory.load(path, salvage=True)) == 15
+
+    def test_degrees_are_not_converted_twice(self, tmp_path):
+        path = write_bag(tmp_path / "bag", [(0, fields(position=(90, 45)))])
+        joint_map = JointMap({"x": JointRule("a", unit="deg")})
+        assert JointTrajectory.load(path, joint_map=joint_map).positions.tolist() == [[np.pi / 2]]
+        with pytest.raises(QuadrupedError, match=r"\[joints\.x\] has units of its own, and degrees were asked for too"):
+            JointTrajectory.load(path, joint_map=joint_map, degrees=True)
 
 
 class TestTargets:

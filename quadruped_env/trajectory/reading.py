@@ -53,6 +53,13 @@ class ReadOptions:
         for kind in self.ignore:
             if kind not in KINDS[1:]:
                 raise QuadrupedError(f"ignore: expected {' or '.join(KINDS[1:])}; found {kind!r}")
+        if self.degrees and self.joint_map is not None:
+            for joint, rule in self.joint_map.rules.items():
+                if rule.unit != "rad" or rule.velocity_unit is not None:
+                    raise QuadrupedError(
+                        f"{self.joint_map.name}: [joints.{joint}] has units of its own, and degrees were asked for "
+                        f"too; leave --degrees out, or they would be converted twice"
+                    )
 
 
 @dataclass

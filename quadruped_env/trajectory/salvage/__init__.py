@@ -8,6 +8,7 @@ import struct
 import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -35,7 +36,8 @@ def messages(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
         MissingExtraError: if rosbags is not installed.
     """
     topics: dict[tuple[Path, Any], Topic] = {}
-    for path, found in _scan(reading, storage):
+    # Twice through the file: a topic may stand behind its messages. The first time says nothing of how far it is.
+    for path, found in _scan(replace(reading, progress=None), storage):
         if isinstance(found, Topic):
             topics[path, found.key] = found
     wanted = choose_topic({topic.name: topic.message_type for topic in topics.values()}, reading)

@@ -40,6 +40,7 @@ def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes]]:
         size = path.stat().st_size
         while True:
             start = file.tell()
+            reading.at(start / size)
             head = file.read(9)
             if len(head) < 9:
                 if head[: len(_MAGIC)] != _MAGIC:

@@ -26,6 +26,8 @@ def _records(file: BinaryIO, size: int, name: str, reading: Reading) -> Iterator
     """Topics and messages from where the file stands; a chunk is a file within the file."""
     while file.tell() < size:
         start = file.tell()
+        if not isinstance(file, BytesIO):
+            reading.at(start / size)
         try:
             (length,) = struct.unpack("<I", file.read(4))
             fields = _fields(file.read(min(length, size)))

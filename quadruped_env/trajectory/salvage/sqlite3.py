@@ -44,6 +44,7 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
         for number in range(1, size // page_size + 1):
             data = page(number)
+            reading.at(number * page_size / size)
             start = _HEADER if number == 1 else 0
             if data[start] != _LEAF:
                 continue
