@@ -18,7 +18,7 @@ from quadruped_env.evaluation.scene import scene_html
 from quadruped_env.evaluation.video import encode_mp4, encode_webp, halved
 
 CLIP_SECONDS: Final = 2.4
-SCENE_SECONDS: Final = 8.0
+SCENE_SECONDS: Final = 20.0
 STILL_TIMES: Final = (-0.6, -0.3, 0.0)
 """s around the moment of a failure"""
 OVERLAY_LEGEND: Final = (
@@ -55,10 +55,9 @@ def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
     """What a report's film shows: a controller under a command of each kind of motion."""
     commands = shown_commands(comparison)
     whose = "" if controller == "policy" else f"{controller}, "
+    motions = [motion for motion in _FILMED if motion in commands] or list(commands)
     return [
-        _episode(comparison, commands[motion], CLIP_SECONDS, controller, f"{whose}{motion}: ")
-        for motion in _FILMED
-        if motion in commands
+        _episode(comparison, commands[motion], CLIP_SECONDS, controller, f"{whose}{motion}: ") for motion in motions
     ]
 
 
