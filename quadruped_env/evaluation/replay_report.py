@@ -10,7 +10,7 @@ from quadruped_env.evaluation.page import REPORT_FILE, circumstances, figure, wr
 from quadruped_env.evaluation.plots.joints import Line, joint_panels
 from quadruped_env.evaluation.replay import Replay
 from quadruped_env.evaluation.signals import SIGNALS
-from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, VELOCITY_LIMIT
+from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from quadruped_env.task import TaskConfig
 
 _GOOD: Final = 0.05
@@ -135,20 +135,22 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
     assert replay.played.efforts is not None
     assert replay.played.velocities is not None
     times = replay.played.times
+    motors = [replay.motors.of_joint(name) for name in JOINT_NAMES]
+    stall, top = (np.array([getattr(motor, name) for motor in motors]) for name in ("stall_torque", "no_load_speed"))
     torque = {
-        "wanted": Line(times, np.clip(saturation.asked, -2 * EFFORT_LIMIT, 2 * EFFORT_LIMIT), VERMILION),
+        "wanted": Line(times, np.clip(saturation.asked, -2 * stall, 2 * stall), VERMILION),
         "given": Line(times, replay.played.efforts, BLUE),
     }
     speed = {"played": Line(times, replay.played.velocities, BLUE)}
     return [
         figure(
             "Torques",
-            joint_panels(torque, "N m", (np.full(8, -EFFORT_LIMIT), np.full(8, EFFORT_LIMIT))),
+            joint_panels(torque, "N m", (-stall, stall)),
             "What the controllers wanted (drawn up to twice the limit) and what the motors gave.",
         ),
         figure(
             "Speeds",
-            joint_panels(speed, "rad/s", (np.full(8, -VELOCITY_LIMIT), np.full(8, VELOCITY_LIMIT))),
+            joint_panels(speed, "rad/s", (-top, top)),
             "What the joints did. Red lines are the speeds that the motors reach without load.",
         ),
     ]
