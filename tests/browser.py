@@ -13,6 +13,8 @@ from PIL import Image
 EXECUTABLES = ("chromium", "chromium-browser", "google-chrome")
 LOCAL_SCHEMES = ("file", "data", "blob", "about")
 WIDTH, HEIGHT = 1280, 800
+TIMEOUT = 15_000
+"""ms"""
 
 # WebGL on the processor, and nothing that the browser would do on its own account.
 ARGUMENTS = (
@@ -58,9 +60,10 @@ def launched():
 
 
 @contextmanager
-def opened(browser):
-    """A new page (1280 x 800) in a session of its own, with a `Watched` as its `watched`."""
-    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT}, accept_downloads=False)
+def opened(browser, width=WIDTH, height=HEIGHT):
+    """A new page in a session of its own, with a `Watched` as its `watched`."""
+    context = browser.new_context(viewport={"width": width, "height": height}, accept_downloads=False)
+    context.set_default_timeout(TIMEOUT)
     page = context.new_page()
     page.watched = watched = Watched()
     page.on("console", lambda message: watched.errors.append(message.text) if message.type == "error" else None)
@@ -71,6 +74,6 @@ def opened(browser):
     context.close()
 
 
-def pixels(target):
-    """A picture (height, width, 3) of a page or of a part of it."""
-    return np.asarray(Image.open(BytesIO(target.screenshot())).convert("RGB"))
+def pixels(target, **options):
+    """A picture (height, width, 3) of a page or of a part of it; options as Playwright's screenshot has them."""
+    return np.asarray(Image.open(BytesIO(target.screenshot(**options))).convert("RGB"))

@@ -164,8 +164,10 @@ class ViewController:
         """
         robot = None if name is None else self._make(name)
         with self._lock:
-            if not 0 <= index <= min(len(self._slots), MAX_ROBOTS - 1) or (robot is None and not index):
+            if not 0 <= index <= min(len(self._slots), MAX_ROBOTS - 1):
                 raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)} of up to {MAX_ROBOTS}")
+            if robot is None and not index:
+                raise QuadrupedError("robot 1: cannot be taken away; choose another source for it")
             if index == self._watched:
                 self.stop_recording()
             if robot is not None:
@@ -198,6 +200,12 @@ class ViewController:
         """The settings of the watched robot's scripted gait, or None."""
         with self._lock:
             return self._watched_robot.gait
+
+    @property
+    def randomization(self) -> str:
+        """What is random, a key of `RANDOMIZATIONS`."""
+        with self._lock:
+            return self._randomization
 
     def set_randomization(self, name: str) -> None:
         """Choose what is random, a key of `RANDOMIZATIONS`, and begin again."""

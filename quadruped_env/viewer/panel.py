@@ -1,6 +1,7 @@
 """The controls in the browser: each hands a value on to the `ViewController`, and knows nothing else."""
 
 import math
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -44,14 +45,17 @@ class Panel:
         self._server = server
         self._controller = controller
         self._scene = scene
+        # Held by whoever changes controls or acts on them: browsers, and the show that keeps them up to date.
+        self._lock = threading.RLock()
         self._setting = False
+        self._shown_command = controller.command
         gui = server.gui
         gui.main_panel.dock_right()
         gui.main_panel.set_width(_WIDTH)
         gui.add_html(ARROWS_FIRST)
         self._status = gui.add_html("")
         self._clock_buttons = gui.add_button_group("", (PAUSE, STEP, RESET))
-        self._clock_buttons.on_click(lambda event: self._press(event.target.value))
+        self._on(self._clock_buttons, lambda: self._press(self._clock_buttons.value))
         self._record = gui.add_button(RECORD, color="red", icon="player-record")
         self._on(self._record, self._toggle_recording)
         tabs = gui.add_tab_group()
@@ -80,11 +84,17 @@ class Panel:
 
     def update(self, view: View) -> None:
         """Show how things are."""
-        self._status.content = _status(view)
+        _set(self._status, "content", _status(view))
         _set(self._clock_buttons, "options", (RESUME if view.paused else PAUSE, STEP, RESET))
         _set(self._record, "label", RECORD if view.recorded is None else SAVE)
         for message in self._controller.messages():
             self.tell(message)
+        # The show goes on while a browser's wish takes its time.
+        if self._lock.acquire(blocking=False):
+            try:
+                self._show_command()
+            finally:
+                self._lock.release()
 
     # --- controls
 
@@ -98,7 +108,7 @@ class Panel:
             self._yaw_rate = gui.add_slider("Turn left, rad/s", min=low, max=high, step=0.01, initial_value=yaw_rate)
             gui.add_html(f'<div style="{_SMALL};color:{INK}">{_KEYS}</div>')
         for slider in (self._velocity, self._yaw_rate):
-            self._on(slider, lambda: self._controller.set_command(self._velocity.value, self._yaw_rate.value))
+            self._on(slider, self._command)
 
     def _add_push(self) -> None:
         gui = self._server.gui
@@ -193,17 +203,16 @@ class Panel:
             self._controller.stop_recording()
             self._record.label = RECORD
 
+    def _command(self) -> None:
+        self._shown_command = self._controller.set_command(self._velocity.value, self._yaw_rate.value)
+
     def _nudge(self, forward: int, left: int) -> None:
-        self._show_command(self._controller.nudge(forward, left))
+        self._controller.nudge(forward, left)
+        self._show_command()
 
     def _stand(self) -> None:
-        self._show_command(self._controller.set_command(0.0, 0.0))
-
-    def _show_command(self, command: tuple[float, float]) -> None:
-        def show() -> None:
-            self._velocity.value, self._yaw_rate.value = command
-
-        self._show(show)
+        self._controller.set_command(0.0, 0.0)
+        self._show_command()
 
     def _show_overlay(self, name: str, box: Any) -> None:
         self._scene.visible[name] = box.value
@@ -234,6 +243,18 @@ class Panel:
         return tuple(slider.value for slider in self._phases)
 
     # --- what they show
+
+    def _show_command(self) -> None:
+        """Set the sliders to the command, if somebody else has changed it."""
+        command = self._controller.command
+        if command == self._shown_command:
+            return
+        self._shown_command = command
+
+        def show() -> None:
+            self._velocity.value, self._yaw_rate.value = command
+
+        self._show(show)
 
     def _show_robots(self) -> None:
         names = self._controller.robots
@@ -274,12 +295,13 @@ class Panel:
 
     def _guarded(self, action: Callable[[], object]) -> Callable[[Any], None]:
         def run(_: Any) -> None:
-            if self._setting:
-                return
-            try:
-                action()
-            except QuadrupedError as error:
-                self.tell(str(error), bad=True)
+            with self._lock:
+                if self._setting:
+                    return
+                try:
+                    action()
+                except QuadrupedError as error:
+                    self.tell(str(error), bad=True)
 
         return run
 

@@ -36,6 +36,7 @@ class Plots:
         panel = server.gui.add_panel()
         panel.dock_left()
         panel.set_width(_WIDTH)
+        self._shown: tuple[str, float, int] | None = None
         ahead, turn = (_padded(bounds) for bounds in (commands.forward_velocity, commands.yaw_rate))
         with panel.add_tab("Walk"):
             self._forward = _Chart(server, "Forward velocity, m/s", _VELOCITY_LINES, ahead)
@@ -52,18 +53,22 @@ class Plots:
 
     def update(self, robot: RobotView) -> None:
         """Show the last seconds of a robot."""
+        shown = robot.source, robot.now.time, len(robot.history)
+        if shown == self._shown:
+            return
+        self._shown = shown
         stride = max(1, round(HISTORY_SECONDS / robot.timestep / _POINTS))
         # Counted from the present, so that the drawn samples do not change as they age.
-        shown = robot.history[::-1][::stride][::-1]
-        times = over_time(shown, "time")
-        command, velocity, smooth = (over_time(shown, name) for name in ("command", "velocity", "smooth_velocity"))
+        drawn = robot.history[::-1][::stride][::-1]
+        times = over_time(drawn, "time")
+        command, velocity, smooth = (over_time(drawn, name) for name in ("command", "velocity", "smooth_velocity"))
         for i, chart in enumerate((self._forward, self._yaw)):
             chart.show(times, velocity[:, i], smooth[:, i], command[:, i])
-        joints = over_time(shown, "joint_position")
+        joints = over_time(drawn, "joint_position")
         for i, chart in enumerate((self._hips, self._knees)):
             limits = np.full(len(times), JOINT_POSITION_LOW[i]), np.full(len(times), JOINT_POSITION_HIGH[i])
             chart.show(times, *joints[:, i::2].T, *limits)
-        speeds = np.abs(over_time(shown, "joint_velocity")).reshape(len(times), len(LEG_NAMES), 2).max(axis=2)
+        speeds = np.abs(over_time(drawn, "joint_velocity")).reshape(len(times), len(LEG_NAMES), 2).max(axis=2)
         self._speeds.show(times, *speeds.T, np.full(len(times), VELOCITY_LIMIT))
         self._gait.content = gait_diagram(robot.history, robot.timestep)
         recent = robot.history[-round(_REWARD_SECONDS / robot.timestep) :]

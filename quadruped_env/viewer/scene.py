@@ -24,6 +24,8 @@ _FOLLOW_TIME: Final = 0.3
 """s: how far the camera lags behind, so that the picture does not sway with every step"""
 _JUMP: Final = 0.6
 """m that no robot walks within that time"""
+_STILL: Final = 1e-4
+"""m that nobody sees"""
 _TRAIL_SECONDS: Final = 2.0
 _TRAIL_STRIDE: Final = 2
 """samples a segment"""
@@ -69,6 +71,7 @@ class Scene:
         server.scene.configure_environment_map("studio", environment_intensity=0.3)
         self._offsets = np.zeros((1, 3))
         self._drawn_at = -math.inf
+        self._drawn: tuple[Points, ...] = (np.empty(0),) * 3
         self._push: tuple[float, float, float] | None = None
         self._ground()
         self._aim(1)
@@ -106,8 +109,7 @@ class Scene:
         self._go_along(np.array([robot.now.base_pose[:2] for robot in robots]), view.watched)
         shift = lanes + self._offsets
         with self._server.atomic():
-            self._draw_robots(robots, shift)
-            self._robots.fixed_bodies_frame.position = self._offsets[view.watched]
+            self._draw_robots(robots, shift, self._offsets[view.watched])
             self._draw_contacts(robots, shift)
             self._draw_velocities(robots, shift)
             self._draw_trails(robots, shift)
@@ -126,9 +128,9 @@ class Scene:
         if self.follow:
             away = -positions - self._offsets[:, :2]
             share = 1.0 - math.exp(-(now - self._drawn_at) / _FOLLOW_TIME)
-            # After a reset the robot is somewhere else at once.
-            jumped = np.abs(away).max(axis=1, keepdims=True) > _JUMP
-            self._offsets[:, :2] += away * np.where(jumped, 1.0, share)
+            distance = np.abs(away).max(axis=1, keepdims=True)
+            # After a reset the robot is somewhere else at once; and a robot that stands gets a picture that stands.
+            self._offsets[:, :2] += away * np.where((distance > _JUMP) | (distance < _STILL), 1.0, share)
             if not self.abreast:
                 self._offsets[:] = self._offsets[watched]
         self._drawn_at = now
@@ -151,14 +153,19 @@ class Scene:
             plane_opacity=1.0,
         )
 
-    def _draw_robots(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+    def _draw_robots(self, robots: tuple[RobotView, ...], shift: Points, ground: Points) -> None:
         if self._robots.num_envs != len(robots):
             self._robots.num_envs = len(robots)
             self._robots.rebuild_visual_handles()
             self._ground()
             self._aim(len(robots))
         positions = np.stack([robot.body_position + shift[i] for i, robot in enumerate(robots)])
-        self._robots.update_from_arrays(positions, np.stack([robot.body_rotation for robot in robots]))
+        rotations = np.stack([robot.body_rotation for robot in robots])
+        drawn = positions, rotations, ground.copy()
+        if not all(map(np.array_equal, drawn, self._drawn)):
+            self._robots.update_from_arrays(positions, rotations)
+            self._robots.fixed_bodies_frame.position = ground
+            self._drawn = drawn
 
     def _draw_contacts(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         arrows = []
@@ -243,11 +250,15 @@ def _direction(angle: Any) -> Any:
 
 
 def _draw(handle: Any, points: Points, colours: NDArray[np.uint8] | None = None, visible: bool = True) -> None:
-    """Give arrows or segments (N, 2, 3) to a handle; none of them are hidden, as viser cannot draw nothing."""
+    """Give arrows or segments (N, 2, 3) to a handle; none of them are hidden, as viser cannot draw nothing.
+
+    What is there already is not sent again: a picture that stands costs the browser nothing.
+    """
     visible = visible and bool(len(points))
-    if visible:
-        handle.points = points.astype(np.float32)
-        if colours is not None:
-            handle.colors = colours
+    points = points.astype(np.float32)
+    if visible and not np.array_equal(points, handle.points):
+        handle.points = points
+    if visible and colours is not None and not np.array_equal(colours, handle.colors):
+        handle.colors = colours
     if handle.visible != visible:
         handle.visible = visible

@@ -5,7 +5,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from quadruped_env.viewer.controller import Command, View, ViewController
 from quadruped_env.viewer.panel import Panel
@@ -70,6 +70,10 @@ class Show:
         """Where it listens."""
         return self._server.get_port()
 
+    def clients(self) -> list[Any]:
+        """The browsers that look, as viser's client handles."""
+        return list(self._server.get_clients().values())
+
     def draw(self, view: View) -> None:
         """Draw everything."""
         self._scene.update(view)
@@ -116,7 +120,7 @@ class Show:
 
     def _left(self) -> None:
         """A browser went: with the last one nobody is left to end a recording."""
-        if not self._server.get_clients():
+        if not self.clients():
             self.controller.stop_recording()
 
 

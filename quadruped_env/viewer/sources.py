@@ -69,7 +69,7 @@ def asked_source(text: str) -> Source:
     if text in PRESETS:
         return gait_source(text)
     path = Path(text)
-    return recording_source(path) if path.is_file() or path.suffix == ".csv" else policy_source(f"run {text}", text)
+    return recording_source(path) if path.suffix and not path.is_dir() else policy_source(f"run {text}", text)
 
 
 def find_sources(asked: Sequence[str] = (), runs: Path = RUNS) -> tuple[dict[str, Source], tuple[str, ...]]:

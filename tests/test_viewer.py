@@ -1,0 +1,660 @@
+"""The viewer without a browser: its controller, what drives the robots, what is drawn, its server."""
+
+import json
+import math
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import psutil
+import pytest
+
+from quadruped_env import JOINT_NAMES, JointTrajectory, MissingExtraError, QuadrupedError, SinusoidalGait
+from quadruped_env.evaluation.recording import publish, record
+from quadruped_env.policies import PolicyController, load_policy
+from quadruped_env.policies.policy import CARD_FILE
+from quadruped_env.robot import STANCE, TOTAL_MASS
+from quadruped_env.viewer import GaitSettings, ViewController, find_sources, open_show
+from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS, RESTART_AFTER
+from quadruped_env.viewer.gaits import edited
+from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
+from quadruped_env.viewer.robot import Robot
+from quadruped_env.viewer.server import start_server, stop_server
+
+DT = 0.02
+REPOSITORY = Path(__file__).parents[1]
+
+
+@pytest.fixture
+def control(tmp_path):
+    """Makes controllers that are closed in the end."""
+    made = []
+
+    def make(*names, asked=()):
+        sources, chosen = find_sources(asked, runs=tmp_path / "runs")
+        made.append(ViewController(sources, names or chosen, tmp_path / "results"))
+        return made[-1]
+
+    yield make
+    for controller in made:
+        controller.close()
+
+
+@pytest.fixture
+def recording(tmp_path):
+    """A trot as a file."""
+    path = tmp_path / "walk.csv"
+    publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(path)
+    return path
+
+
+def robot(controller, index=0):
+    return controller._slots[index].robot
+
+
+def now(controller, index=0):
+    return controller.view().robots[index].now
+
+
+# --- the clock
+
+
+@pytest.mark.parametrize(("speed", "steps"), [(1.0, 50), (0.5, 25), (2.0, 100)])
+def test_a_second_of_real_time_is_a_second_times_the_speed(control, speed, steps):
+    controller = control("stand still")
+    controller.set_speed(speed)
+    # In pieces that are no whole number of steps.
+    assert sum(controller.advance(1.0 / 30.0) for _ in range(30)) == steps
+    assert controller.view().time == pytest.approx(speed)
+    assert now(controller).time == pytest.approx(speed)
+
+
+def test_a_pause_stands_still_and_a_step_is_one_control_step(control):
+    controller = control("policy flat")
+    controller.advance(0.1)
+    assert controller.toggle_pause()
+    before = now(controller)
+    assert controller.advance(5.0) == 0
+    np.testing.assert_array_equal(now(controller).base_pose, before.base_pose)
+    controller.step()
+    assert now(controller).time == pytest.approx(before.time + DT)
+    assert controller.paused
+    assert not controller.toggle_pause()
+    assert controller.advance(DT) == 1
+
+
+def test_a_delay_is_not_made_up_for_without_end(control):
+    controller = control("stand still")
+    assert controller.advance(10.0) == pytest.approx(0.25 / DT, abs=1)
+    assert controller.view().lag == pytest.approx(9.75)
+
+
+def test_reset_zeroes_the_clock_and_puts_everybody_at_the_start(control):
+    controller = control("policy flat", "gait tuned")
+    controller.set_command(0.5, 0.3)
+    for _ in range(10):
+        controller.advance(0.1)
+    assert now(controller).base_pose[0] > 0.2
+    controller.reset()
+    view = controller.view()
+    assert view.time == 0.0
+    assert view.command == (0.5, 0.3)
+    for shown in view.robots:
+        assert shown.now.time == 0.0
+        assert len(shown.history) == 1
+        np.testing.assert_allclose(shown.now.base_pose, [0, 0, shown.now.base_pose[2], 1, 0, 0, 0], atol=1e-12)
+        np.testing.assert_allclose(shown.now.joint_position, STANCE, atol=1e-12)
+
+
+def test_what_walks_is_what_a_recording_of_the_same_policy_does(control):
+    controller = control("policy flat")
+    controller.set_command(0.4, 0.0)
+    controller.reset()
+    for _ in range(50):
+        controller.advance(0.04)
+    # The gait clock begins elsewhere, so the two are alike, not equal.
+    expected = record(PolicyController(load_policy("flat")), 2.0, (0.4, 0.0)).base_pose[-1, 0]
+    assert now(controller).base_pose[0] == pytest.approx(expected, abs=0.1)
+    assert expected > 0.5
+
+
+# --- the command
+
+
+def test_a_command_reaches_every_robot_cut_to_its_range(control):
+    controller = control("policy flat", "gait tuned")
+    assert controller.set_command(0.3, -0.2) == (0.3, -0.2)
+    assert controller.set_command(99.0, -99.0) == (0.6, -0.8)
+    for shown in controller.view().robots:
+        np.testing.assert_array_equal(shown.now.command if shown.now.time else [0.6, -0.8], [0.6, -0.8])
+    controller.advance(DT)
+    for index in range(2):
+        np.testing.assert_array_equal(now(controller, index).command, [0.6, -0.8])
+    with pytest.raises(QuadrupedError, match="finite"):
+        controller.set_command(math.nan, 0.0)
+    assert controller.command == (0.6, -0.8)
+
+
+def test_keys_go_in_whole_steps_and_stop_at_the_range(control):
+    controller = control("stand still")
+    controller.set_command(0.37, 0.0)
+    assert controller.nudge(1, 0) == (0.5, 0.0)
+    assert controller.nudge(0, -1) == (0.5, -0.2)
+    assert controller.nudge(-5, 1) == (0.0, 0.0)
+    for _ in range(20):
+        controller.nudge(1, 1)
+    assert controller.command == (0.6, 0.8)
+
+
+def test_the_commanded_gait_follows_the_command(control):
+    controller = control("gait tuned")
+    controller.set_command(-0.2, 0.0)
+    for _ in range(100):
+        controller.advance(0.04)
+    assert now(controller).smooth_velocity[0] == pytest.approx(-0.2, abs=0.08)
+
+
+# --- the gait
+
+
+def test_an_edited_gait_is_the_formula(control):
+    controller = control("gait article")
+    controller.set_gait(GaitSettings(amplitude=0.5, frequency=1.0, phases=(0.0, 0.25, 0.5, 0.75)))
+    targets = _targets(controller, 30)
+    times = np.arange(30) * DT
+    article = SinusoidalGait.preset("article")
+    for leg, cycles in enumerate((0.0, 0.25, 0.5, 0.75)):
+        angle = math.tau * (times + cycles)
+        lag = article.phases[2 * leg + 1] - article.phases[2 * leg]
+        np.testing.assert_allclose(targets[:, 2 * leg], 0.5 * 0.4 * np.sin(angle), atol=1e-12)
+        np.testing.assert_allclose(targets[:, 2 * leg + 1], 0.5 * 0.3 * np.cos(angle + lag) - 0.3, atol=1e-12)
+
+
+def _targets(controller, steps):
+    """The joint targets (steps, 8) of the next control steps."""
+    targets = []
+    for _ in range(steps):
+        controller.step()
+        targets.append(robot(controller).data.ctrl.copy())
+    return np.array(targets)
+
+
+@pytest.mark.parametrize("preset", ["article", "trot", "walk", "bound", "pace"])
+def test_a_gait_that_nobody_edited_is_the_preset(control, preset):
+    controller = control(f"gait {preset}")
+    gait = SinusoidalGait.preset(preset)
+    np.testing.assert_allclose(_targets(controller, 40), gait.positions(np.arange(40) * DT), atol=1e-9)
+    same = edited(gait, GaitSettings.of(preset))
+    np.testing.assert_allclose(same.velocities(0.3), gait.velocities(0.3), atol=1e-9)
+
+
+def test_another_frequency_goes_on_from_the_same_phase(control):
+    controller = control("gait trot")
+    before = _targets(controller, 33)
+    gait = controller.gait
+    controller.set_gait(GaitSettings(gait.amplitude, gait.frequency / 2, gait.phases))
+    after = _targets(controller, 2)
+    # No joint is asked for more than its speed allows from one step to the next.
+    assert np.abs(after[0] - before[-1]).max() <= 5.0 * DT
+    assert np.abs(after[1] - after[0]).max() < np.abs(np.diff(before, axis=0)).max()
+
+
+def test_gait_settings_that_make_no_sense_are_refused(control):
+    controller = control("policy flat")
+    assert controller.gait is None
+    with pytest.raises(QuadrupedError, match="no scripted gait"):
+        controller.set_gait(GaitSettings.of("trot"))
+    with pytest.raises(QuadrupedError, match=r"frequency must be in 0\.1 to 4; found 0"):
+        GaitSettings(1.0, 0.0, (0.0,) * 4)
+    with pytest.raises(QuadrupedError, match="4 finite numbers"):
+        GaitSettings(1.0, 1.0, (0.0, math.nan, 0.0, 0.0))
+
+
+def test_a_gait_beyond_the_motors_says_so(control):
+    controller = control("gait trot")
+    assert not controller.view().robots[0].complaints
+    gait = controller.gait
+    controller.set_gait(GaitSettings(2.0, 4.0, gait.phases))
+    controller.step()
+    assert any("rad/s is over 5 rad/s" in complaint for complaint in controller.view().robots[0].complaints)
+
+
+# --- pushes, falls, forces
+
+
+@pytest.mark.parametrize("heading", [0.0, 2.0])
+@pytest.mark.parametrize(("direction", "expected"), [(0.0, (0.7, 0.0)), (math.pi / 2, (0.0, 0.7))])
+def test_a_push_changes_the_velocity_as_the_robot_faces(control, heading, direction, expected):
+    controller = control("stand still")
+    data = robot(controller).data
+    data.qpos[3:7] = [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
+    before = data.qvel.copy()
+    controller.push(direction, 0.7)
+    gained = (data.qvel - before)[:3]
+    c, s = math.cos(heading), math.sin(heading)
+    turned = [c * expected[0] - s * expected[1], s * expected[0] + c * expected[1], 0.0]
+    np.testing.assert_allclose(gained, turned, atol=1e-12)
+    np.testing.assert_array_equal(data.qvel[3:], before[3:])
+
+
+def _throw_on_the_back(controller):
+    data = robot(controller).data
+    data.qpos[2:7] = [0.1, 0.0, 1.0, 0.0, 0.0]
+
+
+def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
+    controller = control("gait trot", "stand still")
+    controller.advance(0.2)
+    _throw_on_the_back(controller)
+    controller.step()
+    assert now(controller).time > 0.0
+    assert controller.view().robots[0].fell_at is not None
+    assert controller.view().robots[1].fell_at is None
+    controller.paused = False
+    for _ in range(round(RESTART_AFTER / 0.2) + 1):
+        controller.advance(0.2)
+    first, second = controller.view().robots
+    assert first.fell_at is None
+    assert first.now.time < 0.3
+    assert second.now.time == pytest.approx(controller.view().time)
+
+
+def test_who_is_not_to_stand_up_stays_down(control):
+    controller = control("stand still")
+    controller.restart_after_fall = False
+    _throw_on_the_back(controller)
+    for _ in range(20):
+        controller.advance(0.2)
+    assert controller.view().robots[0].fell_at is not None
+
+
+def test_the_ground_carries_the_weight(control):
+    controller = control("stand still")
+    for _ in range(20):
+        controller.advance(0.1)
+    points, forces = robot(controller).contact_forces()
+    np.testing.assert_allclose(forces.sum(axis=0), [0.0, 0.0, TOTAL_MASS * 9.81], atol=0.02)
+    assert len(points) >= 4
+    assert np.abs(points[:, 2]).max() < 0.005
+
+
+# --- sources
+
+
+def test_every_source_plays(control, recording):
+    controller = control(asked=[str(recording)])
+    assert len(controller.sources) == 9
+    for name in controller.sources:
+        controller.set_source(0, name)
+        controller.set_command(0.3, 0.0)
+        for _ in range(10):
+            controller.advance(0.1)
+        assert controller.robots == (name,)
+        assert now(controller).time == pytest.approx(1.0)
+        assert np.isfinite(now(controller).joint_position).all()
+
+
+def test_a_recording_is_played_in_a_loop(control, recording):
+    controller = control(asked=[str(recording)])
+    trajectory = JointTrajectory.load(recording)
+    targets = _targets(controller, 60)
+    np.testing.assert_allclose(targets[:51], trajectory.positions, atol=1e-12)
+    np.testing.assert_allclose(targets[51:60], trajectory.positions[:9], atol=1e-12)
+
+
+def test_without_runs_the_shipped_policy_walks_and_with_them_the_latest_that_fits(tmp_path):
+    runs = tmp_path / "runs"
+    assert find_sources(runs=runs)[1] == ("policy flat",)
+    load_policy("flat").save(runs / "20260101-000000-old")
+    load_policy("flat").save(runs / "20260301-000000-new")
+    broken = runs / "20260401-000000-broken"
+    load_policy("flat").save(broken)
+    (broken / CARD_FILE).write_text("{")
+    (runs / "latest").symlink_to(broken.name)
+    sources, chosen = find_sources(runs=runs)
+    assert chosen == ("run 20260301-000000-new",)
+    assert [name for name in sources if name.startswith("run")] == [
+        "run 20260401-000000-broken",
+        "run 20260301-000000-new",
+        "run 20260101-000000-old",
+    ]
+
+
+@pytest.fixture
+def foreign_run(tmp_path):
+    """A run whose policy sees other columns than this environment gives."""
+    directory = tmp_path / "runs" / "foreign"
+    load_policy("flat").save(directory)
+    document = json.loads((directory / CARD_FILE).read_text())
+    document["observation_layout"] = document["observation_layout"][:-1]
+    (directory / CARD_FILE).write_text(json.dumps(document))
+    return directory
+
+
+def test_a_run_that_does_not_match_is_refused_and_nothing_changes(control, foreign_run):
+    with pytest.raises(QuadrupedError, match=rf"{CARD_FILE}: observation_layout differs"):
+        find_sources([str(foreign_run)])
+    controller = control()
+    assert controller.robots == ("policy flat",)
+    with pytest.raises(QuadrupedError, match="observation_layout differs"):
+        controller.set_source(0, "run foreign")
+    assert controller.robots == ("policy flat",)
+    assert controller.advance(DT) == 1
+
+
+def test_a_recording_of_another_robot_is_refused(tmp_path):
+    path = tmp_path / "other.csv"
+    JointTrajectory([0, 1], [*JOINT_NAMES[:-1], "tail_joint"], np.zeros((2, 8))).save(path)
+    with pytest.raises(QuadrupedError, match=r"other\.csv: joint 'RH_knee_joint' is missing"):
+        find_sources([str(path)])
+    with pytest.raises(QuadrupedError, match="nowhere"):
+        find_sources([str(tmp_path / "nowhere.csv")])
+
+
+def test_robots_come_and_go(control):
+    controller = control("policy flat")
+    controller.set_source(1, "gait trot")
+    controller.set_source(2, "gait pace")
+    assert controller.robots == ("policy flat", "gait trot", "gait pace")
+    with pytest.raises(QuadrupedError, match=f"up to {MAX_ROBOTS}"):
+        controller.set_source(3, "gait walk")
+    with pytest.raises(QuadrupedError, match="there is no 'nobody'"):
+        controller.set_source(1, "nobody")
+    controller.watch(2)
+    controller.set_source(1, None)
+    assert controller.robots == ("policy flat", "gait pace")
+    assert controller.view().watched == 1
+    with pytest.raises(QuadrupedError, match="robot 1"):
+        controller.set_source(0, None)
+    with pytest.raises(QuadrupedError, match="robot 3: there are 2"):
+        controller.watch(2)
+    with pytest.raises(QuadrupedError, match="1 to 3 robots; found 4"):
+        control(*["stand still"] * 4)
+
+
+def test_side_by_side_means_the_same_time_and_the_same_command(control):
+    controller = control("policy flat")
+    controller.set_command(0.4, 0.1)
+    controller.advance(0.2)
+    controller.set_source(1, "policy flat")
+    controller.advance(0.2)
+    first, second = controller.view().robots
+    assert first.now.time == pytest.approx(0.4)
+    assert second.now.time == pytest.approx(0.2)
+    np.testing.assert_array_equal(second.now.command, [0.4, 0.1])
+    controller.reset()
+    for _ in range(5):
+        controller.advance(0.2)
+    first, second = controller.view().robots
+    np.testing.assert_array_equal(first.now.base_pose, second.now.base_pose)
+
+
+@pytest.mark.parametrize("name", RANDOMIZATIONS)
+def test_randomization(control, name):
+    controller = control("policy flat", "policy flat")
+    controller.set_randomization(name)
+    starts = []
+    for _ in range(2):
+        controller.reset()
+        first, second = controller.view().robots
+        np.testing.assert_array_equal(first.now.joint_position, second.now.joint_position)
+        assert abs(first.heading) < 1e-9
+        starts.append(first.now.joint_position)
+    assert (name == "off") == np.array_equal(*starts)
+    with pytest.raises(QuadrupedError, match="there is no 'everything'"):
+        controller.set_randomization("everything")
+
+
+def test_turning_the_start_ahead_keeps_the_motion(control):
+    controller = control("policy flat")
+    controller.set_randomization("start")
+    controller.reset()
+    seed = controller._seed
+    plain = robot(controller)
+    velocity = now(controller).velocity.copy()
+    plain.task.reset(np.zeros(1, np.intp), seeds=[seed], command=(0.0, 0.0))
+    state = plain.task.simulation.state
+    # Forward velocity and yaw rate are the robot's own, whichever way it faces.
+    np.testing.assert_allclose(velocity, [state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]], atol=1e-12)
+
+
+# --- recordings
+
+
+def test_a_take_is_what_happened(control, tmp_path, monkeypatch):
+    told = []
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: told.append(motions))
+    controller = control("policy flat")
+    controller.set_command(0.4, 0.0)
+    controller.advance(0.2)
+    controller.start_recording()
+    controller.start_recording()
+    for _ in range(5):
+        controller.advance(0.1)
+    samples = list(robot(controller).history)[-26:]
+    assert controller.view().recorded == pytest.approx(0.5)
+    controller.stop_recording()
+    assert controller.view().recorded is None
+    controller.advance(0.1)
+    controller.close()
+    (path,) = tmp_path.glob("results/view-*/joint_states.csv")
+    saved = JointTrajectory.load(path)
+    assert saved.names == JOINT_NAMES
+    np.testing.assert_array_equal(saved.times, np.round(np.arange(26) * DT, 9))
+    np.testing.assert_array_equal(saved.positions, [s.joint_position for s in samples])
+    np.testing.assert_array_equal(saved.velocities, [s.joint_velocity for s in samples])
+    np.testing.assert_array_equal(saved.efforts, [s.joint_torque for s in samples])
+    ((motion,),) = told
+    np.testing.assert_array_equal(motion.base_pose, [s.base_pose for s in samples])
+    np.testing.assert_array_equal(motion.command, [s.command for s in samples])
+    messages = controller.messages()
+    assert messages[0] == f"0.5 s recorded: {path}"
+    assert messages[1].startswith("Video: ")
+    assert controller.messages() == []
+
+
+@pytest.mark.parametrize("end", ["reset", "set_source", "watch", "close", "fall"])
+def test_a_take_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    controller = control("gait trot", "stand still")
+    controller.start_recording()
+    controller.advance(0.2)
+    match end:
+        case "reset":
+            controller.reset()
+        case "set_source":
+            controller.set_source(0, "gait pace")
+        case "watch":
+            controller.watch(1)
+        case "fall":
+            _throw_on_the_back(controller)
+            for _ in range(12):
+                controller.advance(0.2)
+    controller.close()
+    (path,) = tmp_path.glob("results/view-*/joint_states.csv")
+    seconds = JointTrajectory.load(path).duration
+    assert seconds == pytest.approx(0.2 + RESTART_AFTER + DT if end == "fall" else 0.2, abs=1.5 * DT)
+
+
+def test_a_take_without_opengl_is_saved_without_a_video(control, tmp_path, monkeypatch):
+    def fail(path, motions):
+        raise QuadrupedError("no OpenGL to render with")
+
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", fail)
+    controller = control("stand still")
+    controller.start_recording()
+    controller.advance(0.1)
+    controller.close()
+    assert list(tmp_path.glob("results/view-*/joint_states.csv"))
+    assert controller.messages()[1:] == ["No video: no OpenGL to render with"]
+
+
+def test_a_take_that_cannot_be_saved_says_so(tmp_path):
+    (tmp_path / "results").write_text("a file where a directory should be")
+    sources, chosen = find_sources(runs=tmp_path)
+    controller = ViewController(sources, chosen, tmp_path / "results")
+    controller.start_recording()
+    controller.advance(0.1)
+    controller.close()
+    (message,) = controller.messages()
+    assert message.startswith("Not saved: ")
+
+
+@pytest.mark.slow
+def test_a_take_is_filmed(control, tmp_path):
+    av = pytest.importorskip("av")
+    controller = control("policy flat")
+    controller.start_recording()
+    for _ in range(10):
+        controller.advance(0.1)
+    controller.close()
+    messages = controller.messages()
+    if messages[1].startswith("No video: no OpenGL"):
+        pytest.skip(messages[1])
+    (path,) = tmp_path.glob("results/view-*/video.mp4")
+    with av.open(path) as film:
+        assert sum(1 for _ in film.decode(video=0)) == pytest.approx(25, abs=1)
+
+
+# --- threads
+
+
+def test_any_thread_may_do_anything_at_any_time(control):
+    controller = control("policy flat", "gait tuned")
+    stop = threading.Event()
+    failures = []
+
+    def hammer(index):
+        generator = np.random.default_rng(index)
+        try:
+            while not stop.is_set():
+                controller.set_command(*generator.uniform(-0.3, 0.6, 2))
+                controller.push(generator.uniform(-3, 3), 0.2)
+                controller.set_source(1, ("gait trot", "gait tuned", "stand still")[generator.integers(3)])
+                controller.toggle_pause()
+                controller.toggle_pause()
+                controller.reset()
+                assert len(controller.view().robots) == 2
+        except Exception as error:
+            failures.append(error)
+
+    threads = [threading.Thread(target=hammer, args=(i,)) for i in range(3)]
+    for thread in threads:
+        thread.start()
+    for _ in range(60):
+        controller.paused = False
+        controller.advance(0.02)
+    stop.set()
+    for thread in threads:
+        thread.join()
+    assert not failures
+    assert controller.command == tuple(robot(controller).task.command[0])
+
+
+# --- plots
+
+
+def test_the_gait_diagram_shows_each_stance_once():
+    robot = Robot(find_sources(runs=Path("nowhere"))[0]["stand still"])
+    moments = []
+    contact = np.zeros((100, 4), bool)
+    contact[10:30, 0] = contact[50:60, 0] = contact[90:, 0] = contact[:, 3] = True
+    for row in contact:
+        moment = robot.step()
+        moments.append(type(moment)(**{f: getattr(moment, f) for f in moment.__slots__} | {"contact": row}))
+    html = gait_diagram(moments, DT)
+    svg = ElementTree.fromstring(html[html.index("<svg") :])  # noqa: S314
+    bars = [node for node in svg.iter("rect") if node.get("fill") != "#EEF1F4"]
+    right, scale = 360, 330 / GAIT_SECONDS
+    assert [float(bar.get("width")) for bar in bars] == [
+        pytest.approx(n * DT * scale, abs=0.06) for n in (20, 10, 10, 100)
+    ]
+    assert float(bars[0].get("x")) == pytest.approx(right - 90 * DT * scale, abs=0.06)
+    assert [node.text for node in svg.iter("text")][:4] == ["LF", "RF", "LH", "RH"]
+
+
+def test_the_reward_bars_add_up():
+    html = reward_bars(["track_forward_velocity", "fall"], np.array([1.5, -0.25]))
+    table = ElementTree.fromstring(html[html.index("<table") :])  # noqa: S314
+    assert [[cell.text for cell in row][::2] for row in table] == [
+        ["track forward velocity", "+1.50"],
+        ["fall", "-0.25"],
+        ["sum", "+1.25"],
+    ]
+
+
+# --- the server
+
+
+def test_a_taken_port_makes_way_for_the_next_free_one():
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        taken = other.getsockname()[1]
+        server = start_server(port=taken)
+        try:
+            assert taken < server.get_port() < taken + 100
+            listening = {
+                c.laddr.ip
+                for c in psutil.Process().net_connections("inet")
+                if c.status == psutil.CONN_LISTEN and c.laddr.port == server.get_port()
+            }
+            assert listening == {"127.0.0.1"}
+            # A page could ask for a public address without a button.
+            assert server.request_share_url() is None
+        finally:
+            stop_server(server)
+
+
+def test_an_address_that_is_not_here_is_refused():
+    with pytest.raises(QuadrupedError, match=r"--host: cannot listen on '203\.0\.113\.1'"):
+        start_server("203.0.113.1")
+    with pytest.raises(QuadrupedError, match="--port: expected 0 to"):
+        start_server(port=70000)
+
+
+def test_without_viser_the_extra_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    with pytest.raises(MissingExtraError, match=r"The viewer needs the 'viewer' extra: .*\[viewer\]"):
+        open_show(port=0)
+
+
+def _program(*arguments, **options):
+    return subprocess.Popen(
+        [sys.executable, REPOSITORY / "evaluate" / "view.py", "--port", "0", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"PYTHONWARNINGS": "error"},
+        **options,
+    )
+
+
+def test_the_program_says_where_it_is_and_ends_at_ctrl_c(tmp_path):
+    process = _program("flat", "trot", cwd=tmp_path)
+    line = process.stdout.readline()
+    assert line.startswith("policy flat, gait trot: http://127.0.0.1:")
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=30)
+    assert (process.returncode, out, err) == (0, "ending\n", "")
+
+
+def test_the_program_measures_its_pace(tmp_path):
+    process = _program("--measure", "0.5", cwd=tmp_path)
+    out, err = process.communicate(timeout=30)
+    assert process.returncode == 0, err
+    assert "control steps/s" in out.splitlines()[-1]
+
+
+def test_the_program_names_what_is_wrong(tmp_path):
+    process = _program("runs/none", cwd=tmp_path)
+    out, err = process.communicate(timeout=30)
+    assert (process.returncode, out) == (2, "")
+    assert err.startswith("error: load_policy: 'runs/none' is neither a directory nor a shipped policy")
+    assert len(err.splitlines()) == 1

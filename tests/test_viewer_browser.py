@@ -1,0 +1,381 @@
+"""The viewer as a person meets it: in a browser."""
+
+import re
+import threading
+import time
+from contextlib import contextmanager
+
+import browser
+import numpy as np
+import pytest
+
+from quadruped_env import JOINT_NAMES, JointTrajectory
+from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy import CARD_FILE
+from quadruped_env.viewer import Show, ViewController, find_sources
+from quadruped_env.viewer.controller import MAX_PUSH
+from quadruped_env.viewer.scene import OVERLAYS
+
+pytest.importorskip("viser")
+pytest.importorskip("mjviser")
+
+SIZE = (1020, 640)
+"""Of the page: enough, and little to draw for a machine without a graphics card"""
+MIDDLE = {"x": 370, "y": 200, "width": 320, "height": 400}
+"""Of the page: the robot, without panels and notifications"""
+
+
+@contextmanager
+def showing(directory, *names, asked=()):
+    """A show that runs beside the test."""
+    sources, chosen = find_sources(asked, runs=directory / "runs")
+    controller = ViewController(sources, names or chosen, directory / "results")
+    show = Show(controller, port=0)
+    thread = threading.Thread(target=show.run)
+    thread.start()
+    try:
+        yield show
+    finally:
+        show.stop()
+        thread.join()
+        show.close()
+
+
+def visit(page, show):
+    # Without this the picture gets coarser where drawing is slow.
+    page.goto(f"http://127.0.0.1:{show.port}/?fixedDpr=1")
+    page.get_by_text("Feet on the ground").wait_for()
+    page.locator("canvas").first.wait_for()
+    until(show.clients)
+
+
+def still(page):
+    """A picture of the middle once it no longer changes."""
+    pictures = [shot(page)]
+
+    def settled():
+        page.wait_for_timeout(300)
+        pictures.append(shot(page))
+        return np.array_equal(*pictures[-2:])
+
+    until(settled)
+    return pictures[-1]
+
+
+def until(condition, seconds=10.0):
+    """Wait for something that another thread or the page does."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it did not happen"
+        time.sleep(0.02)
+
+
+@pytest.fixture(scope="module")
+def stage(tmp_path_factory, chromium):
+    """A show and a page on it, for the tests that leave both as they were."""
+    directory = tmp_path_factory.mktemp("viewer")
+    with showing(directory) as show, browser.opened(chromium, *SIZE) as page:
+        visit(page, show)
+        yield show, page
+        assert page.watched.errors == []
+        assert page.watched.outside() == []
+
+
+@pytest.fixture
+def paused(stage):
+    """The show at its start, standing still."""
+    show, page = stage
+    controller = show.controller
+    controller.paused = True
+    controller.reset()
+    controller.set_command(0.0, 0.0)
+    tab(page, "Drive")
+    tab(page, "Walk")
+    for label in ("Forward, m/s", "Turn left, rad/s"):
+        until(lambda label=label: field(page, label).input_value() == "0")
+    yield controller, page
+    controller.set_source(0, "policy flat")
+    controller.paused = False
+
+
+def field(page, label):
+    """The number beside a slider."""
+    identity = page.locator("label", has_text=re.compile(f"^{re.escape(label)}$")).get_attribute("for")
+    return page.locator(f"[id='{identity}']").locator("xpath=..").locator("input[type=text]")
+
+
+def fill(page, label, value):
+    """Type a number into the field beside a slider."""
+    field(page, label).fill(str(value))
+    field(page, label).press("Tab")
+
+
+def choose(page, label, option):
+    """Choose from a list."""
+    identity = page.locator("label", has_text=re.compile(f"^{re.escape(label)}$")).get_attribute("for")
+    page.locator(f"[id='{identity}']").click()
+    page.get_by_role("option", name=option, exact=True).click()
+
+
+def tab(page, name):
+    page.get_by_role("tab", name=name).click()
+
+
+def robot_pixels(picture):
+    """How many pixels are as blue as the hips."""
+    red, green, blue = picture.astype(int).transpose(2, 0, 1)
+    return int(((blue > red + 60) & (blue > green + 40)).sum())
+
+
+ENOUGH = 300
+"""of those pixels, to be a robot in the middle of the picture"""
+
+
+def shot(page):
+    return browser.pixels(page, clip=MIDDLE)
+
+
+# --- what is seen
+
+
+def test_the_robot_is_there_moves_and_stands_still_in_a_pause(stage):
+    show, page = stage
+    show.controller.set_command(0.4, 0.0)
+    until(lambda: show.controller.view().time > 1.0)
+    until(lambda: robot_pixels(shot(page)) > ENOUGH)
+    first, second = shot(page), shot(page)
+    assert np.abs(first.astype(int) - second).max() > 50
+    page.get_by_role("button", name="Pause").click()
+    until(lambda: show.controller.paused)
+    page.get_by_role("button", name="Resume").wait_for()
+    picture = still(page)
+    page.wait_for_timeout(400)
+    np.testing.assert_array_equal(shot(page), picture)
+    page.get_by_role("button", name="Resume").click()
+    until(lambda: not show.controller.paused)
+
+
+@pytest.mark.slow
+def test_what_is_hidden_is_not_drawn(paused):
+    controller, page = paused
+    controller.set_command(0.5, 0.0)
+    for _ in range(20):
+        controller.step()
+    tab(page, "Show")
+    shown = still(page)
+    for overlay in OVERLAYS[:3]:
+        page.get_by_label(overlay.capitalize()).click()
+        until(lambda: not np.array_equal(shot(page), shown))
+        page.get_by_label(overlay.capitalize()).click()
+        until(lambda: np.array_equal(shot(page), shown))
+
+
+@pytest.mark.slow
+def test_the_plots_go_along(stage):
+    show, page = stage
+    diagram = page.locator("svg[data-plot=gait]")
+    first = diagram.inner_html()
+    until(lambda: diagram.inner_html() != first)
+    tab(page, "Joints")
+    page.get_by_text("Hip positions, rad").wait_for()
+    charts = "Object.values(window.__viserTestpoints.uplots).map(p => p.chart.data.length)"
+    # Time and three lines of each velocity; time, four legs and the limits' two lines, or one.
+    until(lambda: sorted(page.evaluate(charts)) == [4, 4, 6, 7, 7])
+    limits = page.evaluate(
+        "Object.values(window.__viserTestpoints.uplots).map(p => p.chart.data.slice(5).map(line => line[0]))"
+    )
+    assert sorted(limits) == [[], [], [-2, 0], [-1.5, 1.5], [5]]
+    tab(page, "Reward")
+    rows = page.locator("table[data-plot=reward] tr")
+    names = show.controller.view().robots[0].term_names
+    assert rows.count() == len(names) + 1
+    assert rows.first.inner_text().split("\t")[0] == names[0].replace("_", " ")
+
+
+# --- controls
+
+
+def test_the_command_s_sliders(paused):
+    controller, page = paused
+    fill(page, "Forward, m/s", 0.25)
+    until(lambda: controller.command == (0.25, 0.0))
+    fill(page, "Turn left, rad/s", -0.5)
+    until(lambda: controller.command == (0.25, -0.5))
+    controller.step()
+    np.testing.assert_array_equal(controller.view().robots[0].now.command, [0.25, -0.5])
+
+
+@pytest.mark.slow
+def test_keys_command_the_robot_and_leave_the_camera_alone(stage, paused):
+    show, _ = stage
+    controller, page = paused
+    (client,) = show.clients()
+    camera = client.camera.position.copy()
+    page.mouse.click(SIZE[0] / 2, SIZE[1] - 20)
+    for key, command in (
+        ("ArrowUp", (0.1, 0.0)),
+        ("ArrowUp", (0.2, 0.0)),
+        ("ArrowLeft", (0.2, 0.2)),
+        ("ArrowRight", (0.2, 0.0)),
+        ("ArrowDown", (0.1, 0.0)),
+        ("0", (0.0, 0.0)),
+    ):
+        page.keyboard.press(key)
+        until(lambda command=command: controller.command == command)
+    page.keyboard.down("ArrowUp")
+    page.wait_for_timeout(300)
+    page.keyboard.up("ArrowUp")
+    assert controller.command == (0.1, 0.0)
+    np.testing.assert_array_equal(client.camera.position, camera)
+    page.keyboard.press("Space")
+    until(lambda: not controller.paused)
+    page.keyboard.press("Space")
+    until(lambda: controller.paused)
+    page.keyboard.press("r")
+    until(lambda: controller.view().time == 0.0)
+    page.keyboard.press("n")
+    until(lambda: controller.view().time == pytest.approx(0.02))
+
+
+@pytest.mark.slow
+def test_a_key_after_a_slider_is_still_one_step(paused):
+    controller, page = paused
+    page.get_by_role("slider").first.focus()
+    page.keyboard.press("ArrowUp")
+    until(lambda: controller.command[0] > 0.0)
+    page.wait_for_timeout(200)
+    assert controller.command == (0.1, 0.0)
+
+
+@pytest.mark.slow
+def test_step_and_reset(paused):
+    controller, page = paused
+    for steps in (1, 2):
+        page.get_by_role("button", name="Step").click()
+        until(lambda steps=steps: controller.view().time == pytest.approx(0.02 * steps))
+    page.get_by_role("button", name="Reset").click()
+    until(lambda: controller.view().time == 0.0)
+
+
+def test_a_push_in_its_direction_and_strength(paused):
+    controller, page = paused
+    fill(page, "To, degrees", -90)
+    fill(page, "Strength, m/s", MAX_PUSH)
+    page.wait_for_timeout(200)
+    data = controller._slots[0].robot.data
+    page.get_by_role("button", name="Push", exact=True).click()
+    until(lambda: data.qvel[1] < -0.5)
+    np.testing.assert_allclose(data.qvel[:3], [0.0, -MAX_PUSH, 0.0], atol=1e-9)
+
+
+@pytest.mark.slow
+def test_the_speed(paused):
+    controller, page = paused
+    fill(page, "Speed", 0.5)
+    until(lambda: controller.view().speed == 0.5)
+    fill(page, "Speed", 1)
+    until(lambda: controller.view().speed == 1.0)
+
+
+@pytest.mark.slow
+def test_every_source_plays_beside_another_one(paused):
+    controller, page = paused
+    controller.paused = False
+    tab(page, "Robots")
+    for name in controller.sources:
+        choose(page, "Robot 2", name)
+        until(lambda name=name: controller.robots == ("policy flat", name))
+        until(lambda: controller.view().robots[1].now.time > 0.1)
+    choose(page, "Watch", "2")
+    until(lambda: controller.view().watched == 1)
+    choose(page, "Robot 2", "none")
+    until(lambda: controller.robots == ("policy flat",))
+
+
+@pytest.mark.slow
+def test_the_gait_s_sliders(paused):
+    controller, page = paused
+    tab(page, "Robots")
+    choose(page, "Robot 1", "gait trot")
+    until(lambda: controller.gait is not None)
+    fill(page, "Amplitude", 1.5)
+    until(lambda: controller.gait.amplitude == 1.5)
+    fill(page, "Frequency, Hz", 1.2)
+    until(lambda: controller.gait.frequency == 1.2)
+    for leg, name in enumerate(("LF", "RF", "LH", "RH")):
+        fill(page, f"Phase {name}, cycles", 0.1 * leg + 0.3)
+        until(lambda leg=leg: controller.gait.phases[leg] == pytest.approx(0.1 * leg + 0.3))
+    choose(page, "Robot 1", "policy flat")
+    until(lambda: controller.gait is None)
+    page.get_by_text("Amplitude").wait_for(state="hidden")
+
+
+@pytest.mark.slow
+def test_randomization_and_falls(paused):
+    controller, page = paused
+    tab(page, "Robots")
+    choose(page, "Randomize", "start")
+    until(lambda: controller.randomization == "start")
+    choose(page, "Randomize", "off")
+    until(lambda: controller.randomization == "off")
+    page.get_by_label("Stand up after a fall").click()
+    until(lambda: not controller.restart_after_fall)
+    page.get_by_label("Stand up after a fall").click()
+    until(lambda: controller.restart_after_fall)
+
+
+# --- more than one browser, and less
+
+
+@pytest.mark.slow
+def test_two_browsers_show_and_steer_the_same(stage, paused, chromium):
+    show, _ = stage
+    controller, page = paused
+    with browser.opened(chromium, *SIZE) as other:
+        visit(other, show)
+        fill(page, "Forward, m/s", 0.33)
+        until(lambda: field(other, "Forward, m/s").input_value() == "0.33")
+        fill(other, "Forward, m/s", 0.11)
+        until(lambda: field(page, "Forward, m/s").input_value() == "0.11")
+        assert controller.command == (0.11, 0.0)
+        until(lambda: robot_pixels(shot(other)) > ENOUGH)
+        assert other.watched.errors == []
+
+
+def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium, monkeypatch):
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    with showing(tmp_path) as show:
+        with browser.opened(chromium, *SIZE) as page:
+            visit(page, show)
+            page.get_by_role("button", name="Record").click()
+            until(lambda: (show.controller.view().recorded or 0.0) > 0.5)
+            page.get_by_text("recording").wait_for()
+        until(lambda: show.controller.view().recorded is None)
+        until(lambda: list(tmp_path.glob("results/view-*/joint_states.csv")))
+        (path,) = tmp_path.glob("results/view-*/joint_states.csv")
+        trajectory = JointTrajectory.load(path)
+        assert trajectory.duration > 0.5
+        assert trajectory.names == JOINT_NAMES
+        # And it goes on.
+        before = show.controller.view().time
+        until(lambda: show.controller.view().time > before)
+
+
+@pytest.mark.slow
+def test_what_is_wrong_is_said_in_the_page(tmp_path, page, monkeypatch):
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    run = tmp_path / "runs" / "damaged"
+    load_policy("flat").save(run)
+    (run / CARD_FILE).write_text("{")
+    with showing(tmp_path) as show:
+        visit(page, show)
+        tab(page, "Robots")
+        choose(page, "Robot 1", "run damaged")
+        page.get_by_text("the file is damaged, train again").wait_for()
+        assert show.controller.robots == ("policy flat",)
+        page.get_by_role("combobox", name="Robot 1").and_(page.locator("[value='policy flat']")).wait_for()
+        page.get_by_role("tab", name="Drive").click()
+        page.get_by_role("button", name="Record").click()
+        until(lambda: show.controller.view().recorded is not None)
+        page.get_by_role("button", name="Stop and save").click()
+        page.get_by_text("s recorded: ").wait_for()
