@@ -42,11 +42,12 @@ def showing(directory, *names, asked=()):
 
 
 def visit(page, show):
+    before = len(show.clients())
     # Without this the picture gets coarser where drawing is slow.
     page.goto(f"http://127.0.0.1:{show.port}/?fixedDpr=1")
     page.get_by_text("Feet on the ground").wait_for()
     page.locator("canvas").first.wait_for()
-    until(show.clients)
+    until(lambda: len(show.clients()) > before)
 
 
 def still(page):
@@ -106,7 +107,9 @@ def field(page, label):
 
 def fill(page, label, value):
     """Type a number into the field beside a slider."""
-    field(page, label).fill(str(value))
+    # As a person types: of a whole text at once the field's library drops every second one.
+    field(page, label).select_text()
+    field(page, label).press_sequentially(str(value))
     field(page, label).press("Tab")
 
 
