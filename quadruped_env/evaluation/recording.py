@@ -31,7 +31,7 @@ from quadruped_env.robot import (
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.joint_trajectory import NANOSECONDS
+from quadruped_env.trajectory.signals import NANOSECONDS
 
 MAX_RATE: Final = 1000.0
 """Hz"""

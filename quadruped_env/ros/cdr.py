@@ -10,15 +10,13 @@ the same bytes faster.
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.ros.joint_state import NANOSECONDS
 from quadruped_env.ros.messages import Field, MessageType, message_type
-
-NANOSECONDS: Final = 1_000_000_000
-"""in a second"""
 
 
 @cache

@@ -25,7 +25,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.robot import JOINT_NAMES, asset_path, fixed_transforms, joint_transforms
 from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
-from quadruped_env.ros.joint_state import Encoder
+from quadruped_env.ros.joint_state import NANOSECONDS, Encoder
 from quadruped_env.ros.tf import TfEncoder
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.signals import interpolate
@@ -36,7 +36,6 @@ METADATA_VERSION: Final = 8
 TF_RATE: Final = 20.0
 """Hz; robot_state_publisher's default"""
 
-_NANOSECONDS: Final = 1_000_000_000
 _METADATA: Final = "metadata.yaml"
 _CHUNK_CRC_AT: Final = 9 + 24
 """Where a chunk of MCAP has its checksum, counted from its beginning"""
@@ -158,7 +157,7 @@ class _TfWriter:
 
     def __init__(self, writer: Any, rate: float, start: int) -> None:
         self._writer = writer
-        self._period = round(_NANOSECONDS / rate) if rate else 0
+        self._period = round(NANOSECONDS / rate) if rate else 0
         self._last: tuple[int, NDArray[np.float64]] | None = None
         self._encode: TfEncoder | None = None
         description = _connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)

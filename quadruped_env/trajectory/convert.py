@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import formats, saving
 from quadruped_env.trajectory.bag_writer import Piece
-from quadruped_env.trajectory.joint_trajectory import NANOSECONDS, Gap, JointTrajectory, find_gaps
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import Progress, ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
+from quadruped_env.trajectory.signals import NANOSECONDS, Gap, find_gaps
 
 Change = Callable[[JointTrajectory], JointTrajectory]
 

@@ -13,7 +13,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import bag, column_map, csv, echo, salvage
 from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.joint_map import JointMap
-from quadruped_env.trajectory.joint_trajectory import JointTrajectory, Source, falling_stamp
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import (
     Block,
     Progress,
@@ -27,6 +27,7 @@ from quadruped_env.trajectory.reading import (
     without_ignored,
 )
 from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC
+from quadruped_env.trajectory.validation import Source, falling_stamp
 
 SUSPICIOUS: Final = 4.0 * np.pi
 """rad: two turns; no leg's joint goes there, and a log in degrees nearly always does"""

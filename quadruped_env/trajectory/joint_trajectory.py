@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,37 +15,19 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.trajectory.joint_map import JointMap
-from quadruped_env.trajectory.signals import derivative, interpolate
+from quadruped_env.trajectory.signals import NANOSECONDS, Gap, derivative, find_gaps, interpolate
+from quadruped_env.trajectory.validation import (
+    IN_MEMORY,
+    Source,
+    check_finite,
+    checked_names,
+    checked_stamps,
+    checked_values,
+    read_only,
+)
 
 if TYPE_CHECKING:
     from quadruped_env.trajectory.column_map import ColumnMap
-
-NANOSECONDS: Final = 1e9
-"""in a second"""
-
-
-_ROWS_A_CHECK: Final = 65536
-
-
-@dataclass(frozen=True, eq=False)
-class Source:
-    """Where a trajectory's rows came from, as errors name it."""
-
-    name: str = "JointTrajectory"
-    """A file, or the type for one made in memory"""
-    row_name: str = "row"
-    """What the source calls a row"""
-    first_row: int = 0
-    """The number that it gives to the first one"""
-    rows: NDArray[np.int64] | None = None
-    """The numbers that it gives to all (T,), where they do not follow each other"""
-    notes: tuple[str, ...] = ()
-    """What to know about the numbers: rows that were left out, damage"""
-
-    def row(self, index: int) -> str:
-        """How to find one row."""
-        number = self.first_row + index if self.rows is None else self.rows[index]
-        return f"{self.name}: {self.row_name} {number}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,22 +76,21 @@ class JointTrajectory:
         positions: ArrayLike,
         velocities: ArrayLike | None = None,
         efforts: ArrayLike | None = None,
-        source: Source = Source(),
+        source: Source = IN_MEMORY,
     ) -> None:
-        checked_names = _checked_names(names, source)
-        checked_stamps = _checked_stamps(stamps, source)
-        shape = len(checked_stamps), len(checked_names)
+        joints, times = checked_names(names, source), checked_stamps(stamps, source)
+        shape = len(times), len(joints)
         values: dict[str, Any] = {
-            "stamps": checked_stamps,
-            "names": checked_names,
-            "positions": _checked_values("positions", positions, shape, source),
-            "velocities": None if velocities is None else _checked_values("velocities", velocities, shape, source),
-            "efforts": None if efforts is None else _checked_values("efforts", efforts, shape, source),
+            "stamps": times,
+            "names": joints,
+            "positions": checked_values("positions", positions, shape, source),
+            "velocities": None if velocities is None else checked_values("velocities", velocities, shape, source),
+            "efforts": None if efforts is None else checked_values("efforts", efforts, shape, source),
             "source": source,
         }
         for name in ("positions", "velocities", "efforts"):
             if values[name] is not None:
-                _check_finite(name, values[name], checked_names, source)
+                check_finite(name, values[name], joints, source)
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
@@ -205,7 +186,7 @@ class JointTrajectory:
         """
         from quadruped_env.trajectory import saving
 
-        base = None if base_pose is None else _checked_values("base_pose", base_pose, (len(self), 7), self.source)
+        base = None if base_pose is None else checked_values("base_pose", base_pose, (len(self), 7), self.source)
         options = saving.WriteOptions(storage, tf_rate, compress, overwrite)
         saving.save(saving.pieces_of(self, base, progress), Path(path), options)
 
@@ -239,7 +220,7 @@ class JointTrajectory:
     @cached_property
     def times(self) -> NDArray[np.float64]:
         """Time from the first stamp, s (T,)."""
-        return _read_only(self._nanoseconds / NANOSECONDS)
+        return read_only(self._nanoseconds / NANOSECONDS)
 
     @property
     def duration(self) -> float:
@@ -311,7 +292,7 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if the stamps do not rise, or one lies before the first or after the last of its own.
         """
-        wanted = _checked_stamps(stamps, Source(f"{self.source.name}: at"))
+        wanted = checked_stamps(stamps, Source(f"{self.source.name}: at"))
         if wanted[0] < self.stamps[0] or wanted[-1] > self.stamps[-1]:
             outside = wanted[0] if wanted[0] < self.stamps[0] else wanted[-1]
             raise QuadrupedError(
@@ -447,106 +428,3 @@ class JointTrajectory:
     def _changed(self, **changes: Any) -> "JointTrajectory":
         """The trajectory with other values of some of its fields."""
         return JointTrajectory(**({field.name: getattr(self, field.name) for field in fields(self)} | changes))
-
-
-@dataclass(frozen=True)
-class Gap:
-    """A time without rows."""
-
-    row: int
-    """The last one before it"""
-    start: float
-    """s from the first stamp"""
-    seconds: float
-
-
-def find_gaps(stamps: NDArray[np.int64], factor: float = 3.0) -> tuple[Gap, ...]:
-    """The gaps between rising stamps (T,) in ns; see `JointTrajectory.gaps`."""
-    steps = np.diff(stamps)
-    if not len(steps):
-        return ()
-    return tuple(
-        Gap(int(i), float(stamps[i] - stamps[0]) / NANOSECONDS, float(steps[i]) / NANOSECONDS)
-        for i in np.flatnonzero(steps > factor * np.median(steps))
-    )
-
-
-def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    array.flags.writeable = False
-    return array
-
-
-def _checked_names(names: Sequence[str], source: Source) -> tuple[str, ...]:
-    if isinstance(names, str) or not all(isinstance(name, str) and name for name in names) or not len(names):
-        raise QuadrupedError(f"{source.name}: names must be joint names, one a column; found {names!r}")
-    for i, name in enumerate(names):
-        if name in names[:i]:
-            raise QuadrupedError(f"{source.name}: joint {name!r} is named twice; keep one of its columns")
-    return tuple(names)
-
-
-def _checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
-    raw = np.asarray(stamps)
-    if raw.ndim != 1 or not len(raw):
-        raise QuadrupedError(
-            f"{source.name}: stamps must have shape (T,), T 1 or more; found {raw.shape}; record one row or more"
-        )
-    if raw.dtype.kind not in "iu" or raw.max() > np.iinfo(np.int64).max:
-        raise QuadrupedError(
-            f"{source.name}: stamps must be whole ns within int64; found {raw.dtype}; "
-            f"from seconds: np.rint(seconds * 1e9).astype(np.int64)"
-        )
-    array = raw if raw.dtype == np.int64 and not raw.flags.writeable else raw.astype(np.int64)
-    if array[0] < 0:
-        raise QuadrupedError(f"{source.row(0)}, stamp_ns: {array[0]} is negative; count from 0 or later")
-    falling = np.flatnonzero(array[1:] <= array[:-1])
-    if len(falling):
-        i = falling[0] + 1
-        raise falling_stamp(source, int(i), int(array[i]), int(array[i - 1]))
-    return _read_only(array)
-
-
-def falling_stamp(source: Source, row: int, stamp: int, before: int) -> QuadrupedError:
-    """The error for a row whose stamp does not come after that of the row before."""
-    return QuadrupedError(
-        f"{source.row(row)}, stamp_ns: {stamp} does not come after {before} of the row before; put the rows in order "
-        f"of time (--sort), and keep one row a stamp (--drop leaves out those that are not later)"
-    )
-
-
-def _checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source: Source) -> NDArray[np.float64]:
-    try:
-        raw = np.asarray(values)
-    except ValueError:  # rows of unequal lengths
-        raw = np.empty(0, dtype=object)
-    if raw.dtype.kind not in "fiu" or raw.shape != shape:
-        found = "rows of unequal lengths or not numbers" if raw.dtype.kind not in "fiu" else str(raw.shape)
-        raise QuadrupedError(
-            f"{source.name}: {name} must be numbers of shape {shape}, one row a stamp and one column a name; "
-            f"found {found}; leave out what has no partner"
-        )
-    # Of an array that nobody can write to, no copy is needed.
-    if raw.dtype == np.float64 and not raw.flags.writeable:
-        return raw
-    return _read_only(np.array(raw, dtype=np.float64))
-
-
-_FIELDS: Final = {
-    "positions": ("position", "leave the row out"),
-    "velocities": ("velocity", "leave the velocities out if not all are known"),
-    "efforts": ("effort", "NaN stands for an effort that was not measured"),
-}
-"""Array -> its name in a `JointState`, and what to do about a value that is not finite."""
-
-
-def _check_finite(name: str, values: NDArray[np.float64], names: tuple[str, ...], source: Source) -> None:
-    # In blocks: a mask of a long recording is as large as one of its joints.
-    for start in range(0, len(values), _ROWS_A_CHECK):
-        block = values[start : start + _ROWS_A_CHECK]
-        bad = np.isinf(block) if name == "efforts" else ~np.isfinite(block)
-        if bad.any():
-            row, column = np.argwhere(bad)[0]
-            singular, cure = _FIELDS[name]
-            raise QuadrupedError(
-                f"{source.row(start + row)}, {singular}.{names[column]}: {block[row, column]} is not finite; {cure}"
-            )

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.joint_state import RawJointState
 from quadruped_env.trajectory.joint_map import JointMap
-from quadruped_env.trajectory.joint_trajectory import JointTrajectory, Source
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+from quadruped_env.trajectory.validation import Source
 
 if TYPE_CHECKING:
     from quadruped_env.trajectory.column_map import ColumnMap

@@ -1,10 +1,14 @@
 """Numbers over time: between rows, and their rate of change."""
 
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
+
+NANOSECONDS: Final = 1e9
+"""in a second"""
 
 _DEGREE: Final = 2
 _ROWS_A_BLOCK: Final = 65536
@@ -51,3 +55,25 @@ def derivative(seconds: NDArray[np.float64], values: NDArray[np.float64], rows: 
         slope = np.linalg.pinv(powers)[:, 1, :] / length
         result[block] = np.einsum("tr,tjr->tj", slope, neighbours[starts[block]])
     return result
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A time without rows."""
+
+    row: int
+    """The last one before it"""
+    start: float
+    """s from the first stamp"""
+    seconds: float
+
+
+def find_gaps(stamps: NDArray[np.int64], factor: float = 3.0) -> tuple[Gap, ...]:
+    """The gaps between rising stamps (T,) in ns: times longer than `factor` times the usual (the median)."""
+    steps = np.diff(stamps)
+    if not len(steps):
+        return ()
+    return tuple(
+        Gap(int(i), float(stamps[i] - stamps[0]) / NANOSECONDS, float(steps[i]) / NANOSECONDS)
+        for i in np.flatnonzero(steps > factor * np.median(steps))
+    )

@@ -16,7 +16,7 @@ from quadruped_env.evaluation.results import free_path
 from quadruped_env.evaluation.video import save_film
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.joint_trajectory import NANOSECONDS
+from quadruped_env.trajectory.signals import NANOSECONDS
 from quadruped_env.viewer.sample import Sample, over_time
 
 MAX_SECONDS: Final = 300.0
