@@ -1,3 +1,6 @@
+# First, because it chooses the OpenGL, and MuJoCo reads the choice when it is imported.
+import quadruped_env  # noqa: F401  # isort: skip
+
 import browser
 import domains
 import mujoco
