@@ -55,7 +55,8 @@ def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
     """What a report's film shows: a controller under a command of each kind of motion."""
     commands = shown_commands(comparison)
     whose = "" if controller == "policy" else f"{controller}, "
-    motions = [motion for motion in _FILMED if motion in commands] or list(commands)
+    motions: list[str] = [motion for motion in _FILMED if motion in commands]
+    motions = motions or list(commands)
     return [
         _episode(comparison, commands[motion], CLIP_SECONDS, controller, f"{whose}{motion}: ") for motion in motions
     ]
