@@ -6,8 +6,8 @@ in its stance and has nothing random in it, so evaluate/replay.py can repeat it 
     python evaluate/baseline.py --preset tuned --commands --out results/tuned.csv
     python evaluate/replay.py results/tuned.csv --mode dynamic
 
-The result is a CSV of joint states (stamp in ns; position in rad, velocity in rad/s, effort in N m of each joint) and
-a JSON file of the metrics beside it.
+The result is a CSV of joint states (stamp in ns; position in rad, velocity in rad/s, effort in N m of each joint), or a
+bag for `ros2 bag play` (--out walk_bag), and a JSON file of the metrics beside it.
 """
 
 import argparse
@@ -15,11 +15,11 @@ import sys
 from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.baseline import baseline_files, run_baseline
+from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
 from quadruped_env.evaluation.film import Motion
 from quadruped_env.evaluation.options import add_video_option
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.evaluation.results import free_path
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.evaluation.video import prepare_video, save_film
 from quadruped_env.gait import PRESETS
@@ -50,8 +50,9 @@ def main() -> None:
     parser.add_argument(
         "--out",
         type=Path,
-        metavar="FILE.csv",
-        help="where to write; default: results/baseline-PRESET.csv, or the next free number behind that name",
+        metavar="FILE",
+        help="where to write: NAME.csv, or NAME for a rosbag2 bag with /tf from odom on; default: "
+        "results/baseline-PRESET.csv, or the next free number behind that name",
     )
     add_video_option(parser)
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
@@ -60,7 +61,7 @@ def main() -> None:
     name = f"baseline-{args.preset}{'-commands' if args.commands else ''}.csv"
     out = args.out or free_path(Path("results") / name)
     try:
-        check_free(baseline_files(out), args.overwrite)
+        check_target(out, args.overwrite)
         prepare_video(args.video, args.overwrite)
         progress = ProgressLine("measuring")
         baseline = run_baseline(args.preset, args.seconds, args.rate, args.episodes, args.seed, progress)
@@ -70,7 +71,7 @@ def main() -> None:
     except (QuadrupedError, MissingExtraError) as error:
         sys.exit(f"baseline.py: {error}")
     print(baseline.table())
-    print(f"\n{'commands' if args.commands else 'measured joints'}: {out}\nmetrics: {out.with_suffix('.json')}")
+    print(f"\n{'commands' if args.commands else 'measured joints'}: {out}\nmetrics: {report_path(out)}")
     if args.video:
         print(f"video: {args.video}")
 

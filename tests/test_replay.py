@@ -14,7 +14,7 @@ from quadruped_env import (
     asset_path,
     forward_kinematics,
 )
-from quadruped_env.evaluation.baseline import baseline_files, run_baseline
+from quadruped_env.evaluation.baseline import check_target, run_baseline
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.recording import MAX_SECONDS, play, publish, record
 from quadruped_env.evaluation.replay import LIMIT_TOLERANCE, replay
@@ -339,9 +339,25 @@ class TestBaseline:
         assert report["metrics"]["fall_rate"]["mean"] == 0.0
         assert "Forward velocity" in baseline.table()
 
-    def test_a_name_that_is_not_a_csv_is_refused_before_the_work(self):
-        with pytest.raises(QuadrupedError, match=r"a\.json: end the name in \.csv; found '\.json'"):
-            baseline_files(Path("a.json"))
+    def test_a_name_of_no_format_is_refused_before_the_work(self):
+        with pytest.raises(QuadrupedError, match=r"a\.json: unknown ending '\.json'"):
+            check_target(Path("a.json"), overwrite=False)
+
+    def test_a_bag_has_the_base_in_its_odometry_frame(self, tmp_path):
+        reader = pytest.importorskip("mcap_ros2.reader")
+        baseline = run_baseline("tuned", seconds=1.0, episodes=1)
+        baseline.save(tmp_path / "walk.mcap")
+        assert (tmp_path / "walk.json").exists()
+        messages = [m.ros_msg for m in reader.read_ros2_messages(str(tmp_path / "walk.mcap"), topics=["/tf"])]
+        first, last = (message.transforms[0] for message in (messages[0], messages[-1]))
+        assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_link")
+        end = baseline.recording.base_pose[-1]
+        assert last.transform.translation.x == pytest.approx(end[0], abs=1e-9)
+        assert last.transform.rotation.w == pytest.approx(end[3], abs=1e-9)
+        assert first.transform.translation.x == pytest.approx(0.0, abs=1e-9)
+        check_target(tmp_path / "other", overwrite=False)
+        with pytest.raises(QuadrupedError, match="exists already"):
+            check_target(tmp_path / "walk.mcap", overwrite=False)
 
     def test_violations_are_reported(self):
         baseline = run_baseline("tuned", seconds=0.1, episodes=1)

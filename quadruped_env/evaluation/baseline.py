@@ -18,8 +18,7 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
 from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
-from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.csv import check_name
+from quadruped_env.trajectory import JointTrajectory, saving
 
 SHOWN: Final = (
     "fall_rate",
@@ -108,29 +107,34 @@ class Baseline:
         }
 
     def save(self, path: Path, commands: bool = False, overwrite: bool = False) -> None:
-        """Write a trajectory to a file, and the report beside it, with the suffix `.json`.
+        """Write a trajectory to a file or bag, and the report beside it, with the suffix `.json`.
 
         Args:
-            path: ends in `.csv`.
+            path: as `JointTrajectory.save` takes it. In a bag, measured joints come with the base's pose in `odom`.
             commands: whether to write the joint targets rather than the measured joints.
             overwrite: whether to replace files that are already there.
 
         Raises:
             QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
+            MissingExtraError: if a bag is to be written and the libraries for it are not installed.
         """
-        check_free(baseline_files(path), overwrite)
-        (self.commands if commands else self.recording.joints).save(path, overwrite)
-        write_json(path.with_suffix(".json"), self.report())
+        check_target(path, overwrite)
+        if commands:
+            self.commands.save(path, overwrite)
+        else:
+            self.recording.joints.save(path, overwrite, base_pose=self.recording.base_pose)
+        write_json(report_path(path), self.report())
 
 
-def baseline_files(path: Path) -> tuple[Path, Path]:
-    """What `Baseline.save` writes for a path: the trajectory and the report.
+def report_path(path: Path) -> Path:
+    """Where `Baseline.save` writes the report for a trajectory's path."""
+    return path.with_suffix(".json")
 
-    Raises:
-        QuadrupedError: if the path does not end in `.csv`.
-    """
-    check_name(path)
-    return path, path.with_suffix(".json")
+
+def check_target(path: Path, overwrite: bool) -> None:
+    """Raise a QuadrupedError if `Baseline.save` could not write there."""
+    saving.check(path, saving.WriteOptions(overwrite=overwrite))
+    check_free([report_path(path)], overwrite)
 
 
 def run_baseline(

@@ -87,12 +87,6 @@ def write_table(
     _write_rows(path, titles, rows(), overwrite)
 
 
-def check_name(path: Path) -> None:
-    """Raise a QuadrupedError if a file of this name would not be a CSV."""
-    if path.suffix.lower() != ".csv":
-        raise QuadrupedError(f"{path}: end the name in .csv; found {path.suffix!r}")
-
-
 def check_target(path: Path, overwrite: bool) -> None:
     """Raise a QuadrupedError if something is at the path that is not to be replaced."""
     if path.is_dir() or (path.exists() and not overwrite):
