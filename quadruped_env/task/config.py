@@ -201,6 +201,7 @@ class TaskConfig:
     termination: TerminationConfig = field(default_factory=TerminationConfig)
     randomization: RandomizationConfig = field(default_factory=RandomizationConfig)
     motor: MotorConfig = field(default_factory=MotorConfig)
+    """The robot's own, or what `evaluate/identify.py` found on another"""
 
     def __post_init__(self) -> None:
         _check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
