@@ -12,8 +12,8 @@ the next. Both must be on one clock.
 What is estimated, for hips and for knees: stall_torque (the motor's strength), kp, kd, damping, friction_loss and
 armature; and one delay for all. What the recording does not determine stays as it is, and is named. A recording is good
 if the joints move fast and to and fro, up to the motors' limits now and then, with the robot on a stand (--base fixed).
-One from the ground is worth less: with --base free contacts make the error so rough that the fit stays close to where it
-begins, and with --base fixed the ground's forces are taken for friction and inertia.
+One from the ground is worth less: with --base free contacts make the error so rough that the fit stays close to where
+it begins, and with --base fixed the ground's forces are taken for friction and inertia.
 
 Results: motors.json, which the environment takes as it is,
 
