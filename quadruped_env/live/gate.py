@@ -1,11 +1,14 @@
 """Which measurements are fit to act on: new ones, in order, and not late."""
 
+import math
 from typing import Final
 
 from quadruped_env.live.stamps import NANOSECONDS
 
 MAX_AGE: Final = 0.2
 """s"""
+_ANOTHER_CLOCK: Final = 10.0
+"""s; stamps that are further from those before a silence are of another clock, as of a simulator that was restarted"""
 _CLOCK_DRIFT: Final = 1e-3
 """s/s by which the clocks of robot and controller may drift apart"""
 
@@ -23,7 +26,7 @@ class Gate:
     def __init__(self, what: str) -> None:
         self._what = what
         self._last: int | None = None
-        self._lag = 0.0
+        self._lag = math.inf
         self._seen = 0.0
 
     def refusal(self, stamp: int, now: float) -> str:
@@ -34,12 +37,12 @@ class Gate:
             now: s of this machine's, steady.
         """
         lag = now - stamp / NANOSECONDS
-        if self._last is None:
+        least = self._lag + _CLOCK_DRIFT * (now - self._seen)
+        if self._last is None and (lag < least or abs(lag - least) > _ANOTHER_CLOCK):
             self._last, self._lag, self._seen = stamp, lag, now
             return ""
-        if stamp <= self._last:
+        if self._last is not None and stamp <= self._last:
             return f"{self._what}: a stamp that is not later than the one before; such messages are left out"
-        least = self._lag + _CLOCK_DRIFT * (now - self._seen)
         if lag > least + MAX_AGE:
             return f"{self._what}: stale by more than {MAX_AGE:g} s; check the network, or the clock of what sends it"
         if lag < least - MAX_AGE:
@@ -51,5 +54,5 @@ class Gate:
         return ""
 
     def reset(self) -> None:
-        """Forget all: what comes next is the first."""
+        """Begin anew: what comes next may be of another clock, but what was late still is."""
         self._last = None

@@ -22,6 +22,7 @@ from quadruped_env.live.commands import LIMP, Target, limited
 from quadruped_env.live.gate import Gate
 from quadruped_env.live.measured import MeasuredRobot
 from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.live.standing import Rise
 from quadruped_env.policies import Controller
 from quadruped_env.robot import STANCE
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
@@ -35,8 +36,10 @@ _EARLY: Final = 0.25
 class Safety:
     """When the controller moves the robot, and when it stops."""
 
-    fresh_states: int = 10
-    """in a row, before the robot moves"""
+    fresh_states: int = 20
+    """in a row, of an upright robot at rest, before it is moved"""
+    rest_way: float = 0.03
+    """rad that a joint may move meanwhile"""
     hold_after: float = 0.2
     """s without a state"""
     limp_after: float = 1.0
@@ -116,6 +119,7 @@ class Pilot:
         self._step = round(self.period * NANOSECONDS)
         self._gate = Gate("/joint_states")
         self._fresh = 0
+        self._rest = STANCE
         self._heard = -math.inf
         self._stamp = 0
         self._due: int | None = None
@@ -123,9 +127,8 @@ class Pilot:
         self._command = np.zeros(2)
         self._command_at = -math.inf
         self._last = STANCE.copy()
-        self._ramp_from = STANCE.copy()
-        self._ramp_start = 0
-        self._ramp_time = 1.0
+        self._rise = Rise.plan(STANCE, self.safety.ramp_speed, self.safety.ramp_least)
+        self._rise_start = 0
 
     def command(self, forward_velocity: float, yaw_rate: float, now: float) -> None:
         """Take a velocity command, m/s and rad/s, within what the controller was made for.
@@ -195,16 +198,19 @@ class Pilot:
         return Answer(self._stamp, self._last)
 
     def _qualify(self, measurement: Measurement) -> None:
+        if self._fresh == 0:
+            self._rest = measurement.positions
         self._fresh += 1
         upright = float(self._robot.state.up_b[0, 2]) > math.cos(self._max_tilt)
-        if self._fresh < self.safety.fresh_states or not upright:
+        if not upright or np.abs(measurement.positions - self._rest).max() > self.safety.rest_way:
+            self._fresh = 0
+        if self._fresh < self.safety.fresh_states:
             return
         self._last = measurement.positions.copy()
-        self._ramp_from, self._ramp_start = self._last, measurement.stamp
-        way = float(np.abs(STANCE - self._ramp_from).max())
-        self._ramp_time = max(self.safety.ramp_least, way / self.safety.ramp_speed)
+        self._rise = Rise.plan(self._last, self.safety.ramp_speed, self.safety.ramp_least)
+        self._rise_start = measurement.stamp
         self._due = None
-        self._enter(Mode.RAMPING, f"{self._ramp_time:.1f} s")
+        self._enter(Mode.RAMPING, f"{self._rise.duration:.1f} s")
 
     def _act(self, now: float) -> Answer:
         if self.mode is Mode.RAMPING:
@@ -219,14 +225,11 @@ class Pilot:
         return Answer(self._stamp, self._last)
 
     def _ramp(self) -> NDArray[np.float64]:
-        elapsed = (self._stamp - self._ramp_start) / NANOSECONDS
-        if elapsed >= self._ramp_time + self.safety.settle:
+        elapsed = (self._stamp - self._rise_start) / NANOSECONDS
+        if elapsed >= self._rise.duration + self.safety.settle:
             self._task.reset(_ROW, seeds=[0], command=(0.0, 0.0))
             self._enter(Mode.WALKING, "")
-        share = min(elapsed / self._ramp_time, 1.0)
-        # Begins and ends at rest.
-        smooth = share * share * (3.0 - 2.0 * share)
-        return self._ramp_from + smooth * (STANCE - self._ramp_from)
+        return self._rise.positions(elapsed)
 
     def _go_limp(self, why: str) -> None:
         self._enter(Mode.LIMP, why)

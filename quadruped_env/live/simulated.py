@@ -1,13 +1,13 @@
 """The simulated robot with what surrounds it on a real one: motors that obey commands, and a watchdog."""
 
+import math
 from typing import Final
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.live.commands import LIMP, Target
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, load_model
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT, load_model
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig
 from quadruped_env.task.randomization import START_DRAWS, start_states
@@ -32,7 +32,7 @@ class SimulatedRobot:
         self._generator = np.random.default_rng(seed)
         self._target = STANCE.copy()
         self.limp = False
-        """Whether the motors are off"""
+        """Whether the motors pull no more: like motors whose windings are shorted, they only brake"""
         self._commanded_for: float | None = None
         """s since the last command; None before the first"""
         self.reset()
@@ -46,16 +46,29 @@ class SimulatedRobot:
         self._simulation.reset(_ROW, qpos, qvel)
         self._target = qpos[0, 7:].copy()
         self._commanded_for = None
-        self._switch(on=True)
+        self.limp = False
 
     def command(self, target: Target) -> None:
         """Obey a command from the next physics step on; targets beyond the joints' range are brought into it."""
         self._commanded_for = 0.0
         if target is LIMP:
-            self._switch(on=False)
+            self.limp = True
             return
         self._target = np.clip(target, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
-        self._switch(on=True)
+        self.limp = False
+
+    def pick_up(self) -> None:
+        """Put the robot on its feet where it is, motors on, as a person would."""
+        position, forward = self.state.base_position[0].copy(), self._facing()
+        self.reset()
+        qpos = np.concatenate([position[:2], [STANCE_HEIGHT], forward, STANCE])
+        self._simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
+
+    def _facing(self) -> NDArray[np.float64]:
+        """Quaternion wxyz (4,) of the base's yaw alone."""
+        w, x, y, z = self.state.orientation[0]
+        yaw = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+        return np.array([math.cos(0.5 * yaw), 0.0, 0.0, math.sin(0.5 * yaw)])
 
     def push(self, velocity: NDArray[np.float64]) -> None:
         """Add a velocity (3,) in m/s to the base's, in the world's axes."""
@@ -68,8 +81,10 @@ class SimulatedRobot:
             self._commanded_for += TIMESTEP
             barked = not self.limp and self._commanded_for > WATCHDOG
             if barked:
-                self._switch(on=False)
-        self._simulation.step(self._target[None], 1)
+                self.limp = True
+        # A servo whose target is where it is has nothing to pull at, and what is left of it is its brake.
+        target = self.state.joint_position if self.limp else self._target[None]
+        self._simulation.step(target, 1)
         return barked
 
     @property
@@ -81,9 +96,3 @@ class SimulatedRobot:
     def fallen(self) -> bool:
         """Whether the robot leans further than it could recover from."""
         return bool(self.state.up_b[0, 2] < np.cos(1.0))
-
-    def _switch(self, on: bool) -> None:
-        self.limp = not on
-        options = self._simulation.model.opt
-        bit = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
-        options.disableflags = options.disableflags & ~bit if on else options.disableflags | bit

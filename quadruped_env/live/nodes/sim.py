@@ -40,6 +40,12 @@ _OBEYS: Final = 0.5
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What is simulated."""
+    parser.add_argument(
+        "--pick-up",
+        type=float,
+        metavar="S",
+        help="put the robot on its feet S seconds after it has fallen, as a person would (it stays where it fell)",
+    )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of where the robot faces (%(default)s)")
 
 
@@ -57,7 +63,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     start = time.time_ns()
     pace = Pace(TIMESTEP)
     step = round(TIMESTEP * NANOSECONDS)
-    fell = False
+    fell, fell_at = False, 0.0
     while session.running:
         session.wait(pace.remaining)
         commands.take()
@@ -72,8 +78,10 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             session.say("the simulation diverged; the robot is back at its start")
             robot.reset()
         if robot.fallen != fell:
-            fell = robot.fallen
+            fell, fell_at = robot.fallen, time.monotonic()
             session.say("fallen" if fell else "on its feet")
+        if fell and arguments.pick_up is not None and time.monotonic() - fell_at > arguments.pick_up:
+            robot.pick_up()
         sole.watch()
         session.report(
             "limp" if robot.limp else "",

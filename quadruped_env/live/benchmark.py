@@ -1,0 +1,299 @@
+"""How well `sim` and `controller` walk as two processes, seen by a third one that listens and asks for a velocity."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import gymnasium
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.live.commands import LIMP, read_target
+from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.node import Node
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.stamps import NANOSECONDS, read_stamp
+from quadruped_env.live.topics import CLOCK, CMD_VEL, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
+from quadruped_env.policies import load_policy
+from quadruped_env.ros import Qos, cdr
+
+COMMAND_PERIOD: Final = 0.1
+"""s between messages on /cmd_vel"""
+SETTLING: Final = 8.0
+"""s from the start of the two to when counting begins: they find each other, and the robot gets up and to speed"""
+ON_TIME: Final = 0.005
+"""s after its tick by which a command is out"""
+_MEBIBYTE: Final = 2**20
+_ENVIRONMENT_STEPS: Final = 1000
+_CLOCKS: Final = 5
+"""Messages of /clock a look"""
+_KEEP: Final = 1000
+"""Depth of the listener's queues: it looks seldom, so as not to disturb"""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """The two processes at one time."""
+
+    seconds: float
+    """since counting began"""
+    sim_memory: float
+    """MiB resident"""
+    controller_memory: float
+    """MiB resident"""
+    clock_lag: float
+    """ms by which /clock is behind this machine's clock as it comes"""
+
+
+@dataclass(frozen=True)
+class Walk:
+    """What was seen."""
+
+    seconds: float
+    commanded: float
+    """m/s"""
+    speed: float
+    """m/s; mean forward velocity of the base"""
+    environment_speed: float
+    """m/s; the same policy in `MiniQuadruped-v0`"""
+    fell: bool
+    ticks: int
+    """Control steps in the time"""
+    on_time: float
+    """Share of ticks whose command was sent within `ON_TIME` of them"""
+    latency_median: float
+    """ms from sending a state to sending the command that answers it"""
+    latency_99_9: float
+    """ms; of a thousand, one takes longer"""
+    limp_commands: int
+    clock_drift: float
+    """ms/s between the robot's clock and this machine's"""
+    memory_growth: float
+    """MiB/hour of both, over the second half"""
+    samples: tuple[Sample, ...]
+
+    @property
+    def reached(self) -> bool:
+        """Whether it walks as it should; the last two figures need a long run."""
+        return (
+            abs(self.speed - self.environment_speed) <= 0.02
+            and not self.fell
+            and self.on_time >= 0.999
+            and self.latency_median < 3.0
+            and abs(self.clock_drift) <= 1.0
+        )
+
+    def __str__(self) -> str:
+        return "\n".join(
+            (
+                "| measure | value | to reach |",
+                "|---|---|---|",
+                f"| speed at {self.commanded:g} m/s commanded | {self.speed:.3f} m/s "
+                f"| within 0.02 of the environment's {self.environment_speed:.3f} |",
+                f"| fell, or was let go | {'yes' if self.fell or self.limp_commands else 'no'} | no |",
+                f"| commands within {1e3 * ON_TIME:g} ms of their tick, of {self.ticks} | {self.on_time:.3%} | 99.9% |",
+                f"| state to command, median | {self.latency_median:.2f} ms | under 3 ms |",
+                f"| state to command, 99.9 % | {self.latency_99_9:.2f} ms | |",
+                f"| drift of the robot's clock | {self.clock_drift:+.4f} ms/s | within 1 ms/s |",
+                f"| growth of memory, second half | {self.memory_growth:+.2f} MiB/hour | flat, in an hour |",
+            )
+        )
+
+
+def measure(
+    seconds: float, policy: str = "flat", velocity: float = 0.5, progress: Callable[[str], None] = lambda line: None
+) -> Walk:
+    """Let the two walk, and watch.
+
+    Args:
+        seconds: to count.
+        policy: what the controller runs.
+        velocity: m/s to ask for.
+        progress: is told how it goes, at most once every ten seconds.
+
+    Raises:
+        MissingExtraError: if cyclonedds or psutil is not installed.
+        QuadrupedError: if one of the two ends before its time.
+    """
+    environment_speed = speed_in_environment(policy, velocity)
+    network = Network.from_environment()
+    node = Node("benchmark", network)
+    try:
+        with process("sim", network, "--pick-up", "2") as sim, process("controller", network, policy) as controller:
+            listener = _Listener(node, velocity)
+            listener.listen(SETTLING, sim, controller, lambda line: None)
+            listener.begin()
+            listener.listen(seconds, sim, controller, progress)
+            return listener.result(seconds, environment_speed)
+    finally:
+        node.close()
+
+
+@contextmanager
+def process(name: str, network: Network, *arguments: str) -> Iterator["subprocess.Popen[str]"]:
+    """A node as a process of its own, which ends with the context."""
+    environment = {**os.environ, DOMAIN_VARIABLE: str(network.domain_id)}
+    with subprocess.Popen(  # noqa: S603
+        [sys.executable, "-m", "quadruped_env.live", name, *arguments, "--quiet"],
+        env=environment,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    ) as started:
+        try:
+            yield started
+        finally:
+            started.send_signal(signal.SIGINT)
+
+
+def speed_in_environment(policy: str, velocity: float) -> float:
+    """Mean forward velocity in m/s of a policy in the environment, over the last 16 of 20 s."""
+    loaded = load_policy(policy)
+    env: Any = gymnasium.make("MiniQuadruped-v0", config=loaded.config.to_dict())
+    observation, _ = env.reset(seed=0, options={"command": (velocity, 0.0)})
+    speeds = []
+    for _ in range(_ENVIRONMENT_STEPS):
+        observation, _, _, _, info = env.step(loaded.predict(observation))
+        speeds.append(info["base_linear_velocity"][0])
+    env.close()
+    return float(np.mean(speeds[_ENVIRONMENT_STEPS // 5 :]))
+
+
+class _Listener:
+    """Asks for a velocity and keeps what the two send."""
+
+    def __init__(self, node: Node, velocity: float) -> None:
+        self._node = node
+        self._velocity = velocity
+        self._commands = node.subscribe(JOINT_COMMANDS, Qos(_KEEP))
+        self._states = node.subscribe(JOINT_STATES, Qos(_KEEP))
+        self._odometry = node.subscribe(ODOMETRY, Qos(_KEEP))
+        self._clock = node.subscribe(CLOCK)
+        self._ask = node.publish(CMD_VEL)
+        self._twist = cdr.message("geometry_msgs/msg/Twist")
+        self._twist.linear.x = velocity
+        self._read_state, self._read_command = JointReader(JOINT_STATES.name), JointReader(JOINT_COMMANDS.name)
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget what was seen so far."""
+        for one in (self._commands, self._states, self._odometry, self._clock):
+            one.take()
+        self._sent: dict[int, int] = {}
+        """Stamp of a state -> when it was sent, ns"""
+        self._answers: list[tuple[int, int]] = []
+        """Stamp of the state that a command answers, and when it was sent, ns"""
+        self._limp = 0
+        self._speeds: list[float] = []
+        self._lowest = 1.0
+        self._samples: list[Sample] = []
+
+    def listen(
+        self,
+        seconds: float,
+        sim: "subprocess.Popen[str]",
+        controller: "subprocess.Popen[str]",
+        progress: Callable[[str], None],
+    ) -> None:
+        """Watch for a time."""
+        start = time.monotonic()
+        ask, look = Pace(COMMAND_PERIOD), Pace(min(10.0, seconds / 20))
+        while time.monotonic() - start < seconds:
+            time.sleep(max(0.0, ask.remaining))
+            if ask.tick():
+                self._ask.send(self._twist)
+                self._collect()
+            if look.tick() and self._speeds:
+                for name, running in (("sim", sim), ("controller", controller)):
+                    if running.poll() is not None:
+                        raise QuadrupedError(
+                            f"{name} ended with status {running.returncode}; start it alone to see why"
+                        )
+                self._look(time.monotonic() - start, sim.pid, controller.pid, progress)
+
+    def result(self, seconds: float, environment_speed: float) -> Walk:
+        """What was seen since `begin`."""
+        if not self._answers or not self._speeds:
+            raise QuadrupedError("no commands or no odometry came; start sim and controller alone to see why")
+        stamps, sent = np.array(self._answers).T
+        latencies = np.array([at - self._sent[stamp] for stamp, at in self._answers if stamp in self._sent]) / 1e6
+        policy_period = round(np.median(np.diff(np.unique(stamps))))
+        ticks = round((stamps.max() - stamps.min()) / policy_period) + 1
+        late = (sent - stamps) / NANOSECONDS
+        met = len(np.unique(stamps[late <= ON_TIME]))
+        lags = np.array([[sample.seconds, sample.clock_lag] for sample in self._samples])
+        half = [sample for sample in self._samples if sample.seconds >= seconds / 2]
+        memory = np.array([[s.seconds / 3600, s.sim_memory + s.controller_memory] for s in half])
+        return Walk(
+            seconds=seconds,
+            commanded=self._velocity,
+            speed=float(np.mean(self._speeds)),
+            environment_speed=environment_speed,
+            fell=self._lowest < 0.5,
+            ticks=ticks,
+            on_time=min(1.0, met / ticks),
+            latency_median=float(np.median(latencies)),
+            latency_99_9=float(np.percentile(latencies, 99.9)),
+            limp_commands=self._limp,
+            clock_drift=_slope(*lags.T),
+            memory_growth=_slope(*memory.T),
+            samples=tuple(self._samples),
+        )
+
+    def _collect(self) -> None:
+        for one in self._states.take():
+            self._sent[self._read_state(one.data).stamp] = one.sent
+        for one in self._commands.take():
+            joints = self._read_command(one.data)
+            self._answers.append((joints.stamp, one.sent))
+            self._limp += read_target(joints) is LIMP
+        for one in self._odometry.take():
+            odometry = self._odometry.decode(one)
+            self._speeds.append(odometry.twist.twist.linear.x)
+            turn = odometry.pose.pose.orientation
+            self._lowest = min(self._lowest, 1.0 - 2.0 * (turn.x**2 + turn.y**2))
+
+    def _look(self, seconds: float, sim: int, controller: int, progress: Callable[[str], None]) -> None:
+        # The least lag of a few: the others waited for a processor.
+        lags = []
+        for _ in range(_CLOCKS):
+            self._node.wait(0.02)
+            received = self._clock.latest()
+            if received is not None:
+                lags.append((received.sent - read_stamp(self._clock.decode(received).clock)) / 1e6)
+        sample = Sample(seconds, _memory(sim), _memory(controller), min(lags, default=float("nan")))
+        if np.isfinite(sample.clock_lag):
+            self._samples.append(sample)
+        progress(
+            f"{seconds:.0f} s: {np.mean(self._speeds[-1000:]):.3f} m/s, sim {sample.sim_memory:.1f} MiB, "
+            f"controller {sample.controller_memory:.1f} MiB, clock {sample.clock_lag:.2f} ms behind"
+        )
+
+
+def _slope(x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
+    """Of the straight line through points (N,) that is nearest in the least squares."""
+    x = x - x.mean()
+    return float(x @ y / (x @ x)) if x.any() else 0.0
+
+
+def _memory(process_id: int) -> float:
+    try:
+        import psutil
+    except ImportError as error:
+        raise MissingExtraError("measuring memory", "dev") from error
+    return float(psutil.Process(process_id).memory_info().rss / _MEBIBYTE)
+
+
+def write(walk: Walk, machine: str, versions: dict[str, str], path: Path) -> None:
+    """Write what was seen as JSON."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps({"machine": machine, "versions": versions, **asdict(walk)}, indent=2) + "\n")

@@ -1,0 +1,399 @@
+"""The controller's safety, told the time and what the robot measures by hand."""
+
+import math
+
+import numpy as np
+import pytest
+
+from quadruped_env import JOINT_NAMES, QuadrupedError
+from quadruped_env.live.commands import LIMP, CommandWriter, limited, read_target
+from quadruped_env.live.gate import Gate
+from quadruped_env.live.imu import read_imu
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.measured import MeasuredRobot, up_in_body
+from quadruped_env.live.pilot import Measurement, Mode, Pilot, Safety
+from quadruped_env.policies import GaitController, PolicyController, load_policy
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT, load_model
+from quadruped_env.ros import cdr
+from quadruped_env.simulation import SingleSimulation
+from quadruped_env.task import Task, TaskConfig
+
+pytest.importorskip("rosbags")
+
+LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
+LYING = np.array([0.6, -0.3] * 4)
+PERIOD = 0.01
+EPOCH = 1_700_000_000_000_000_000
+
+
+class Recording:
+    """A controller that keeps the commands of its task, and asks for the stance, or for what a test says."""
+
+    action_mode = "position"
+    name = "recording"
+
+    def __init__(self, target=STANCE):
+        self.target = np.array(target)
+        self.commands = []
+
+    def step(self, task, observation):
+        self.commands.append(task.command[0].tolist())
+        return task.step_joint_target(self.target[None].copy())
+
+
+class Bench:
+    """A pilot, its clock, and a robot that stays where it is put."""
+
+    def __init__(self, controller=None, **safety):
+        self.controller = controller or Recording()
+        self.said = []
+        self.pilot = Pilot(self.controller, TaskConfig(), Safety(**safety), self.said.append)
+        self.now = 50.0
+        self.positions = LYING.copy()
+        self.orientation = LEVEL
+        self.answers = []
+
+    @property
+    def mode(self):
+        return self.pilot.mode
+
+    def feed(self, stamp=None, now=None):
+        """One measurement, of this time unless another one is said."""
+        stamp = EPOCH + round(self.now * 1e9) if stamp is None else stamp
+        measurement = Measurement(stamp, self.positions.copy(), np.zeros(8), self.orientation, np.zeros(3))
+        answer = self.pilot.measured(measurement, self.now)
+        if answer is not None:
+            self.answers.append(answer)
+        return answer
+
+    def pass_time(self, seconds, states=True, command=None):
+        """Time goes by, with or without measurements; returns what was answered."""
+        before = len(self.answers)
+        for _ in range(round(seconds / PERIOD)):
+            self.now += PERIOD
+            if command is not None:
+                self.pilot.command(*command, self.now)
+            if states:
+                self.feed()
+            answer = self.pilot.silent(self.now)
+            if answer is not None:
+                self.answers.append(answer)
+        return self.answers[before:]
+
+    def walk(self, command=(0.3, 0.1)):
+        """On to walking."""
+        self.pass_time(3.0, command=command)
+        assert self.mode is Mode.WALKING
+        return self
+
+
+def test_it_waits_for_fresh_states():
+    bench = Bench()
+    assert bench.pass_time(5.0, states=False) == []
+    assert bench.mode is Mode.WAITING
+    assert bench.pass_time(0.19) == []
+    bench.pass_time(0.02)
+    assert bench.mode is Mode.RAMPING
+
+
+def test_it_ramps_from_the_measured_pose_to_the_stance_before_it_walks():
+    bench = Bench()
+    answers = bench.pass_time(0.2 + 2.0)
+    targets = np.array([answer.target for answer in answers])
+    np.testing.assert_allclose(targets[0], LYING, atol=1e-6)
+    np.testing.assert_allclose(targets[-1], STANCE, atol=1e-12)
+    speeds = np.abs(np.diff(targets, axis=0)) / 0.02
+    assert 0.0 < speeds.max() <= 1.5 * Safety().ramp_speed + 1e-6
+    assert np.all(np.abs(np.diff(targets[:, 1])) <= np.abs(targets[0, 1] - STANCE[1]))
+    assert np.all(np.diff(targets[:, 1]) <= 1e-12)  # straight there
+    assert bench.mode is Mode.WALKING
+    # 1 s of ramp and 0.5 s of settling before the first step.
+    first = next(i for i, _ in enumerate(bench.controller.commands))
+    assert first == 0
+    assert len(bench.controller.commands) == pytest.approx((2.0 - 1.5) / 0.02, abs=2)
+
+
+def test_commands_come_at_its_rate_and_bear_the_stamp_that_they_answer():
+    answers = Bench().walk().pass_time(1.0, command=(0.3, 0.0))
+    stamps = np.array([answer.stamp for answer in answers])
+    assert len(stamps) == 50
+    assert set(np.diff(stamps)) == {20_000_000}
+
+
+def test_a_state_that_was_lost_does_not_move_the_grid():
+    bench = Bench().walk()
+    grid = bench.answers[-1].stamp
+    for i in range(1, 101):
+        bench.now += PERIOD
+        if i % 7:
+            bench.feed()
+    late = [(answer.stamp - grid) % 20_000_000 for answer in bench.answers if answer.stamp > grid]
+    assert set(late) == {0, 10_000_000}
+    assert late.count(0) > 35
+
+
+@pytest.mark.parametrize("mode", [Mode.RAMPING, Mode.WALKING])
+def test_it_holds_after_a_fifth_of_a_second_without_states(mode):
+    bench = Bench()
+    if mode is Mode.WALKING:
+        bench.walk()
+    else:
+        bench.pass_time(0.6)
+    assert bench.mode is mode
+    last = bench.answers[-1].target
+    assert bench.pass_time(0.19, states=False) == []
+    held = bench.pass_time(0.3, states=False)
+    assert bench.mode is Mode.HOLDING
+    assert len(held) == pytest.approx(15, abs=1)
+    assert all(np.array_equal(answer.target, last) for answer in held)
+
+
+def test_it_goes_limp_after_a_second_without_states_and_then_waits():
+    bench = Bench().walk()
+    bench.pass_time(0.99, states=False)
+    assert bench.mode is Mode.HOLDING
+    answers = bench.pass_time(0.04, states=False)
+    assert answers[-1].target is LIMP
+    assert bench.pass_time(4.0, states=False) == []
+    assert bench.mode is Mode.WAITING
+    assert "limp (no state for 1 s)" in bench.said
+
+
+def test_it_goes_the_whole_way_again_when_states_come_back():
+    bench = Bench().walk()
+    bench.pass_time(5.0, states=False)
+    bench.positions = np.array([-0.4, -1.9] * 4)
+    answers = bench.pass_time(0.5)
+    assert bench.mode is Mode.RAMPING
+    np.testing.assert_allclose(answers[0].target, bench.positions, atol=1e-6)
+    bench.pass_time(4.0)
+    assert bench.mode is Mode.WALKING
+
+
+def test_after_a_short_silence_it_ramps_from_where_the_joints_are():
+    bench = Bench().walk()
+    bench.pass_time(0.5, states=False)
+    bench.pass_time(0.19)
+    assert bench.mode is Mode.HOLDING
+    bench.pass_time(0.05)
+    assert bench.mode is Mode.RAMPING
+
+
+def test_it_follows_the_command_and_stands_half_a_second_after_the_last():
+    bench = Bench().walk((0.3, 0.1))
+    bench.controller.commands.clear()
+    bench.pass_time(0.2, command=(0.3, 0.1))
+    assert set(map(tuple, bench.controller.commands)) == {(0.3, 0.1)}
+    bench.controller.commands.clear()
+    bench.pass_time(0.5)
+    assert set(map(tuple, bench.controller.commands)) == {(0.3, 0.1)}
+    bench.pass_time(0.05)
+    bench.controller.commands.clear()
+    bench.pass_time(1.0)
+    assert set(map(tuple, bench.controller.commands)) == {(0.0, 0.0)}
+    assert bench.mode is Mode.WALKING
+
+
+def test_a_command_beyond_what_it_was_made_for_is_brought_into_it():
+    bench = Bench().walk((9.0, -9.0))
+    assert bench.controller.commands[-1] == [0.6, -0.8]
+
+
+@pytest.mark.parametrize("command", [(math.nan, 0.0), (0.0, math.inf)])
+def test_a_command_that_is_not_finite_is_refused_and_the_one_before_lasts(command):
+    bench = Bench().walk((0.3, 0.0))
+    with pytest.raises(QuadrupedError, match=r"/cmd_vel: .* is not finite"):
+        bench.pilot.command(*command, bench.now)
+    bench.pass_time(0.3)
+    assert bench.controller.commands[-1] == [0.3, 0.0]
+    bench.pass_time(0.4)
+    assert bench.controller.commands[-1] == [0.0, 0.0]
+
+
+def test_a_fallen_robot_goes_limp_and_stays_so_until_it_is_put_up():
+    bench = Bench().walk()
+    bench.orientation = np.array([math.cos(0.6), math.sin(0.6), 0.0, 0.0])  # 1.2 rad of roll
+    answers = bench.pass_time(3.0)
+    assert [answer.target for answer in answers] == [LIMP]
+    assert bench.mode is Mode.LIMP
+    assert any("fallen" in text for text in bench.said)
+    bench.orientation = LEVEL
+    bench.pass_time(0.5)
+    assert bench.mode is Mode.RAMPING
+
+
+@pytest.mark.parametrize("asked", [1e3, -1e3])
+def test_targets_stay_within_range_and_speed_whatever_is_asked(asked):
+    bench = Bench(Recording(np.full(8, asked)))
+    bench.walk()
+    targets = np.array([answer.target for answer in bench.answers])
+    assert np.all(targets >= JOINT_POSITION_LOW)
+    assert np.all(targets <= JOINT_POSITION_HIGH)
+    speeds = np.abs(np.diff(targets, axis=0)) / 0.02
+    assert speeds.max() == pytest.approx(VELOCITY_LIMIT)
+    np.testing.assert_allclose(targets[-1], JOINT_POSITION_HIGH if asked > 0 else JOINT_POSITION_LOW)
+
+
+def test_random_targets_stay_within_range_and_speed():
+    rng = np.random.default_rng(2)
+    last = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+    for _ in range(1000):
+        target = limited(rng.normal(size=8) * 10.0 ** rng.integers(-2, 3), last, 0.02)
+        assert np.all((target >= JOINT_POSITION_LOW) & (target <= JOINT_POSITION_HIGH))
+        assert np.abs(target - last).max() <= 0.1 + 1e-12
+        last = target
+
+
+def test_repeated_and_reordered_states_are_refused_and_do_no_harm():
+    """Every state ten times, and old ones in between: the answers are those of the clean stream."""
+    clean, dirty = Bench(), Bench()
+    clean.pass_time(4.0, command=(0.3, 0.0))
+    stamps = []
+    for _ in range(400):
+        dirty.now += PERIOD
+        dirty.pilot.command(0.3, 0.0, dirty.now)
+        dirty.feed()
+        stamps.append(EPOCH + round(dirty.now * 1e9))
+        for stamp in [stamps[-1]] * 9 + stamps[-4:-1]:
+            with pytest.raises(QuadrupedError, match="not later than the one before"):
+                dirty.feed(stamp)
+    assert len(dirty.answers) == len(clean.answers)
+    for one, other in zip(dirty.answers, clean.answers, strict=True):
+        assert one.stamp == other.stamp
+        np.testing.assert_array_equal(one.target, other.target)
+
+
+def test_stale_states_are_refused_and_end_in_limpness():
+    """The stream goes on, 0.3 s late: as good as silence, and still so after it."""
+    bench = Bench().walk()
+    bench.now += 0.3
+    for _ in range(500):
+        bench.now += PERIOD
+        with pytest.raises(QuadrupedError, match=r"stale by more than 0\.2 s"):
+            bench.feed(EPOCH + round((bench.now - 0.3) * 1e9))
+        answer = bench.pilot.silent(bench.now)
+        if answer is not None:
+            bench.answers.append(answer)
+    assert bench.answers[-1].target is LIMP
+    assert bench.mode is Mode.WAITING
+    bench.pass_time(2.0)
+    assert bench.mode is Mode.WALKING
+
+
+def test_late_states_at_the_beginning_do_not_set_the_measure():
+    """What was held up on its way comes first, then the present: it begins with the present."""
+    bench = Bench()
+    for _ in range(5):
+        bench.now += PERIOD
+        bench.feed(EPOCH + round((bench.now - 0.5) * 1e9))
+    bench.now += PERIOD
+    with pytest.raises(QuadrupedError, match="or what came before was late"):
+        bench.feed()
+    bench.pass_time(1.5, states=False)
+    bench.pass_time(2.0)
+    assert bench.mode is Mode.WALKING
+
+
+def test_a_clock_that_leapt_is_refused_until_all_begins_anew():
+    """A simulator that was started again may tell quite another time."""
+    bench = Bench().walk()
+    shift = -(10**15)
+    for _ in range(120):
+        bench.now += PERIOD
+        if bench.mode is Mode.WALKING:
+            with pytest.raises(QuadrupedError, match="not later"):
+                bench.feed(EPOCH + shift + round(bench.now * 1e9))
+        bench.pilot.silent(bench.now)
+    assert bench.mode is Mode.WAITING
+    for _ in range(300):
+        bench.now += PERIOD
+        bench.feed(EPOCH + shift + round(bench.now * 1e9))
+    assert bench.mode is Mode.WALKING
+
+
+def test_a_gate_allows_for_clocks_that_drift():
+    gate = Gate("/test")
+    for second in range(0, 3600):
+        assert gate.refusal(round(second * 1e9), second * 1.0005) == ""
+    assert "leapt ahead" in gate.refusal(round(3600.5e9), 3600.5)
+
+
+def joint_state(**changes):
+    fields = {"name": list(JOINT_NAMES), "position": STANCE, "velocity": np.zeros(8), "effort": ()}
+    return cdr.serialize(cdr.message("sensor_msgs/msg/JointState", header=cdr.header(1), **(fields | changes)))
+
+
+def imu(**changes):
+    fields = {"orientation": {"w": 1.0, "x": 0.0, "y": 0.0, "z": 0.0}}
+    return cdr.message("sensor_msgs/msg/Imu", header=cdr.header(5), **(fields | changes))
+
+
+def test_an_attitude_is_read_in_this_packages_order():
+    read = read_imu(imu(orientation={"w": 0.5, "x": 0.1, "y": -0.7, "z": 0.5}, angular_velocity={"x": 1, "z": 3}))
+    np.testing.assert_allclose(read.orientation, [0.5, 0.1, -0.7, 0.5])
+    np.testing.assert_array_equal(read.angular_velocity, [1.0, 0.0, 3.0])
+    assert read.stamp == 5
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"orientation": {"w": math.nan}}, "not finite"),
+        ({"angular_velocity": {"x": math.inf}}, "not finite"),
+        ({"orientation": {"w": 0.0, "x": 0.0, "y": 0.0, "z": 0.0}}, "length 0; send a unit quaternion"),
+        ({"orientation_covariance": [-1.0] + [0.0] * 8}, "no orientation"),
+    ],
+)
+def test_an_attitude_that_cannot_be_used_is_refused(changes, words):
+    with pytest.raises(QuadrupedError, match=words):
+        read_imu(imu(**changes))
+
+
+def test_commands_are_read_as_they_are_written():
+    write, read = CommandWriter(), JointReader("/joint_commands")
+    np.testing.assert_array_equal(read_target(read(write(7, STANCE))), STANCE)
+    assert read(write(7, STANCE)).stamp == 7
+    assert read_target(read(write(7, LIMP))) is LIMP
+    with pytest.raises(QuadrupedError, match="has no positions"):
+        read_target(read(joint_state(position=(), velocity=np.ones(8))))
+    with pytest.raises(QuadrupedError, match="has no positions"):
+        read_target(read(joint_state(position=(), velocity=(), effort=np.ones(8))))
+
+
+def test_up_in_body_is_the_models_sensor(model):
+    rng = np.random.default_rng(3)
+    simulation = SingleSimulation(model)
+    for _ in range(20):
+        orientation = rng.normal(size=4)
+        orientation /= np.linalg.norm(orientation)
+        qpos = np.concatenate([[0.0, 0.0, 5.0], orientation, STANCE])
+        simulation.reset(np.zeros(1, dtype=np.intp), qpos[None], np.zeros((1, 14)))
+        np.testing.assert_allclose(up_in_body(orientation), simulation.state.up_b[0], atol=1e-12)
+
+
+@pytest.mark.parametrize("kind", ["policy", "gait"])
+def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
+    """A task on the simulation, and one that is only told its readings, ask for the same joint targets."""
+    if kind == "policy":
+        policy = load_policy("flat")
+        controller, config = PolicyController(policy), policy.config
+    else:
+        from quadruped_env import SinusoidalGait
+
+        controller, config = GaitController(SinusoidalGait.preset("trot"), "trot"), TaskConfig()
+    row = np.zeros(1, dtype=np.intp)
+    simulation, robot = SingleSimulation(load_model(config.physics_timestep, config.motor)), MeasuredRobot()
+    asked = []
+    original = simulation.step
+    simulation.step = lambda target, substeps: (asked.append(target[0].copy()), original(target, substeps))
+    real, told = Task(simulation, config), Task(robot, config)
+    for task in (real, told):
+        task.reset(row, seeds=[4], command=(0.4, 0.2))
+    for _ in range(100):
+        state = simulation.state
+        robot.measure(
+            state.joint_position[0], state.joint_velocity[0], state.orientation[0], state.angular_velocity_b[0]
+        )
+        controller.step(told, told.observe())
+        controller.step(real, real.observe())
+        np.testing.assert_allclose(robot.joint_target, asked[-1], atol=1e-6)
