@@ -2,7 +2,7 @@
 
 python evaluate/view.py                              the latest run's policy, or the shipped one
 python evaluate/view.py flat trot runs/<name>        up to three robots side by side: policies, scripted gaits, runs
-python evaluate/view.py walk.csv                     a recording of joint states, played through the motors
+python evaluate/view.py walk.csv                     a recording of joint states (or a bag), played through the motors
 
 Steer it with the sliders or the arrow keys, push it, bend its gait, watch its joints, record it. The page is at the
 address that this program prints, for browsers on this machine only unless --host says otherwise. Ctrl-C ends it.
@@ -21,7 +21,7 @@ def main() -> int:
     """Run the program."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
-        "sources", nargs="*", metavar="SOURCE", help="a run, 'flat', a gait's name, or a CSV of joint states"
+        "sources", nargs="*", metavar="SOURCE", help="a run, 'flat', a gait's name, or a recording of joint states"
     )
     parser.add_argument(
         "--command",

@@ -15,7 +15,7 @@ from tasks import (
 
 from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.simulation import BatchSimulation, SingleSimulation
 from quadruped_env.task import (
     ACTION_WIDTH,
     ActionConfig,
@@ -239,3 +239,20 @@ def test_a_reset_clears_what_has_memory_and_only_there():
         np.testing.assert_array_equal(new["simulation"].integration, old["simulation"].integration)
         for name in old.keys() - {"generator", "simulation"}:
             np.testing.assert_array_equal(new[name], old[name], err_msg=name)
+
+
+def test_a_command_set_within_an_episode_stays_and_is_followed(model):
+    config = TaskConfig.from_dict({"action": {"mode": "residual"}, "command": {"resample_interval": [0.02, 0.02]}})
+    changed, told = (Task(SingleSimulation(model), config) for _ in range(2))
+    row = np.zeros(1, dtype=np.intp)
+    changed.reset(row, seeds=[3], command=(0.0, 0.0))
+    told.reset(row, seeds=[3], command=(0.4, 0.2))
+    changed.set_command(row, (0.4, 0.2))
+    for _ in range(50):
+        first, second = changed.step(np.zeros((1, 8))), told.step(np.zeros((1, 8)))
+        np.testing.assert_array_equal(first.observation, second.observation)
+        np.testing.assert_array_equal(first.reward, second.reward)
+    np.testing.assert_array_equal(changed.command, [[0.4, 0.2]])
+    with pytest.raises(QuadrupedError, match="forward_velocity = 9 is outside"):
+        changed.set_command(row, (9.0, 0.0))
+    np.testing.assert_array_equal(changed.command, [[0.4, 0.2]])

@@ -345,6 +345,7 @@ def test_two_browsers_show_and_steer_the_same(stage, paused, chromium):
         assert other.watched.errors == []
 
 
+@pytest.mark.slow
 def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     with showing(tmp_path) as show:

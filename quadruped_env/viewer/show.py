@@ -31,13 +31,13 @@ class Pace:
     """that this process computed"""
     control_steps: int
     frames: int
-    latest: float
-    """s by which the latest tick came too late"""
+    overrun: float
+    """s by which the longest tick was longer than `TICK`"""
 
     def __str__(self) -> str:
         return (
             f"{self.control_steps / self.seconds:.2f} control steps/s and {self.frames / self.seconds:.1f} frames/s "
-            f"over {self.seconds:.1f} s; latest tick {1e3 * self.latest:.1f} ms late; "
+            f"over {self.seconds:.1f} s; longest overrun of a tick {1e3 * self.overrun:.1f} ms; "
             f"{self.processor_seconds / self.seconds:.0%} of one core"
         )
 
@@ -85,7 +85,7 @@ class Show:
         start = last = time.perf_counter()
         processor = time.process_time()
         ticks = frames = steps = 0
-        latest = 0.0
+        overrun = 0.0
         while not self._stop.is_set() and (seconds is None or last - start < seconds):
             now = time.perf_counter()
             steps += self.controller.advance(now - last)
@@ -101,13 +101,13 @@ class Show:
             due = start + ticks * TICK
             late = time.perf_counter() - due
             if late > 0.0:
-                latest = max(latest, late)
+                overrun = max(overrun, late)
                 if late > TICK:
                     # What was missed is missed: the controller catches up by itself.
                     ticks += int(late / TICK)
             else:
                 self._stop.wait(-late)
-        return Pace(last - start, time.process_time() - processor, steps, frames, latest)
+        return Pace(last - start, time.process_time() - processor, steps, frames, overrun)
 
     def stop(self) -> None:
         """Let `run` return; may be called from a signal handler."""

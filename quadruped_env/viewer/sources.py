@@ -26,6 +26,8 @@ from quadruped_env.viewer.gaits import EditableGaitController
 RUNS: Final = Path("runs")
 MAX_RUNS: Final = 12
 """of the latest ones, that are offered without being asked for"""
+BAG_FILE: Final = "metadata.yaml"
+"""What makes a directory a ROS 2 bag"""
 STANDING: Final = "stand still"
 
 
@@ -63,13 +65,14 @@ def recording_source(path: Path) -> Source:
 
 
 def asked_source(text: str) -> Source:
-    """What a person means: a shipped policy, a scripted gait, a file of joint states, or a run's directory."""
+    """What a person means: a shipped policy, a scripted gait, a recording of joint states, or a run's directory."""
     if text in SHIPPED:
         return policy_source(f"policy {text}", text)
     if text in PRESETS:
         return gait_source(text)
     path = Path(text)
-    return recording_source(path) if path.suffix and not path.is_dir() else policy_source(f"run {text}", text)
+    recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
+    return recording_source(path) if recorded else policy_source(f"run {text}", text)
 
 
 def find_sources(asked: Sequence[str] = (), runs: Path = RUNS) -> tuple[dict[str, Source], tuple[str, ...]]:
