@@ -114,8 +114,8 @@ def checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source:
 
 
 _FIELDS: Final = {
-    "positions": ("position", "leave the row out"),
-    "velocities": ("velocity", "leave the velocities out if not all are known"),
+    "positions": ("position", "leave the row out (--drop)"),
+    "velocities": ("velocity", "leave the velocities out if not all are known (--ignore velocity)"),
     "efforts": ("effort", "NaN stands for an effort that was not measured"),
 }
 """Array -> its name in a `JointState`, and what to do about a value that is not finite."""
