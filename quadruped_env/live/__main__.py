@@ -41,8 +41,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the node that the arguments name; 0 if it ended well, 2 if it could not do what was asked."""
     args = make_parser().parse_args(arguments)
     try:
+        module = node_module(args.node)
+        if hasattr(module, "start"):
+            return int(module.start(args))
         with Session(args.node, args) as session:
-            return int(node_module(args.node).run(session, args))
+            return int(module.run(session, args))
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

@@ -20,6 +20,8 @@ STATUS_PERIOD_LOG: Final = 10.0
 """s between status lines elsewhere"""
 PROBLEMS_PERIOD: Final = 1.0
 """s between looks at who is on the domain"""
+_SAME_SIGNAL: Final = 0.5
+"""s"""
 
 
 def add_common_arguments(parser: argparse.ArgumentParser) -> None:
@@ -55,6 +57,7 @@ class Session:
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
         self._stopped = False
+        self._stopped_at = 0.0
         self._start = time.monotonic()
         self._end = None if arguments.seconds is None else self._start + arguments.seconds
         self._waiting_for = ""
@@ -166,10 +169,13 @@ class Session:
         self._log.flush()
 
     def _interrupted(self, number: int, frame: FrameType | None) -> None:
-        if self._stopped:
-            # Asked a second time: whatever hangs is to hang no longer.
+        now = time.monotonic()
+        # A terminal and a launcher may both pass one Ctrl-C on; a second one means that something hangs.
+        if self._stopped and now - self._stopped_at > _SAME_SIGNAL:
             raise KeyboardInterrupt
-        self.stop()
+        if not self._stopped:
+            self._stopped_at = now
+            self.stop()
 
 
 def _rate_text(one: Publisher | Subscription, rate: float) -> str:

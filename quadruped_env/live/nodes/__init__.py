@@ -1,12 +1,19 @@
-"""The programs: one module a node, each with SUMMARY, `add_arguments(parser)` and `run(session, arguments)`."""
+"""The programs: one module a node, each with SUMMARY, `add_arguments(parser)` and `run(session, arguments)`.
+
+One that starts other nodes has `start(arguments)` in place of `run`.
+"""
 
 from types import ModuleType
 from typing import Final
 
 MODULES: Final = {
+    "display": "display",
+    "walk": "walk",
     "sim": "sim",
+    "gait": "gait",
     "state": "state",
     "controller": "controller",
+    "view": "view",
 }
 """Name of a node -> its module, in the order in which --help lists them"""
 

@@ -1,0 +1,55 @@
+"""Several nodes by one command, as a launch file: they begin together and end together."""
+
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+
+from quadruped_env.live.session import LOOK
+
+_GRACE = 5.0
+"""s that a node has to end by itself"""
+
+
+def launch(nodes: Sequence[Sequence[str]]) -> int:
+    """Run nodes, each a process, until one of them ends or Ctrl-C ends them all.
+
+    Args:
+        nodes: arguments of `python -m quadruped_env.live`, one list a node.
+
+    Returns:
+        0 if they ended as asked, else what the first that ended by itself returned.
+    """
+    asked: list[int] = []
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda number, _: asked.append(number))
+    processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in nodes]  # noqa: S603
+    ended: list[tuple[str, int]] = []
+    while not asked and not ended:
+        time.sleep(LOOK)
+        ended = [
+            (node[0], process.returncode)
+            for node, process in zip(nodes, processes, strict=True)
+            if process.poll() is not None
+        ]
+    if ended:
+        print(f"[launch] {ended[0][0]} ended; so do the others", file=sys.stderr)
+    for process in processes:
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+    for node, process in zip(nodes, processes, strict=True):
+        try:
+            process.wait(_GRACE)
+        except subprocess.TimeoutExpired:
+            print(f"[launch] {node[0]} does not end by itself; it is killed", file=sys.stderr)
+            process.kill()
+            process.wait()
+    return ended[0][1] if ended else 0
+
+
+def common(domain_id: int | None, subnet: bool, seconds: float | None, quiet: bool) -> list[str]:
+    """What all nodes of a launch are told alike: the arguments of `add_common_arguments`."""
+    told = [] if domain_id is None else ["--domain-id", str(domain_id)]
+    told += ["--subnet"] * subnet + ["--quiet"] * quiet
+    return told if seconds is None else [*told, "--seconds", str(seconds)]

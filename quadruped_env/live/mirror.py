@@ -1,0 +1,122 @@
+"""The viewer as a follower: a robot that is drawn where the messages say it is, and steered over `/cmd_vel`."""
+
+import time
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.joints import JointReader, Joints
+from quadruped_env.live.node import Node
+from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY
+from quadruped_env.robot import STANCE, resting_pose
+from quadruped_env.ros import SENSOR_DATA_QOS, cdr
+from quadruped_env.task import Task, TaskConfig, Transition
+from quadruped_env.viewer.sources import Source
+
+NAME: Final = "live robot"
+_ROW: Final = np.zeros(1, dtype=np.intp)
+_ODOMETRY_LASTS: Final = 1.0
+"""s; without a newer one the robot is drawn resting on its feet where it was"""
+_STOP: Final = 1.0
+"""s for which a zero command is repeated; then others may steer"""
+_COMMAND_PERIOD: Final = 0.1
+
+
+class Mirror:
+    """`quadruped_env.policies.Controller` that puts the robot where the topics say.
+
+    Args:
+        node: that listens, and publishes the viewer's command.
+    """
+
+    name = NAME
+    action_mode = "position"
+
+    def __init__(self, node: Node) -> None:
+        self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
+        self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS)
+        self._velocities = node.publish(CMD_VEL)
+        self._read = JointReader(JOINT_STATES.name)
+        self._joints = Joints(0, STANCE, np.zeros(8), None)
+        self._pose = resting_pose(STANCE)
+        self._twist = np.zeros(6)
+        self._odometry_at = -_ODOMETRY_LASTS
+        self._moved_at = -_STOP
+        self._sent_at = 0.0
+        self.refused = ""
+        """What is wrong with what comes, or empty"""
+
+    def step(self, task: Task, observation: NDArray[np.float32]) -> Transition:
+        """Take the newest state from the topics in place of a step of physics."""
+        now = time.monotonic()
+        self._listen(now)
+        self._steer(task.command[0], now)
+        positions, velocities = self._joints.positions, self._joints.velocities
+        assert positions is not None
+        transition = task.step_joint_target(positions[None].copy())
+        if now - self._odometry_at > _ODOMETRY_LASTS:
+            resting = resting_pose(positions)
+            self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
+        qpos = np.concatenate([self._pose, positions])
+        qvel = np.concatenate([self._twist, np.zeros(8) if velocities is None else velocities])
+        task.simulation.reset(_ROW, qpos[None], qvel[None])
+        transition.terminated[:] = False
+        transition.diverged[:] = False
+        return transition
+
+    @property
+    def hears(self) -> bool:
+        """Whether joint states have come."""
+        return self._states.count > 0
+
+    def _listen(self, now: float) -> None:
+        for received in self._states.take():
+            try:
+                joints = self._read(received.data)
+                if joints.positions is None:
+                    raise QuadrupedError(f"{JOINT_STATES.name}: has no positions; send one a joint")
+            except QuadrupedError as error:
+                self.refused = str(error)
+                continue
+            self._joints = joints
+        newest = self._odometry.latest()
+        if newest is None:
+            return
+        odometry = self._odometry.decode(newest)
+        place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
+        pose = np.array([place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z])
+        linear, angular = odometry.twist.twist.linear, odometry.twist.twist.angular
+        velocity = np.array([linear.x, linear.y, linear.z])
+        rate = np.array([angular.x, angular.y, angular.z])
+        if not (np.isfinite(np.concatenate([pose, velocity, rate])).all() and pose[3:].any()):
+            self.refused = f"{ODOMETRY.name}: a value is not finite, or the orientation is zero"
+            return
+        self._odometry_at = now
+        self._pose = pose
+        self._twist = np.concatenate([_in_world(pose[3:], velocity), rate])
+
+    def _steer(self, command: NDArray[np.float64], now: float) -> None:
+        """Send the viewer's command, for as long as it asks for something and a little longer."""
+        if command.any():
+            self._moved_at = now
+        if now - self._moved_at > _STOP or now - self._sent_at < _COMMAND_PERIOD:
+            return
+        self._sent_at = now
+        twist = {"linear": {"x": command[0]}, "angular": {"z": command[1]}}
+        self._velocities.send(cdr.message(CMD_VEL.type_name, **twist))
+
+
+def mirror_source(mirror: Mirror) -> Source:
+    """A mirror as the viewer takes it."""
+    return Source(NAME, lambda: (mirror, TaskConfig()))
+
+
+def _in_world(orientation: NDArray[np.float64], vector: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A vector (3,) of a base's axes in the world's."""
+    import mujoco
+
+    turned = np.empty(3)
+    mujoco.mju_rotVecQuat(turned, vector, orientation / np.linalg.norm(orientation))
+    return turned

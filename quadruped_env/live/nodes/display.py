@@ -1,0 +1,31 @@
+"""The tutorial's launch file by one command: `gait`, `state` and the viewer in the browser.
+
+python -m quadruped_env.live display --preset walk
+"""
+
+import argparse
+from typing import Final
+
+from quadruped_env.gait import PRESETS
+from quadruped_env.live.launch import common, launch
+from quadruped_env.viewer import PORT
+
+SUMMARY: Final = "gait + state + viewer, as the tutorial's launch file"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Which gait, and where the page is."""
+    parser.add_argument("--preset", choices=PRESETS, default="article", help="which gait (%(default)s)")
+    parser.add_argument("--port", type=int, default=PORT, help="of the page; the next free one is taken (%(default)s)")
+
+
+def start(arguments: argparse.Namespace) -> int:
+    """Run the three until one ends."""
+    all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
+    return launch(
+        [
+            ["gait", "--preset", arguments.preset, *all_alike],
+            ["state", *all_alike],
+            ["view", "--port", str(arguments.port), *all_alike],
+        ]
+    )

@@ -1,0 +1,109 @@
+"""The tutorial's publisher: a scripted gait on /joint_states at 20 Hz, or as commands to `sim`.
+
+    python -m quadruped_env.live gait                    the tutorial's own gait
+    python -m quadruped_env.live gait --preset trot --commands      trots, beside `sim`
+
+Positions and velocities are those of the gait's formula at the time since the start, which the stamps tell. As commands
+the gait is faded in over 2 s from where the joints are; nobody looks after the robot then: `controller trot` does.
+"""
+
+import argparse
+import time
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import PRESETS, SinusoidalGait
+from quadruped_env.live.commands import CommandWriter, limited
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.session import Session
+from quadruped_env.live.sole import SolePublisher
+from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.ros.joint_state import Encoder
+
+SUMMARY: Final = "a scripted gait on /joint_states, as the tutorial's publisher, or as commands"
+RATE: Final = 20.0
+"""Hz; the tutorial's"""
+COMMAND_RATE: Final = 50.0
+"""Hz"""
+FADE: Final = 2.0
+"""s"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Which gait, and where to."""
+    parser.add_argument("--preset", choices=PRESETS, default="article", help="which gait (%(default)s)")
+    parser.add_argument(
+        "--rate", type=float, metavar="HZ", help=f"messages a second ({RATE:g}; as commands {COMMAND_RATE:g})"
+    )
+    parser.add_argument(
+        "--commands", action="store_true", help=f"send to {JOINT_COMMANDS.name} in place of {JOINT_STATES.name}"
+    )
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Publish until the session ends."""
+    gait = SinusoidalGait.preset(arguments.preset)
+    rate = arguments.rate or (COMMAND_RATE if arguments.commands else RATE)
+    if not 0.1 <= rate <= 1000.0:
+        raise QuadrupedError(f"--rate: expected 0.1 to 1000 Hz; found {rate:g}")
+    for complaint in gait.violations():
+        session.say(f"beyond the robot's limits: {complaint}")
+    if arguments.commands:
+        _send_commands(session, gait, 1.0 / rate)
+    else:
+        _send_states(session, gait, 1.0 / rate)
+    return 0
+
+
+def _send_states(session: Session, gait: SinusoidalGait, period: float) -> None:
+    sole = SolePublisher(session)
+    sole.check()
+    states = session.node.publish(JOINT_STATES)
+    encode, efforts = Encoder(JOINT_NAMES), np.zeros(len(JOINT_NAMES)).tobytes()
+    start, pace = time.time_ns(), Pace(period)
+    while session.running:
+        session.wait(pace.remaining)
+        sole.watch()
+        tick = pace.ticks
+        if pace.tick():
+            t = tick * period
+            stamp = start + round(t * NANOSECONDS)
+            states.send_bytes(encode(stamp, gait.positions(t).tobytes(), gait.velocities(t).tobytes(), efforts))
+        session.report()
+
+
+def _send_commands(session: Session, gait: SinusoidalGait, period: float) -> None:
+    commands, states = session.node.publish(JOINT_COMMANDS), session.node.subscribe(JOINT_STATES)
+    write, read = CommandWriter(), JointReader(JOINT_STATES.name)
+    first: NDArray[np.float64] | None = None
+    while session.running and first is None:
+        session.wait_for(JOINT_STATES.name)
+        session.wait()
+        for received in states.take():
+            try:
+                first = read(received.data).positions
+            except QuadrupedError as error:
+                session.say_once(f"refused: {error}")
+        session.report()
+    if first is None:
+        return
+    session.wait_for("")
+    last, start, pace = first, time.time_ns(), Pace(period)
+    while session.running:
+        session.wait(pace.remaining)
+        states.take()
+        tick = pace.ticks
+        if pace.tick():
+            t = tick * period
+            share = min(t / FADE, 1.0)
+            last = limited(first + share * (gait.positions(t) - first), last, period)
+            commands.send_bytes(write(start + round(t * NANOSECONDS), last))
+        session.report()
+    commands.send_bytes(write(time.time_ns(), None))
+    commands.wait_until_read(0.5)

@@ -1,0 +1,46 @@
+"""The robot of the live topics in the browser: what RViz shows, with plots, and arrow keys that steer it.
+
+Draws the robot of /joint_states where /odom says it is, or on its feet where nobody says. The sliders and the arrow
+keys send /cmd_vel. The page is for browsers on this machine; the log says its address.
+"""
+
+import argparse
+import time
+from typing import Final
+
+from quadruped_env.live.mirror import NAME, Mirror, mirror_source
+from quadruped_env.live.session import LOOK, Session
+from quadruped_env.live.topics import JOINT_STATES
+from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
+from quadruped_env.viewer.server import import_viser
+
+SUMMARY: Final = "the live robot in the browser, with keys that steer it"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Where the page is."""
+    parser.add_argument("--port", type=int, default=PORT, help="the next free one is taken (%(default)s)")
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Show until the session ends."""
+    import_viser()
+    mirror = Mirror(session.node)
+    source = mirror_source(mirror)
+    controller = ViewController({source.name: source}, [NAME], RESULTS)
+    controller.restart_after_fall = False
+    show = Show(controller, port=arguments.port)
+    try:
+        session.say(f"the live robot: http://127.0.0.1:{show.port}")
+        while session.running:
+            began = time.monotonic()
+            show.run(LOOK)
+            session.wait_for("" if mirror.hears else JOINT_STATES.name)
+            if mirror.refused:
+                session.say_once(f"refused: {mirror.refused}")
+            for message in controller.messages():
+                session.say(message)
+            session.report("" if time.monotonic() - began < 2 * LOOK else "slow")
+    finally:
+        show.close()
+    return 0

@@ -1,0 +1,38 @@
+"""The whole robot by one command: `sim`, `controller`, `state`, the viewer in the browser, and `teleop` in a terminal.
+
+    python -m quadruped_env.live walk
+    python -m quadruped_env.live walk runs/latest
+
+Steer it with the keys that `teleop` shows, or with the arrow keys in the browser.
+"""
+
+import argparse
+import sys
+from typing import Final
+
+from quadruped_env.live.launch import common, launch
+from quadruped_env.live.nodes import MODULES
+from quadruped_env.viewer import PORT
+
+SUMMARY: Final = "sim + controller + state + viewer + teleop"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What drives the robot, and where the page is."""
+    parser.add_argument("policy", nargs="?", default="flat", metavar="POLICY", help="as of 'controller' (%(default)s)")
+    parser.add_argument("--port", type=int, default=PORT, help="of the page; the next free one is taken (%(default)s)")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="as of 'sim' (%(default)s)")
+
+
+def start(arguments: argparse.Namespace) -> int:
+    """Run them all until one ends."""
+    keys = "teleop" in MODULES and sys.stdin.isatty()
+    # The terminal is for the keys then.
+    all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
+    nodes = [
+        ["sim", "--seed", str(arguments.seed), "--pick-up", "3", *all_alike],
+        ["controller", arguments.policy, *all_alike],
+        ["state", *all_alike],
+        ["view", "--port", str(arguments.port), *all_alike],
+    ]
+    return launch([*nodes, ["teleop", *all_alike]] if keys else nodes)
