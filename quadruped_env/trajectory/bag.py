@@ -95,6 +95,8 @@ def _indexed(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
     # rosbags reads damaged bytes until something gives, and it is not documented what.
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
+        place = "" if found is not None else salvage.first_damage(reading, storage)
+        reason = f"{reason} ({place})" if place else reason
         raise reading.error(
             found,
             f"the bag is damaged, cut off, or was not closed: {reason}; keep what can be read (--salvage), or record "

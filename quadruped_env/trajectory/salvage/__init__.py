@@ -12,6 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.salvage import mcap, ros1, sqlite3
 from quadruped_env.trajectory.salvage.found import Message, Topic, zstd
@@ -45,6 +46,18 @@ def messages(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
     for path, found in _scan(reading, storage):
         if isinstance(found, Message) and (path, found.topic) in keys:
             yield found.time, found.data
+
+
+def first_damage(reading: Reading, storage: str) -> str:
+    """Where a bag that cannot be opened is damaged, as far as it can be seen without its index; "" if it cannot."""
+    looking = Reading(reading.path, replace(reading.options, salvage=True))
+    try:
+        for _ in _scan(looking, storage):
+            if looking.notes:
+                break
+    except (QuadrupedError, OSError):
+        return ""
+    return looking.notes[0] if looking.notes else ""
 
 
 def choose_topic(types: Mapping[str, str], reading: Reading) -> str:
