@@ -113,11 +113,14 @@ class TestRecorded:
     def test_what_cannot_be_fitted_is_an_error(self):
         commands = commanded(4.0)
         still = JointTrajectory([0, 10**10], JOINT_NAMES, np.tile(STANCE, (2, 1)))
+        stamps = np.arange(4001) * 100_000_000
+        longer = JointTrajectory(stamps, JOINT_NAMES, np.tile(STANCE, (4001, 1)) + np.sin(stamps)[:, None] / 10)
         elsewhere = JointTrajectory(commands.stamps + 10**15, JOINT_NAMES, commands.positions)
         for recording, told, message in (
             (commands, still, "no command changes"),
             (elsewhere, commands, r"0 measurements over 0 s in common .*one clock"),
             (commands.slice(0.0, 1.0), commands, "at least 2 s"),
+            (longer, longer, r"400 s in common with its commands, over 300 s; cut out"),
         ):
             with pytest.raises(QuadrupedError, match=message):
                 align(recording, told, 0.7, 0.005)

@@ -248,8 +248,34 @@ class MotorFit:
             models_sequences=[self._sequences(steps)],
             build_model=build,
             modify_residual=self._residual,
+            custom_rollout=self._rollout,
             resample_true=False,
         )
+
+    def _rollout(
+        self, models: Sequence[Any], datas: Sequence[Any], control_signal: Any, initial_states: Any, **rest: Any
+    ) -> list[Any]:
+        """The toolbox's `CustomRolloutFn`: its own, without what the motors remember, which is most of a state.
+
+        A few models at a time: of a minute, the states of all would take a gigabyte.
+        """
+        del rest
+        kept = []
+        for first in range(0, len(models), len(datas)):
+            part = slice(first, first + len(datas))
+            trajectories = self.sysid.sysid_rollout(
+                models[part], datas[: len(models[part])], control_signal[part], initial_states[part]
+            )
+            for trajectory in trajectories:
+                state = trajectory.state.data[:, : 1 + sum(self._sizes)].copy()
+                kept.append(trajectory.replace(state=self.sysid.TimeSeries(trajectory.state.times, state)))
+        return kept
+
+    @property
+    def _sizes(self) -> tuple[int, int]:
+        """Numbers of positions and velocities."""
+        joints = len(JOINT_NAMES)
+        return (joints, joints) if self.base == "fixed" else (joints + 7, joints + 6)
 
     def _residual(
         self, params: Any, predicted: Any, measured: Any, model: Any, return_all: bool, state: Any
@@ -301,7 +327,7 @@ class MotorFit:
     def _signals(self, state: NDArray[np.float64], sensordata: NDArray[np.float64]) -> NDArray[np.float64]:
         """Positions, velocities and efforts (K, 24) after each physics step, from the toolbox's rollout."""
         joints = len(JOINT_NAMES)
-        positions, velocities = (joints, joints) if self.base == "fixed" else (joints + 7, joints + 6)
+        positions, velocities = self._sizes
         # A state is the time, the positions, the velocities, and what the motors remember.
         after_positions = 1 + positions
         after_velocities = after_positions + velocities

@@ -15,6 +15,8 @@ from quadruped_env.trajectory import JointTrajectory
 SIGNALS: Final = ("position", "velocity", "effort")
 UNITS: Final = {"position": "rad", "velocity": "rad/s", "effort": "N m"}
 MIN_SECONDS: Final = 2.0
+MAX_SECONDS: Final = 300.0
+"""A fit takes about as many minutes as a recording has tens of seconds, and gains little from more than one minute."""
 _MOVES: Final = 0.05
 """rad; a command that changes by less says nothing about a joint"""
 _FOLLOWS: Final = 0.4
@@ -82,7 +84,8 @@ def align(
         without: joints whose measurements do not count.
 
     Raises:
-        QuadrupedError: if they do not overlap for `MIN_SECONDS`, the commands stand still, or no joint counts.
+        QuadrupedError: if they do not overlap for `MIN_SECONDS`, or for more than `MAX_SECONDS`, the commands stand
+            still, or no joint counts.
     """
     first = max(int(measured.stamps[0]), int(commands.stamps[0]))
     last = min(int(measured.stamps[-1]), int(commands.stamps[-1]))
@@ -92,6 +95,11 @@ def align(
             f"{measured.source.name} and {commands.source.name}: {np.count_nonzero(rows)} measurements over "
             f"{max(last - first, 0) / 1e9:g} s in common (measured {_span(measured)}, commands {_span(commands)}); "
             f"at least {MIN_SECONDS:g} s and {10 * MIN_SECONDS:g} measurements are needed, on one clock"
+        )
+    if last - first > MAX_SECONDS * 1e9:
+        raise QuadrupedError(
+            f"{measured.source.name}: {(last - first) / 1e9:g} s in common with its commands, over {MAX_SECONDS:g} s; "
+            f"cut out a lively minute (evaluate/convert.py --start --stop)"
         )
     if not np.ptp(commands.positions, axis=0).any():
         raise QuadrupedError(f"{commands.source.name}: no command changes; record the robot while it moves")
