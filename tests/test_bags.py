@@ -4,13 +4,21 @@ import itertools
 import re
 import sqlite3
 import struct
+import sys
 import zlib
 
 import numpy as np
 import pytest
 from trajectories import STAMPS, assert_same, random_trajectory
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, asset_path, forward_kinematics
+from quadruped_env import (
+    JOINT_NAMES,
+    JointTrajectory,
+    MissingExtraError,
+    QuadrupedError,
+    asset_path,
+    forward_kinematics,
+)
 from quadruped_env.robot import joint_transforms
 from quadruped_env.ros import cdr
 from quadruped_env.ros.tf import TfEncoder
@@ -577,6 +585,19 @@ class TestTargets:
         with pytest.raises(QuadrupedError, match=message):
             random_trajectory().save(tmp_path / name, **options)
         assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("module", ["rosbags.rosbag2", "rosbags.rosbag1", "yaml"])
+def test_a_missing_library_names_its_extra(tmp_path, monkeypatch, module):
+    random_trajectory().save(tmp_path / "a.mcap")
+    (tmp_path / "a.yaml").write_text("header:\n")
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(MissingExtraError, match=r"needs the 'ros' extra: pip install 'mini-quadruped\[ros\]'"):
+        JointTrajectory.load(tmp_path / ("a.yaml" if module == "yaml" else "a.mcap"))
+    if module == "rosbags.rosbag2":
+        with pytest.raises(MissingExtraError, match="writing bags needs the 'ros' extra"):
+            random_trajectory().save(tmp_path / "b.mcap")
+        assert not (tmp_path / "b.mcap").exists()
 
 
 def test_a_float_that_is_not_8_bytes_away_is_still_read(tmp_path):
