@@ -24,6 +24,22 @@ def domain_id(monkeypatch):
 
 
 @pytest.fixture
+def nodes(domain_id):
+    """Makes nodes on the test's domain, and closes them."""
+    from quadruped_env.live import Node
+
+    made = []
+
+    def make(name="test"):
+        made.append(Node(name))
+        return made[-1]
+
+    yield make
+    for node in made:
+        node.close()
+
+
+@pytest.fixture
 def tmp_cwd(tmp_path, monkeypatch):
     """A working directory of the test's own: MuJoCo writes its warnings to a file there."""
     monkeypatch.chdir(tmp_path)

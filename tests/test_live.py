@@ -4,10 +4,10 @@ import os
 import socket
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
+from live_nodes import STAMP, joint_state, started, wait_until
 
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
 from quadruped_env.live import TOPICS, Network, Node, Topic
@@ -17,40 +17,6 @@ from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_ST
 from quadruped_env.ros import MESSAGE_TYPES, Qos, cdr
 
 pytest.importorskip("cyclonedds")
-
-STAMP = 1_700_000_000_123_456_789
-
-
-@pytest.fixture
-def nodes(domain_id):
-    """Makes nodes on the test's domain, and closes them."""
-    made = []
-
-    def make(name="test"):
-        made.append(Node(name))
-        return made[-1]
-
-    yield make
-    for node in made:
-        node.close()
-
-
-def wait_until(condition, seconds=10.0):
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "what the test waits for did not come"
-        time.sleep(0.005)
-
-
-def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, velocity=(), effort=()):
-    return cdr.message(
-        "sensor_msgs/msg/JointState",
-        header=cdr.header(stamp),
-        name=list(names),
-        position=position,
-        velocity=velocity,
-        effort=effort,
-    )
 
 
 def filled(type_name, rng):
@@ -315,15 +281,6 @@ def test_rate_is_growth_per_second():
     assert rate.per_second(50) == pytest.approx(25.0)
     clock.now += 1.0
     assert rate.per_second(60) == pytest.approx(10.0)
-
-
-def started(*arguments):
-    return subprocess.Popen(
-        [sys.executable, "-m", "quadruped_env.live", *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
 
 
 def test_state_does_what_robot_state_publisher_does(nodes):

@@ -70,13 +70,18 @@ class Graph:
         self._update()
         return self._names.get(endpoint.participant, "a process that gives no name")
 
-    def problems(self) -> list[str]:
-        """What keeps publishers and subscriptions of the same topic apart, in words, each once."""
+    def problems(self, everybody: bool = False) -> list[str]:
+        """What keeps publishers and subscriptions of the same topic apart, in words, each once.
+
+        Args:
+            everybody: also where neither is this process's.
+        """
         found: dict[str, None] = {}
         for _, group in itertools.groupby(self.endpoints(), key=lambda one: one.topic):
             ends = list(group)
             for writer, reader in itertools.product(ends, ends):
-                if writer.writes and not reader.writes and (self.is_own(writer) or self.is_own(reader)):
+                concerned = everybody or self.is_own(writer) or self.is_own(reader)
+                if concerned and writer.writes and not reader.writes:
                     found.update(dict.fromkeys(self._apart(writer, reader)))
         return list(found)
 

@@ -74,7 +74,7 @@ def write(pieces: Iterable[Piece], path: Path, options: BagOptions, overwrite: b
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as directory:
             bag = Path(directory) / (path.stem if bare else path.name)
-            with _writer(bag, options) as writer:
+            with open_bag(bag, options) as writer:
                 _write_messages(pieces, writer, options)
             if path.is_dir():
                 shutil.rmtree(path)
@@ -95,8 +95,14 @@ def check_target(path: Path, overwrite: bool) -> None:
 
 
 @contextmanager
-def _writer(bag: Path, options: BagOptions) -> Iterator[Any]:
-    """A writer of rosbags, whose chunks of MCAP have checksums: without one, damage would be read as numbers."""
+def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
+    """A writer of rosbags for a new bag, which `connect` gives topics.
+
+    Its chunks of MCAP have checksums: without one, damage would be read as numbers.
+
+    Raises:
+        MissingExtraError: if rosbags is not installed.
+    """
     try:
         from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
         from rosbags.rosbag2.storage_mcap import McapWriter
@@ -130,7 +136,7 @@ def _write_messages(pieces: Iterable[Piece], writer: Any, options: BagOptions) -
     for piece, base in pieces:
         if encode is None:
             encode = Encoder(piece.names)
-            joints = _connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
+            joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
             if set(JOINT_NAMES) <= set(piece.names):
                 tf = _TfWriter(writer, options.tf_rate, int(piece.stamps[0]))
         until = 0
@@ -160,13 +166,13 @@ class _TfWriter:
         self._period = round(NANOSECONDS / rate) if rate else 0
         self._last: tuple[int, NDArray[np.float64]] | None = None
         self._encode: TfEncoder | None = None
-        description = _connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
+        description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
         urdf = asset_path("mini_quadruped.urdf").read_text()
         writer.write(description, start, cdr.serialize(cdr.message("std_msgs/msg/String", data=urdf)))
         fixed = fixed_transforms()
         message = tf_encoder(fixed)(start, tf_numbers(fixed, 1)[0])
-        writer.write(_connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
-        self._topic = _connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
+        writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
+        self._topic = connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
 
     def messages(self, piece: JointTrajectory, base: NDArray[np.float64] | None) -> Iterator[tuple[int, bytes]]:
         """Stamp and bytes of what is due up to the end of a piece."""
@@ -222,7 +228,8 @@ def _continuous(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.concatenate([rows[:, :-4], quaternions * signs[:, None]], axis=1)
 
 
-def _connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
+def connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
+    """A connection of a bag: what its `write` wants to know of a topic, with the quality that is offered on it."""
     from rosbags.interfaces import Qos as BagQos
     from rosbags.interfaces import QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 

@@ -244,7 +244,7 @@ class ViewController:
         """Change the command by a number of steps, as a key does; it stays on whole steps."""
         with self._lock:
             velocity, yaw_rate = self._command
-            return self.set_command(_next_step(velocity, FORWARD_STEP, forward), _next_step(yaw_rate, TURN_STEP, left))
+            return self.set_command(next_step(velocity, FORWARD_STEP, forward), next_step(yaw_rate, TURN_STEP, left))
 
     def set_speed(self, speed: float) -> None:
         """Play slower or faster than real time."""
@@ -424,5 +424,6 @@ def _cut(value: float, bounds: tuple[float, float]) -> float:
     return min(max(float(value), bounds[0]), bounds[1])
 
 
-def _next_step(value: float, size: float, steps: int) -> float:
+def next_step(value: float, size: float, steps: int) -> float:
+    """A value that is some steps on, and on a whole step."""
     return round((round(value / size) + steps) * size, 6) if steps else value

@@ -14,6 +14,11 @@ MODULES: Final = {
     "state": "state",
     "controller": "controller",
     "view": "view",
+    "teleop": "teleop",
+    "echo": "echo",
+    "list": "list",
+    "hz": "hz",
+    "record": "record",
 }
 """Name of a node -> its module, in the order in which --help lists them"""
 

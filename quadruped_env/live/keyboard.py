@@ -1,0 +1,85 @@
+"""Keys of a terminal as they are pressed."""
+
+import os
+import re
+import select
+import sys
+from types import TracebackType
+from typing import Any, Final, Self
+
+from quadruped_env.errors import QuadrupedError
+
+UP: Final = "up"
+DOWN: Final = "down"
+LEFT: Final = "left"
+RIGHT: Final = "right"
+
+_ARROWS: Final = {b"A": UP, b"B": DOWN, b"C": RIGHT, b"D": LEFT}
+_KEY: Final = re.compile(rb"\x1b[\[O](?P<arrow>[A-D])|\x1b[\[O][0-9;]*[E-Z~a-z]|(?P<char>[^\x1b])")
+_UNFINISHED: Final = re.compile(rb"\x1b([\[O][0-9;]*)?$")
+_READ: Final = 1024
+
+
+class Keyboard:
+    """A context in which a terminal hands on every key at once, and shows none.
+
+    Args:
+        terminal: file descriptor; without it standard input.
+
+    Raises:
+        QuadrupedError: if it is no terminal.
+    """
+
+    def __init__(self, terminal: int | None = None) -> None:
+        self._terminal = sys.stdin.fileno() if terminal is None else terminal
+        if not os.isatty(self._terminal):
+            raise QuadrupedError("the keyboard: standard input is no terminal; start this from one")
+        self._settings: Any = None
+        self._rest = b""
+        self.gone = False
+        """Whether the terminal was closed"""
+
+    def __enter__(self) -> Self:
+        import termios
+        import tty
+
+        self._settings = termios.tcgetattr(self._terminal)
+        tty.setcbreak(self._terminal)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        import termios
+
+        if not self.gone:
+            termios.tcsetattr(self._terminal, termios.TCSADRAIN, self._settings)
+
+    def pressed(self, seconds: float) -> list[str]:
+        """The keys pressed since the last call, after waiting for one if there is none: characters, or `UP` to `RIGHT`.
+
+        Args:
+            seconds: to wait at most.
+        """
+        if self.gone or not select.select([self._terminal], [], [], max(0.0, seconds))[0]:
+            return []
+        try:
+            data = os.read(self._terminal, _READ)
+        except OSError:
+            data = b""
+        self.gone = not data
+        keys, self._rest = split_keys(self._rest + data)
+        return keys
+
+
+def split_keys(data: bytes) -> tuple[list[str], bytes]:
+    """The keys that a terminal sent as bytes, and the bytes of one that is not complete yet."""
+    unfinished = _UNFINISHED.search(data)
+    rest = unfinished[0] if unfinished else b""
+    keys = []
+    for match in _KEY.finditer(data[: len(data) - len(rest)]):
+        if match["arrow"]:
+            keys.append(_ARROWS[match["arrow"]])
+        elif match["char"]:
+            keys.append(match["char"].decode("latin-1"))
+    return keys, rest

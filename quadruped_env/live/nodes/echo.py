@@ -1,0 +1,45 @@
+"""Print the messages of a topic, as `ros2 topic echo --full-length` does.
+
+    python -m quadruped_env.live echo /joint_states
+    python -m quadruped_env.live echo /imu/data --once
+    python -m quadruped_env.live echo /cmd_vel --field linear.x
+    python -m quadruped_env.live echo /joint_states --csv --seconds 10 > recording.csv
+
+Asks for the quality of service that all publishers of the topic offer. Joint states that were printed, as YAML or CSV,
+can be read back: `python evaluate/replay.py recording.csv`.
+"""
+
+import argparse
+
+from quadruped_env.live.listener import Listener
+from quadruped_env.live.session import Session
+from quadruped_env.live.text import as_csv, as_yaml, plain, select
+
+SUMMARY = "print the messages of a topic"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What is printed, and how."""
+    parser.add_argument("topic", metavar="TOPIC", help="such as /joint_states")
+    parser.add_argument("--once", action="store_true", help="end after the first message")
+    parser.add_argument("--csv", action="store_true", help="a line of values for each message, and nothing else")
+    parser.add_argument(
+        "--field", default="", metavar="PATH", help="only this field: header.stamp, position.0, transforms.0.transform"
+    )
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Print until the session ends."""
+    listener = Listener(session, [arguments.topic])
+    write = as_csv if arguments.csv else as_yaml
+    while session.running:
+        session.wait()
+        listener.look()
+        for subscription in listener.subscriptions:
+            for received in subscription.take():
+                print(write(select(plain(subscription.decode(received)), arguments.field)), end="", flush=True)
+                if arguments.once:
+                    return 0
+        session.wait_for(listener.missing)
+        session.report()
+    return 0

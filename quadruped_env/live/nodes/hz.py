@@ -1,0 +1,63 @@
+"""Measure how often messages come, as `ros2 topic hz` does: a line a second for each topic.
+
+    python -m quadruped_env.live hz /joint_states
+    python -m quadruped_env.live hz                 all topics that are published
+
+Periods are those between the last messages (--window), at the time of their coming.
+"""
+
+import argparse
+import time
+from collections import deque
+
+import numpy as np
+
+from quadruped_env.live.listener import Listener
+from quadruped_env.live.node import Subscription
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.session import Session
+
+SUMMARY = "measure how often messages come"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What is measured."""
+    parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states; none stands for all")
+    parser.add_argument("--window", type=int, default=1000, metavar="N", help="messages to measure over (%(default)s)")
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Measure until the session ends."""
+    listener = Listener(session, arguments.topics)
+    arrivals: dict[Subscription, deque[float]] = {}
+    pace = Pace(1.0)
+    pace.tick()
+    while session.running:
+        session.wait()
+        listener.look()
+        for subscription in listener.subscriptions:
+            times = arrivals.setdefault(subscription, deque(maxlen=max(2, arguments.window)))
+            times.extend(time.monotonic() for _ in subscription.take())
+        session.wait_for(listener.missing)
+        if pace.tick():
+            _print(arrivals)
+    if pace.ticks == 1:
+        _print(arrivals)
+    return 0
+
+
+def _print(arrivals: dict[Subscription, deque[float]]) -> None:
+    for subscription, times in arrivals.items():
+        print(f"{subscription.topic.name}: {rate_text(times)}", flush=True)
+
+
+def rate_text(times: deque[float]) -> str:
+    """Rate and periods of messages that came at these times in s."""
+    if len(times) < 2:
+        return f"{len(times)} messages" if len(times) != 1 else "1 message"
+    periods = np.diff(times)
+    milliseconds = 1e3 * periods
+    return (
+        f"average rate {1.0 / max(periods.mean(), 1e-9):.2f} Hz, period {milliseconds.min():.2f} to "
+        f"{milliseconds.max():.2f} ms, standard deviation {milliseconds.std():.2f} ms, {len(times)} messages"
+    )

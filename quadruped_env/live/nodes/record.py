@@ -1,0 +1,57 @@
+"""Record topics into a bag, as `ros2 bag record` does.
+
+    python -m quadruped_env.live record                           all topics of known types, as they appear
+    python -m quadruped_env.live record /joint_states -o my_bag
+
+The bag (rosbag2, MCAP) holds the bytes that came, at the times of their coming, and what each topic's publishers offer.
+It is not cut short by Ctrl-C. What the robot did, and what it was told, can be played again:
+
+    python evaluate/replay.py my_bag
+    python evaluate/replay.py my_bag --topic /joint_commands
+    ros2 bag play my_bag
+"""
+
+import argparse
+from pathlib import Path
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.results import free_path
+from quadruped_env.live.listener import Listener
+from quadruped_env.live.recorder import Recorder
+from quadruped_env.live.session import Session
+from quadruped_env.trajectory.bag_writer import STORAGES
+
+SUMMARY = "record topics into a bag"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What is recorded, and where to."""
+    parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states; none stands for all")
+    parser.add_argument(
+        "-o",
+        "--out",
+        type=Path,
+        metavar="BAG",
+        help="a directory that is not there yet; default: results/recording, or the next free number behind that name",
+    )
+    parser.add_argument("-s", "--storage", choices=STORAGES, default="mcap", help="default: %(default)s")
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Record until the session ends."""
+    listener = Listener(session, arguments.topics)
+    path = arguments.out or free_path(Path("results") / "recording")
+    with Recorder(path, arguments.storage) as recorder:
+        while session.running:
+            session.wait()
+            listener.look()
+            for subscription in listener.subscriptions:
+                for received in subscription.take():
+                    recorder.write(subscription.topic, received.data)
+            session.wait_for(listener.missing)
+            session.report(f"{recorder.size / 1e6:.1f} MB")
+    if not recorder.count:
+        missing = listener.missing or "messages"
+        raise QuadrupedError(f"nothing to record on {session.node.network}: waited for {missing}; no bag was written")
+    print(f"{recorder.count} messages of {recorder.topics} topics: {path}")
+    return 0

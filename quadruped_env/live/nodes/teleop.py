@@ -1,0 +1,96 @@
+"""Drive the robot with the keyboard: /cmd_vel from the keys of this terminal.
+
+    up, down      w, s    faster, slower or backwards    0.1 m/s a press
+    left, right   a, d    turn to the left, the right    0.2 rad/s a press
+    space                 stand
+    q                     stand, and end
+
+A command holds until the next one: a terminal does not say when a key is let go. It is sent ten times a second; when
+this program ends, or is killed, the controller lets the robot stand.
+"""
+
+import argparse
+from typing import Any
+
+from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
+from quadruped_env.live.node import Publisher
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.session import LOOK, Session
+from quadruped_env.live.topics import CMD_VEL
+from quadruped_env.ros import cdr
+from quadruped_env.task import CommandConfig
+from quadruped_env.viewer.controller import FORWARD_STEP, TURN_STEP, next_step
+
+SUMMARY = "drive the robot with the keyboard: /cmd_vel"
+PERIOD = 0.1
+"""s between messages"""
+STOP, END = " ", "q"
+STEPS = {
+    UP: (1, 0),
+    "w": (1, 0),
+    DOWN: (-1, 0),
+    "s": (-1, 0),
+    LEFT: (0, 1),
+    "a": (0, 1),
+    RIGHT: (0, -1),
+    "d": (0, -1),
+}
+"""Key -> steps forward and to the left"""
+
+_LIMITS = CommandConfig()
+
+Command = tuple[float, float]
+"""m/s forward, rad/s to the left"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """This node takes none of its own."""
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Take keys until the session ends, and then let the robot stand."""
+    publisher = session.node.publish(CMD_VEL)
+    command: Command = (0.0, 0.0)
+    pace = Pace(PERIOD)
+    with Keyboard() as keyboard:
+        session.say("arrows or w a s d: go and turn; space: stand; q: end")
+        while session.running and not keyboard.gone:
+            keys = keyboard.pressed(min(pace.remaining, LOOK))
+            before = command
+            for key in keys:
+                command = after(command, key)
+            if END in keys:
+                break
+            if command != before:
+                session.say(f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s")
+            if pace.tick() or command != before:
+                publisher.send(twist(command))
+            session.wait_for("" if publisher.readers else f"a subscription to {CMD_VEL.name}")
+            session.report(f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s")
+    _stand(publisher)
+    return 0
+
+
+def after(command: Command, key: str) -> Command:
+    """The command when a key was pressed, within what policies are trained for."""
+    if key in (STOP, END):
+        return 0.0, 0.0
+    if key not in STEPS:
+        return command
+    ranges = _LIMITS.forward_velocity, _LIMITS.yaw_rate
+    sizes = FORWARD_STEP, TURN_STEP
+    forward, left = (
+        min(max(next_step(value, size, steps), low), high)
+        for value, size, steps, (low, high) in zip(command, sizes, STEPS[key], ranges, strict=True)
+    )
+    return forward, left
+
+
+def twist(command: Command) -> Any:
+    """The message of a command."""
+    return cdr.message("geometry_msgs/msg/Twist", linear={"x": command[0]}, angular={"z": command[1]})
+
+
+def _stand(publisher: Publisher) -> None:
+    publisher.send(twist((0.0, 0.0)))
+    publisher.wait_until_read(0.5)

@@ -1,0 +1,82 @@
+"""Messages as text, as `ros2 topic echo --full-length` prints them."""
+
+from collections.abc import Iterator
+from typing import Any, Final
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.ros import message_type
+
+_WIDTH: Final = 2**31 - 1
+"""Characters in a line: as many as YAML's library counts, so that none is broken"""
+
+
+def plain(message: Any) -> dict[str, Any]:
+    """A message of `quadruped_env.ros.cdr` as dicts, lists, numbers and texts, in the order of its type."""
+    values = {}
+    for field in message_type(message.__msgtype__).fields:
+        value = getattr(message, field.name)
+        if field.is_message:
+            value = [plain(one) for one in value] if field.many else plain(value)
+        elif field.many:
+            value = list(value) if field.base == "string" else value.tolist()
+        values[field.name] = value
+    return values
+
+
+def select(values: Any, path: str) -> Any:
+    """One field of what `plain` made.
+
+    Args:
+        values: all of a message.
+        path: names with dots between them; a number chooses from a list. Empty is everything.
+
+    Raises:
+        QuadrupedError: if there is no such field.
+    """
+    for name in filter(None, path.split(".")):
+        if isinstance(values, dict) and name in values:
+            values = values[name]
+        elif isinstance(values, list) and name.isdecimal() and int(name) < len(values):
+            values = values[int(name)]
+        else:
+            there = ", ".join(values) if isinstance(values, dict) else _count(values)
+            raise QuadrupedError(f"--field {path}: there is no {name!r}; there is {there}")
+    return values
+
+
+def as_yaml(values: Any) -> str:
+    """YAML, a list item a line, with the line that ends a message.
+
+    Raises:
+        MissingExtraError: if PyYAML is not installed.
+    """
+    try:
+        import yaml
+    except ImportError as error:
+        raise MissingExtraError("printing messages", "ros") from error
+    text = yaml.dump(
+        values, Dumper=yaml.CSafeDumper, default_flow_style=False, sort_keys=False, allow_unicode=True, width=_WIDTH
+    )
+    # A single value would end with the mark that a document ends.
+    return text.removesuffix("...\n") + "---\n"
+
+
+def as_csv(values: Any) -> str:
+    """One line of all values; an empty list is one empty cell."""
+    return f"{','.join(_cells(values))}\n"
+
+
+def _cells(values: Any) -> Iterator[str]:
+    if isinstance(values, dict):
+        values = list(values.values())
+    if not isinstance(values, list):
+        yield str(values)
+    elif not values:
+        yield ""
+    else:
+        for one in values:
+            yield from _cells(one)
+
+
+def _count(values: Any) -> str:
+    return f"a list of {len(values)}" if isinstance(values, list) else "a single value"
