@@ -502,6 +502,22 @@ class TestSalvage:
         (gap,) = loaded.gaps()
         assert gap.seconds > 1.0
 
+    @pytest.mark.parametrize("compress", [False, True])
+    def test_what_stands_behind_a_damaged_record_is_found(self, tmp_path, compress):
+        trajectory = random_trajectory(rows=20_000)
+        trajectory.save(tmp_path / "a.mcap", compress=compress)
+        data = bytearray((tmp_path / "a.mcap").read_bytes())
+        chunks, at = [], 8
+        while at < len(data) - 8:
+            chunks += [at] if data[at] == 0x06 else []
+            at += 9 + struct.unpack_from("<Q", data, at + 1)[0]
+        assert len(chunks) > 2
+        data[chunks[1] + 8] = 0xFF  # the greatest byte of its length
+        (tmp_path / "a.mcap").write_bytes(data)
+        loaded = JointTrajectory.load(tmp_path / "a.mcap", salvage=True)
+        assert any(f"cut off or damaged from byte {chunks[1]} on" in note for note in loaded.source.notes)
+        assert_same(loaded, trajectory)
+
     def test_damaged_messages_are_named_and_left_out(self, tmp_path):
         path = write_bag(tmp_path / "bag", [(i, fields(i)) for i in range(20)], "sqlite3")
         (file,) = path.glob("*.db3")

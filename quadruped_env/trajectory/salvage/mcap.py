@@ -1,9 +1,10 @@
 """MCAP without its index: https://mcap.dev/spec."""
 
+import mmap
 import struct
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Final
+from typing import BinaryIO, Final
 from zlib import crc32
 
 from quadruped_env.trajectory.reading import Reading
@@ -12,6 +13,9 @@ from quadruped_env.trajectory.salvage.found import Message, Topic, decompress
 _MAGIC: Final = b"\x89MCAP0\r\n"
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 0x03, 0x04, 0x05, 0x06
 """Records"""
+_CHUNK_HEAD: Final = struct.Struct("<BQQQQII")
+"""Of a chunk: op, length, first and last time, size, checksum, and the length of the compression's name"""
+_COMPRESSIONS: Final = (b"", b"lz4", b"zstd")
 
 
 def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
@@ -54,9 +58,30 @@ def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes]]:
                 yield from _chunk_records(file.read(min(length, size)), whole, f"{path.name}: byte {start}", reading)
             elif whole and op in {_SCHEMA, _CHANNEL, _MESSAGE}:
                 yield op, file.read(length)
-            if not whole:
+            following = start + 9 + length if whole else _next_chunk(file, start + 1, size)
+            if following is None:
                 return
-            file.seek(start + 9 + length)
+            file.seek(following)
+
+
+def _next_chunk(file: BinaryIO, start: int, size: int) -> int | None:
+    """Where a chunk begins behind a place, if its head makes sense; None if there is none."""
+    with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+        at = data.find(bytes([_CHUNK]), start)
+        while 0 <= at <= size - _CHUNK_HEAD.size:
+            _, length, first, last, _, _, name = _CHUNK_HEAD.unpack_from(data, at)
+            behind = at + _CHUNK_HEAD.size
+            if (
+                name <= 4
+                and first <= last
+                and at + 9 + length <= size
+                and data[behind : behind + name] in _COMPRESSIONS
+            ):
+                held = int.from_bytes(data[behind + name : behind + name + 8], "little")
+                if held == length - 40 - name:
+                    return at
+            at = data.find(bytes([_CHUNK]), at + 1)
+    return None
 
 
 def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> Iterator[tuple[int, bytes]]:
@@ -68,7 +93,8 @@ def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> It
     except (struct.error, UnicodeDecodeError, ValueError) as error:
         reading.note(f"{where}: a chunk was left out: {error}")
         return
-    if whole and (len(plain) != size or (checksum and crc32(plain) != checksum)):
+    complete = len(plain) == size
+    if (whole and not complete) or (complete and checksum and crc32(plain) != checksum):
         reading.note(f"{where}: a chunk is damaged, by its size or checksum, and was left out")
         return
     at = 0
