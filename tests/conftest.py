@@ -3,6 +3,7 @@ import quadruped_env  # noqa: F401  # isort: skip
 
 import browser
 import domains
+import live_nodes
 import mujoco
 import numpy as np
 import pytest
@@ -37,6 +38,13 @@ def nodes(domain_id):
     yield make
     for node in made:
         node.close()
+
+
+@pytest.fixture
+def start(domain_id, tmp_path):
+    """Starts live nodes on the test's domain: `start("sim", "--seed", "1")`."""
+    with live_nodes.launcher(tmp_path) as start:
+        yield start
 
 
 @pytest.fixture

@@ -1,5 +1,7 @@
-"""What tests of live nodes share."""
+"""What tests of live nodes share: nodes as processes of their own, and messages for them."""
 
+import contextlib
+import signal
 import subprocess
 import sys
 import time
@@ -11,11 +13,59 @@ STAMP = 1_700_000_000_123_456_789
 """ns"""
 
 
-def wait_until(condition, seconds=10.0):
+class Running:
+    """One node: its process, and what it says."""
+
+    def __init__(self, log, *arguments):
+        self._log = log
+        with log.open("w") as file:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "quadruped_env.live", *arguments], stderr=file, stdout=file
+            )
+
+    @property
+    def said(self):
+        """All that it has said so far."""
+        return self._log.read_text()
+
+    def kill(self):
+        """End it as a crash would."""
+        self.process.kill()
+        self.process.wait()
+
+    def interrupt(self):
+        """End it as Ctrl-C does; its exit status."""
+        self.process.send_signal(signal.SIGINT)
+        return self.process.wait(15)
+
+
+@contextlib.contextmanager
+def launcher(directory):
+    """A function that starts nodes; what still runs at the end is ended, and none may have left a traceback."""
+    started = []
+
+    def start(*arguments):
+        started.append(Running(directory / f"{len(started)}-{arguments[0]}.log", *arguments))
+        return started[-1]
+
+    try:
+        yield start
+    finally:
+        for node in started:
+            if node.process.poll() is None:
+                node.process.send_signal(signal.SIGCONT)
+                node.interrupt()
+    for node in started:
+        assert "Traceback" not in node.said, node.said
+
+
+def wait_until(condition, seconds=10.0, what="what the test waits for"):
+    """Wait for something to become true, and return it."""
     end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "what the test waits for did not come"
+    while not (found := condition()):
+        assert time.monotonic() < end, f"{what} did not come"
         time.sleep(0.005)
+    return found
 
 
 def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, velocity=(), effort=()):

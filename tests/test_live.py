@@ -1,13 +1,14 @@
 """Live topics: what goes over them is what ROS 2 would send, and what cannot work is said in words."""
 
 import os
+import signal
 import socket
 import subprocess
 import sys
 
 import numpy as np
 import pytest
-from live_nodes import STAMP, joint_state, started, wait_until
+from live_nodes import STAMP, joint_state, wait_until
 
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
 from quadruped_env.live import TOPICS, Network, Node, Topic
@@ -283,33 +284,28 @@ def test_rate_is_growth_per_second():
     assert rate.per_second(60) == pytest.approx(10.0)
 
 
-def test_state_does_what_robot_state_publisher_does(nodes):
+def test_state_does_what_robot_state_publisher_does(nodes, start):
     """Its transforms, put together, are the forward kinematics; and Ctrl-C ends it without a traceback."""
     node = nodes()
     publisher = node.publish(JOINT_STATES)
     transforms, fixed, description = (node.subscribe(topic) for topic in (TF, TF_STATIC, ROBOT_DESCRIPTION))
     positions = np.array([0.4, -0.5, 0.3, -0.1, -0.2, -1.5, 1.1, -0.9])
-    with started("state") as process:
-        try:
-            wait_until(lambda: publisher.readers and transforms.writers, 20.0)
-            received = []
+    state = start("state")
+    wait_until(lambda: publisher.readers and transforms.writers, 20.0)
+    received = []
 
-            def answered():
-                # Again and again: the node may know of this publisher only after the publisher knows of it.
-                publisher.send(joint_state(position=(0.0,) * 5))
-                publisher.send(joint_state(names=reversed(JOINT_NAMES), position=positions[::-1]))
-                return received.extend(transforms.take()) or received
+    def answered():
+        # Again and again: the node may know of this publisher only after the publisher knows of it.
+        publisher.send(joint_state(position=(0.0,) * 5))
+        publisher.send(joint_state(names=reversed(JOINT_NAMES), position=positions[::-1]))
+        return received.extend(transforms.take()) or received
 
-            wait_until(answered)
-            wait_until(lambda: description.count or description.take())
-            wait_until(lambda: fixed.count or fixed.take())
-        finally:
-            process.send_signal(2)
-            output = process.communicate(timeout=10)[0]
-    assert process.returncode == 0, output
-    assert "refused: /joint_states: position holds 5 values for 8 names" in output
-    assert "Traceback" not in output
-    assert output.splitlines()[-1].startswith("[state] ended after")
+    wait_until(answered)
+    wait_until(description.take)
+    wait_until(fixed.take)
+    assert state.interrupt() == 0
+    assert "refused: /joint_states: position holds 5 values for 8 names" in state.said
+    assert state.said.splitlines()[-1].startswith("[state] ended after")
     expected = forward_kinematics(positions)
     poses = {"base_link": (np.zeros(3), np.eye(3))}
     for one in transforms.decode(received[0]).transforms:
@@ -323,14 +319,24 @@ def test_state_does_what_robot_state_publisher_does(nodes):
     assert poses.keys() == expected.keys()
 
 
-def test_state_sends_the_urdf(nodes):
+def test_state_sends_the_urdf(nodes, start):
     description = nodes().subscribe(ROBOT_DESCRIPTION)
-    with started("state", "--seconds", "5") as process:
-        received = []
-        wait_until(lambda: received.extend(description.take()) or received, 20.0)
-        process.terminate()
-        assert process.wait(10) == 0
-    assert description.decode(received[0]).data == asset_path("mini_quadruped.urdf").read_text()
+    start("state", "--seconds", "20")
+    (received,) = wait_until(description.take, 20.0)
+    assert description.decode(received).data == asset_path("mini_quadruped.urdf").read_text()
+
+
+def test_waiting_for_readers_ends_in_time(nodes, start):
+    """A reader that was stopped has not got everything; once it goes on it has."""
+    publisher = nodes().publish(JOINT_STATES)
+    reader = start("controller")
+    wait_until(lambda: publisher.readers, 20.0)
+    assert publisher.wait_until_read(5.0)
+    reader.process.send_signal(signal.SIGSTOP)
+    publisher.send(joint_state())
+    assert not publisher.wait_until_read(0.05)
+    reader.process.send_signal(signal.SIGCONT)
+    assert publisher.wait_until_read(5.0)
 
 
 def test_help_tells_what_each_node_does():

@@ -1,0 +1,226 @@
+"""The nodes as processes: they walk together, and survive each other's ends, silences and noise."""
+
+import signal
+import time
+
+import numpy as np
+import pytest
+from live_nodes import wait_until
+
+from quadruped_env import JOINT_NAMES, SinusoidalGait
+from quadruped_env.live import Node, Topic
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.robot import STANCE
+from quadruped_env.ros import Qos, cdr
+
+pytest.importorskip("cyclonedds")
+
+
+class Watcher:
+    """Asks for a velocity, and sees where the robot is."""
+
+    def __init__(self, velocity=0.5):
+        self.node = Node("watcher")
+        self.velocity = velocity
+        self._ask = self.node.publish(CMD_VEL)
+        self._odometry = self.node.subscribe(ODOMETRY, Qos(1000))
+        self._twist = cdr.message(CMD_VEL.type_name, linear={"x": velocity})
+
+    def watch(self, seconds):
+        """Forward speeds (T,) and heights (T,) of the base over a time."""
+        found = []
+        for _ in range(round(seconds / 0.05)):
+            self._ask.send(self._twist)
+            time.sleep(0.05)
+            found += [self._odometry.decode(one) for one in self._odometry.take()]
+        return (
+            np.array([one.twist.twist.linear.x for one in found]),
+            np.array([one.pose.pose.position.z for one in found]),
+        )
+
+    def until_it_walks(self, seconds=20.0):
+        """Wait until a second's mean speed is what was asked for."""
+
+        def walks():
+            speeds, _ = self.watch(1.0)
+            return len(speeds) > 50 and abs(np.mean(speeds) - self.velocity) < 0.1
+
+        wait_until(walks, seconds, "walking")
+
+    def until_it_lies(self, seconds=10.0):
+        """Wait until the robot has sunk down."""
+
+        def lies():
+            _, heights = self.watch(0.3)
+            return len(heights) and heights[-1] < 0.12
+
+        wait_until(lies, seconds, "lying")
+
+
+@pytest.fixture
+def watcher(domain_id):
+    made = Watcher()
+    yield made
+    made.node.close()
+
+
+def test_two_processes_walk_and_a_second_simulator_is_refused(start, watcher):
+    sim, controller = start("sim"), start("controller")
+    wait_until(lambda: watcher.watch(0.1)[0].size, 20.0)
+    second = start("sim")
+    watcher.until_it_walks()
+    assert second.process.wait(10) == 2
+    assert "/joint_states: sim (process " in second.said
+    assert "publishes it already on domain" in second.said
+    assert controller.interrupt() == 0
+    watcher.until_it_lies()
+    assert sim.interrupt() == 0
+    for node in (sim, controller):
+        assert "ended after" in node.said.splitlines()[-1]
+    steps = ["waiting for", "going to the stance", "following the command"]
+    assert sorted(steps, key=controller.said.index) == steps
+
+
+@pytest.mark.slow
+def test_a_killed_controller_lets_the_robot_down_and_the_next_one_walks(start, watcher):
+    sim, controller = start("sim"), start("controller")
+    watcher.until_it_walks()
+    controller.kill()
+    watcher.until_it_lies()
+    assert "limp: no command for 1 s" in sim.said
+    start("controller")
+    watcher.until_it_walks()
+
+
+@pytest.mark.slow
+def test_a_killed_simulator_is_missed_and_the_next_one_walks(start, watcher):
+    sim, controller = start("sim"), start("controller")
+    watcher.until_it_walks()
+    sim.kill()
+    wait_until(lambda: "limp (no state for 1 s)" in controller.said)
+    assert "holding: no states come" in controller.said
+    wait_until(lambda: controller.said.count("waiting for fresh states") >= 1)
+    again = start("sim")
+    watcher.until_it_walks()
+    assert again.process.poll() is None
+
+
+@pytest.mark.slow
+def test_five_seconds_of_silence(start, watcher):
+    sim, controller = start("sim"), start("controller")
+    watcher.until_it_walks()
+    sim.process.send_signal(signal.SIGSTOP)
+    wait_until(lambda: "limp (no state for 1 s)" in controller.said)
+    time.sleep(3.5)
+    sim.process.send_signal(signal.SIGCONT)
+    watcher.until_it_walks()
+
+
+@pytest.mark.slow
+def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
+    """Somebody repeats every state, attitude and command ten times, in disorder; nobody minds."""
+    sim, controller = start("sim"), start("controller")
+    watcher.until_it_walks()
+    noise = Node("noise")
+    rng = np.random.default_rng(5)
+    try:
+        ends = [
+            (noise.subscribe(topic, Qos(1000), ignore_own=True), noise.publish(topic, Qos(1000)))
+            for topic in (IMU, JOINT_STATES, JOINT_COMMANDS)
+        ]
+        recent = {subscription: [] for subscription, _ in ends}
+        repeated, speeds = 0, []
+        end = time.monotonic() + 6.0
+        while time.monotonic() < end:
+            for subscription, publisher in ends:
+                for one in subscription.take():
+                    recent[subscription] = [*recent[subscription][-20:], one.data]
+                    for index in rng.integers(len(recent[subscription]), size=9):
+                        publisher.send_bytes(recent[subscription][index])
+                        repeated += 1
+            speeds += watcher.watch(0.05)[0].tolist()
+        assert repeated > 5000
+        assert np.mean(speeds) == pytest.approx(0.5, abs=0.1)
+    finally:
+        noise.close()
+    assert "a stamp that is not later than the one before" in controller.said
+    assert "/joint_commands: from a second publisher" in sim.said
+    watcher.until_it_walks(5.0)
+
+
+@pytest.mark.slow
+def test_a_push_moves_the_robot(start, watcher):
+    sim = start("sim")
+    push = watcher.node.publish(PUSH)
+    wait_until(lambda: push.readers, 20.0)
+    watcher.watch(0.5)
+    push.send(cdr.message(PUSH.type_name, x=0.0, y=0.0, z=1.0))
+    _, heights = watcher.watch(1.0)
+    assert heights.max() > 0.21
+    push.send(cdr.message(PUSH.type_name, x=float("nan")))
+    wait_until(lambda: "refused: /push" in sim.said)
+
+
+def test_gait_publishes_the_tutorials_joint_states(start, domain_id):
+    node = Node("listener")
+    try:
+        states = node.subscribe(Topic(JOINT_STATES.name, JOINT_STATES.type_name, Qos(1000)))
+        gait = start("gait")
+        received = []
+        wait_until(lambda: received.extend(states.take()) or len(received) > 20, 20.0)
+        assert gait.interrupt() == 0
+    finally:
+        node.close()
+    read = JointReader(JOINT_STATES.name)
+    joints = [read(one.data) for one in received]
+    stamps = np.array([one.stamp for one in joints])
+    assert set(np.diff(stamps)) == {50_000_000}
+    preset = SinusoidalGait.preset("article")
+    # The publisher may have begun before it was heard: its time is that of its first stamp.
+    offset = next(
+        k for k in range(40) if np.allclose(preset.positions(0.05 * k), joints[0].positions, rtol=0.0, atol=1e-12)
+    )
+    times = 0.05 * (np.arange(len(joints)) + offset)
+    np.testing.assert_allclose([one.positions for one in joints], preset.positions(times), rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose([one.velocities for one in joints], preset.velocities(times), rtol=0.0, atol=1e-12)
+    assert np.all(np.array([one.efforts for one in joints]) == 0.0)
+    message = cdr.deserialize(received[0].data, JOINT_STATES.type_name)
+    assert message.name == list(JOINT_NAMES)
+
+
+@pytest.mark.slow
+def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
+    start("sim")
+    node = Node("listener")
+    try:
+        commands = node.subscribe(JOINT_COMMANDS, Qos(1000))
+        gait = start("gait", "--preset", "trot", "--commands")
+        wait_until(lambda: commands.writers, 20.0)
+        watcher.watch(3.0)
+        speeds, heights = watcher.watch(3.0)
+        assert gait.interrupt() == 0
+        read = JointReader(JOINT_COMMANDS.name)
+        targets = [joints.positions for one in commands.take() if (joints := read(one.data)).positions is not None]
+    finally:
+        node.close()
+    assert np.mean(speeds) > 0.1
+    assert heights.min() > 0.14
+    np.testing.assert_allclose(targets[0], STANCE, atol=0.1)
+    assert np.abs(np.diff(targets, axis=0)).max() <= 0.1 + 1e-12
+
+
+@pytest.mark.slow
+def test_display_begins_and_ends_its_nodes(start):
+    display = start("display", "--preset", "walk", "--seconds", "6", "--port", "0")
+    assert display.process.wait(30) == 0
+    for name in ("gait", "state", "view"):
+        assert f"[{name}] ended after" in display.said
+    assert "[view] the live robot: http://127.0.0.1:" in display.said
+    assert "[state] there: /joint_states" in display.said
+
+
+def test_a_node_that_cannot_do_what_was_asked_says_so(start, tmp_path):
+    node = start("controller", str(tmp_path / "nothing"))
+    assert node.process.wait(20) == 2
+    assert "error: load_policy" in node.said

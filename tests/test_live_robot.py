@@ -1,0 +1,292 @@
+"""The simulated robot under the controller's head, step by step and without a network; what it publishes; its looks."""
+
+import numpy as np
+import pytest
+
+from quadruped_env.live import Node
+from quadruped_env.live.benchmark import speed_in_environment
+from quadruped_env.live.commands import LIMP
+from quadruped_env.live.mirror import Mirror, mirror_source
+from quadruped_env.live.pilot import Measurement, Mode, Pilot
+from quadruped_env.live.sensors import Sensors
+from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
+from quadruped_env.live.stamps import read_stamp
+from quadruped_env.live.standing import Rise
+from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, TF
+from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT, resting_pose
+from quadruped_env.robot.ground import foot_centres
+from quadruped_env.ros import cdr
+from quadruped_env.viewer import ViewController
+from quadruped_env.viewer.sources import asked_source
+
+pytest.importorskip("cyclonedds")
+
+EPOCH = 10**18
+
+
+class Loop:
+    """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
+
+    def __init__(self, controller="flat", seed=0):
+        self.robot = SimulatedRobot(seed)
+        self.said = []
+        self.pilot = Pilot(*asked_source(controller).make(), say=self.said.append)
+        self.steps = 0
+
+    @property
+    def time(self):
+        return self.steps * TIMESTEP
+
+    def run(self, seconds, velocity=(0.0, 0.0), states=True, commands=True):
+        """Time goes by; returns forward velocities (T,) in m/s and the cosine of the tilt (T,)."""
+        speeds, upright = [], []
+        for _ in range(round(seconds / TIMESTEP)):
+            self.robot.step()
+            self.steps += 1
+            self.pilot.command(*velocity, self.time)
+            answers = []
+            if self.steps % 2 == 0:
+                if states:
+                    answers.append(self.pilot.measured(self.measurement(), self.time))
+                answers.append(self.pilot.silent(self.time))
+            for answer in answers:
+                if answer is not None and commands:
+                    self.robot.command(answer.target)
+            speeds.append(self.robot.state.linear_velocity_b[0, 0])
+            upright.append(self.robot.state.up_b[0, 2])
+        return np.array(speeds), np.array(upright)
+
+    def measurement(self):
+        state = self.robot.state
+        return Measurement(
+            EPOCH + round(self.time * 1e9),
+            state.joint_position[0].copy(),
+            state.joint_velocity[0].copy(),
+            state.orientation[0].copy(),
+            state.angular_velocity_b[0].copy(),
+        )
+
+
+@pytest.mark.parametrize("velocity", [0.5, 0.2])
+def test_it_walks_as_fast_as_in_the_environment(velocity):
+    loop = Loop()
+    loop.run(3.0)
+    speeds, _ = loop.run(20.0, (velocity, 0.0))
+    assert np.mean(speeds[800:]) == pytest.approx(speed_in_environment("flat", velocity), abs=0.02)
+
+
+def test_it_walks_and_turns_and_stands():
+    loop = Loop()
+    loop.run(3.0)
+    assert loop.pilot.mode is Mode.WALKING
+    speeds, upright = loop.run(6.0, (0.5, 0.0))
+    assert np.mean(speeds[400:]) == pytest.approx(0.5, abs=0.03)
+    assert upright.min() > 0.95
+    before = loop.robot.state.orientation[0].copy()
+    loop.run(2.0, (0.0, 0.6))
+    assert abs(before @ loop.robot.state.orientation[0]) < np.cos(0.5 * 0.6)  # over 0.6 rad around
+    speeds, _ = loop.run(2.0)
+    assert np.abs(speeds[-200:]).max() < 0.01
+
+
+@pytest.mark.parametrize(("silence", "at"), [(0.15, 0.07), (0.5, 0.21), (1.5, 0.14), (3.0, 0.28), (5.0, 0.35)])
+def test_it_stands_down_in_a_silence_and_walks_again(silence, at):
+    loop = Loop()
+    loop.run(5.0 + at, (0.5, 0.0))
+    _, during = loop.run(silence, (0.5, 0.0), states=False)
+    assert loop.robot.limp == (silence > 1.0)
+    assert (loop.pilot.mode is Mode.WALKING) == (silence < 0.2)
+    speeds, after = loop.run(10.0, (0.5, 0.0))
+    assert np.mean(speeds[-400:]) == pytest.approx(0.5, abs=0.03)
+    assert min(during.min(), after.min()) > 0.75, "it fell"
+
+
+def test_without_commands_the_watchdog_lets_it_go_limp_and_a_new_controller_gets_it_up():
+    loop = Loop()
+    loop.run(5.0, (0.5, 0.0))
+    loop.run(WATCHDOG - 0.05, commands=False)
+    assert not loop.robot.limp
+    loop.run(3.0, commands=False)
+    assert loop.robot.limp
+    assert loop.robot.state.base_position[0, 2] < 0.1
+    loop.pilot = Pilot(*asked_source("flat").make())
+    loop.run(5.0)
+    assert loop.robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=0.02)
+    speeds, _ = loop.run(5.0, (0.5, 0.0))
+    assert np.mean(speeds[-400:]) == pytest.approx(0.5, abs=0.03)
+
+
+def test_the_scripted_gait_drives_it_too():
+    loop = Loop("tuned")
+    loop.run(3.0)
+    speeds, _ = loop.run(5.0, (0.4, 0.0))
+    assert np.mean(speeds[-400:]) > 0.15
+
+
+def test_a_robot_that_nobody_commands_stands():
+    robot = SimulatedRobot()
+    for _ in range(400):
+        assert not robot.step()
+    assert not robot.limp
+    np.testing.assert_allclose(robot.state.joint_position[0], STANCE, atol=0.05)
+
+
+def test_a_limp_robot_does_not_pull():
+    """It sinks to the ground and comes to rest there, far from its stance."""
+    robot = SimulatedRobot()
+    robot.command(LIMP)
+    for _ in range(1000):
+        robot.step()
+    assert robot.limp
+    assert robot.state.base_position[0, 2] < 0.1
+    assert np.abs(robot.state.joint_velocity[0]).max() < 0.05
+    assert np.abs(robot.state.joint_torque[0]).max() < 0.2
+
+
+def test_a_push_adds_its_velocity_and_a_pick_up_ends_a_fall():
+    robot = SimulatedRobot()
+    for _ in range(100):
+        robot.step()
+    robot.push(np.array([0.0, 3.0, 3.0]))
+    for _ in range(400):
+        robot.step()
+    place = robot.state.base_position[0, :2].copy()
+    assert np.linalg.norm(place) > 0.2
+    robot.pick_up()
+    np.testing.assert_allclose(robot.state.base_position[0, :2], place, atol=1e-9)
+    assert not robot.fallen
+    assert robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT)
+
+
+def test_rising_begins_and_ends_at_rest_and_puts_the_half_up_first_that_keeps_it_from_falling():
+    behind = np.array([1.3, -0.1] * 4)
+    assert foot_centres(behind)[:, 0].mean() < 0.0
+    rise = Rise.plan(behind, speed=1.0, least=1.0)
+    assert rise.duration == pytest.approx(2.0)
+    np.testing.assert_array_equal(rise.positions(0.0), behind)
+    np.testing.assert_allclose(rise.positions(1.0), np.concatenate([STANCE[:4], behind[4:]]))
+    np.testing.assert_allclose(rise.positions(9.0), STANCE)
+    before = np.array([-1.2, -0.6] * 4)
+    assert foot_centres(before)[:, 0].mean() > 0.0
+    half = Rise.plan(before, 1.0, 1.0)
+    np.testing.assert_allclose(half.positions(half.time), np.concatenate([before[:4], STANCE[4:]]))
+    times = np.linspace(0.0, rise.duration, 401)
+    speeds = np.diff([rise.positions(t) for t in times], axis=0) / np.diff(times)[:, None]
+    assert np.abs(speeds[[0, -1]]).max() < 0.02
+    assert np.abs(speeds).max() <= 1.5
+
+
+@pytest.fixture
+def node(domain_id):
+    made = Node("test")
+    yield made
+    made.close()
+
+
+def taken(node, *subscriptions):
+    """The next message of each."""
+    found = {}
+    for _ in range(200):
+        node.wait(0.05)
+        for one in subscriptions:
+            received = one.latest()
+            if received is not None:
+                found[one] = one.decode(received)
+        if len(found) == len(subscriptions):
+            break
+    return [found[one] for one in subscriptions]
+
+
+def numbers(vector):
+    return [vector.x, vector.y, vector.z]
+
+
+def test_the_sensors_say_what_the_robot_does(node):
+    robot = SimulatedRobot(seed=3)
+    robot.push(np.array([0.3, -0.4, 0.1]))
+    for _ in range(20):
+        robot.step()
+    subscriptions = [node.subscribe(topic) for topic in (CLOCK, IMU, JOINT_STATES, ODOMETRY, TF)]
+    sensors = Sensors(node)
+    sensors.send(EPOCH + 5, robot.state)
+    clock, imu, joints, odometry, tf = taken(node, *subscriptions)
+    state = robot.state
+    w, x, y, z = state.orientation[0]
+    assert read_stamp(clock.clock) == EPOCH + 5
+    assert {read_stamp(one.header.stamp) for one in (imu, joints, odometry, tf.transforms[0])} == {EPOCH + 5}
+    assert (imu.header.frame_id, odometry.child_frame_id) == ("base_link", "base_link")
+    assert odometry.header.frame_id == "odom"
+    np.testing.assert_array_equal([imu.orientation.w, *numbers(imu.orientation)], [w, x, y, z])
+    np.testing.assert_array_equal(numbers(imu.angular_velocity), state.angular_velocity_b[0])
+    np.testing.assert_array_equal(numbers(imu.linear_acceleration), state.linear_acceleration_b[0])
+    np.testing.assert_array_equal(joints.position, state.joint_position[0])
+    np.testing.assert_array_equal(joints.velocity, state.joint_velocity[0])
+    np.testing.assert_array_equal(joints.effort, state.joint_torque[0])
+    np.testing.assert_array_equal(numbers(odometry.pose.pose.position), state.base_position[0])
+    np.testing.assert_array_equal(numbers(odometry.twist.twist.linear), state.linear_velocity_b[0])
+    (base,) = tf.transforms
+    assert (base.header.frame_id, base.child_frame_id) == ("odom", "base_link")
+    np.testing.assert_array_equal(numbers(base.transform.translation), state.base_position[0])
+    np.testing.assert_array_equal([base.transform.rotation.w, *numbers(base.transform.rotation)], [w, x, y, z])
+
+
+def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
+    robot_node, viewer_node = Node("robot"), Node("viewer")
+    try:
+        mirror = Mirror(viewer_node)
+        source = mirror_source(mirror)
+        show = ViewController({source.name: source}, [source.name], tmp_path)
+        robot, sensors, velocities = SimulatedRobot(), Sensors(robot_node), robot_node.subscribe(CMD_VEL)
+        robot.push(np.array([0.4, 0.2, 0.0]))
+        show.set_command(0.3, -0.2)
+        for i in range(100):
+            robot.step()
+            sensors.send(EPOCH + i * 5_000_000, robot.state)
+            show.advance(0.02)
+            if mirror.hears and velocities.count:
+                break
+        robot_node.wait(2.0)
+        twist = velocities.decode(velocities.latest())
+        assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
+        for i in range(100, 200):
+            sensors.send(EPOCH + i * 5_000_000, robot.state)
+            show.advance(0.02)
+            seen = show.view().robots[0].now
+            if np.array_equal(seen.joint_position, robot.state.joint_position[0]):
+                break
+        np.testing.assert_allclose(seen.base_pose[:3], robot.state.base_position[0], atol=1e-12)
+        np.testing.assert_allclose(seen.joint_velocity, robot.state.joint_velocity[0], atol=1e-12)
+        np.testing.assert_allclose(seen.velocity[0], robot.state.linear_velocity_b[0, 0], atol=1e-9)
+        show.close()
+    finally:
+        robot_node.close()
+        viewer_node.close()
+
+
+def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
+    robot_node, viewer_node = Node("robot"), Node("viewer")
+    try:
+        mirror = Mirror(viewer_node)
+        source = mirror_source(mirror)
+        show = ViewController({source.name: source}, [source.name], tmp_path)
+        states = robot_node.publish(JOINT_STATES)
+        positions = np.array([0.3, -0.9] * 4)
+        message = cdr.message(
+            JOINT_STATES.type_name,
+            header=cdr.header(EPOCH),
+            name=list(JOINT_NAMES),
+            position=positions,
+        )
+        for _ in range(200):
+            states.send(message)
+            show.advance(0.02)
+            if mirror.hears:
+                break
+        show.advance(0.02)
+        seen = show.view().robots[0].now
+        np.testing.assert_allclose(seen.joint_position, positions)
+        np.testing.assert_allclose(seen.base_pose, resting_pose(positions), atol=1e-9)
+        show.close()
+    finally:
+        robot_node.close()
+        viewer_node.close()
