@@ -60,7 +60,9 @@ def play(show: Show, host: str, port: int, seconds: float | None) -> int:
         print(f"listening on {host}: every machine that reaches it can steer this show")
     print(f"{', '.join(show.controller.robots)}: http://{host}:{show.port}   (Ctrl-C ends)", flush=True)
     pace = show.run(seconds)
-    print("ending")
+    print("ending; what was recorded is being saved (Ctrl-C: without it)" if show.controller.saving else "ending")
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
     show.close()
     for message in show.controller.messages():
         print(message)

@@ -488,9 +488,12 @@ def test_a_take_without_opengl_is_saved_without_a_video(control, tmp_path, monke
 
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", fail)
     controller = control("stand still")
+    assert not controller.saving
     controller.start_recording()
+    assert controller.saving
     controller.advance(0.1)
     controller.close()
+    assert not controller.saving
     assert list(tmp_path.glob("results/view-*/joint_states.csv"))
     assert controller.messages()[1:] == ["No video: no OpenGL to render with"]
 

@@ -336,6 +336,12 @@ class ViewController:
             if take is not None:
                 self._saver.save(take)
 
+    @property
+    def saving(self) -> bool:
+        """Whether something is recorded, or not saved yet."""
+        with self._lock:
+            return self._take is not None or self._saver.busy
+
     def messages(self) -> list[str]:
         """What there is to say since the last call."""
         said = []

@@ -87,8 +87,9 @@ class Panel:
         _set(self._status, "content", _status(view))
         _set(self._clock_buttons, "options", (RESUME if view.paused else PAUSE, STEP, RESET))
         _set(self._record, "label", RECORD if view.recorded is None else SAVE)
-        for message in self._controller.messages():
-            self.tell(message)
+        if self._server.get_clients():
+            for message in self._controller.messages():
+                self.tell(message)
         # The show goes on while a browser's wish takes its time.
         if self._lock.acquire(blocking=False):
             try:
@@ -332,4 +333,4 @@ def _status(view: View) -> str:
         more = f", and {len(robot.complaints) - 1} more" if len(robot.complaints) > 1 else ""
         warnings.append(escape(f"The gait asks too much: {robot.complaints[0]}{more}"))
     lines += [f'<span style="color:{LIMIT}">{warning}</span>' for warning in warnings]
-    return f'<div style="{_SMALL};padding-top:8px;color:{INK}" data-status>{"<br>".join(lines)}</div>'
+    return f'<div style="{_SMALL};padding-top:8px;min-height:80px;color:{INK}" data-status>{"<br>".join(lines)}</div>'

@@ -1,6 +1,8 @@
 """A recording made in the viewer, and the thread that saves it."""
 
+import os
 import queue
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -21,6 +23,7 @@ from quadruped_env.viewer.sample import Sample, over_time
 
 MAX_SECONDS: Final = 300.0
 """A longer take ends by itself."""
+_NICENESS: Final = 10
 RESULTS: Final = Path("results")
 TRAJECTORY_FILE: Final = "joint_states.csv"
 VIDEO_FILE: Final = "video.mp4"
@@ -76,8 +79,14 @@ class TakeSaver:
         self._results = results
         self._tell = tell
         self._takes: queue.Queue[Take | None] = queue.Queue()
-        self._thread = threading.Thread(target=self._run, name="take saver")
+        # A daemon, so that who cannot wait for a long film may leave.
+        self._thread = threading.Thread(target=self._run, name="take saver", daemon=True)
         self._thread.start()
+
+    @property
+    def busy(self) -> bool:
+        """Whether a take is not saved yet."""
+        return self._takes.unfinished_tasks > 0
 
     def save(self, take: Take) -> None:
         """Save a take soon."""
@@ -89,6 +98,9 @@ class TakeSaver:
         self._thread.join()
 
     def _run(self) -> None:
+        if sys.platform == "linux":
+            # Where a thread has a niceness of its own, films give way to the show.
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
         while (take := self._takes.get()) is not None:
             directory = free_path(self._results / time.strftime("view-%Y%m%d-%H%M%S"))
             try:
@@ -97,6 +109,8 @@ class TakeSaver:
                 self._film(take, directory / VIDEO_FILE)
             except (QuadrupedError, MissingExtraError, OSError) as error:
                 self._tell(f"Not saved: {error}")
+            self._takes.task_done()
+        self._takes.task_done()
 
     def _film(self, take: Take, path: Path) -> None:
         try:
