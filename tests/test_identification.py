@@ -11,7 +11,7 @@ import pytest
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.evaluation.identification import FITTED, QUANTITIES, find_commands, identify
-from quadruped_env.evaluation.identification.fit import MotorFit, joint_spec
+from quadruped_env.evaluation.identification.fit import MotorFit
 from quadruped_env.evaluation.identification.quantities import (
     coordinate_derivatives,
     from_coordinates,
@@ -22,6 +22,7 @@ from quadruped_env.evaluation.identification.quantities import (
 )
 from quadruped_env.evaluation.identification.recorded import align, held
 from quadruped_env.evaluation.identification.report import save
+from quadruped_env.evaluation.identification.spec import joint_spec
 from quadruped_env.evaluation.motors_file import read_motors
 from quadruped_env.evaluation.replay import replay
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, JointMotor, MotorConfig, asset_path

@@ -22,8 +22,9 @@ from quadruped_env.evaluation.identification.quantities import (
     with_values,
 )
 from quadruped_env.evaluation.identification.recorded import Recorded, columns
+from quadruped_env.evaluation.identification.spec import joint_spec
 from quadruped_env.evaluation.rollout import Progress
-from quadruped_env.robot import JOINT_NAMES, MotorConfig, asset_path, resting_pose
+from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
 from quadruped_env.robot.motors import fill_command_history
 
 _UNDETERMINED: Final = 0.5
@@ -355,22 +356,3 @@ def _values_of(parameters: Any) -> dict[str, float]:
     """The values behind the toolbox's parameters."""
     # The toolbox's steps to a bound may end a rounding error beyond it.
     return from_coordinates({name: max(0.0, float(parameter.value[0])) for name, parameter in parameters.items()})
-
-
-def joint_spec(base: str, timestep: float) -> mujoco.MjSpec:
-    """The robot with no sensors but those of its joints, on a stand (`fixed`) or on its ground (`free`)."""
-    spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
-    spec.option.timestep = timestep
-    wanted = {
-        name.removesuffix("joint") + signal for name in JOINT_NAMES for signal in ("position", "velocity", "torque")
-    }
-    for sensor in list(spec.sensors):
-        if sensor.name not in wanted:
-            spec.delete(sensor)
-    if base == "fixed":
-        for key in list(spec.keys):
-            spec.delete(key)
-        spec.delete(spec.joint("floating_base"))
-        # In the air there is nothing to touch, and without contacts the motion is a smooth function of the motors.
-        spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
-    return spec
