@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.live.commands import LIMP, Target
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT, load_model
+from quadruped_env.live.terrain import Terrain
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig
 from quadruped_env.task.randomization import START_DRAWS, start_states
@@ -23,11 +24,16 @@ class SimulatedRobot:
     """One robot on its ground, standing at first.
 
     Args:
-        seed: of where it faces and of how it begins.
+        seed: of where it faces, and of the ground.
+        terrain: one of `TERRAINS`.
+
+    Raises:
+        QuadrupedError: if there is no such terrain.
     """
 
-    def __init__(self, seed: int = 0) -> None:
-        self._simulation = SingleSimulation(load_model(TIMESTEP))
+    def __init__(self, seed: int = 0, terrain: str = "flat") -> None:
+        self._terrain = Terrain.make(terrain, seed)
+        self._simulation = SingleSimulation(self._terrain.model(TIMESTEP))
         self.state = self._simulation.state
         self._generator = np.random.default_rng(seed)
         self._target = STANCE.copy()
@@ -61,7 +67,8 @@ class SimulatedRobot:
         """Put the robot on its feet where it is, motors on, as a person would."""
         position, forward = self.state.base_position[0].copy(), self._facing()
         self.reset()
-        qpos = np.concatenate([position[:2], [STANCE_HEIGHT], forward, STANCE])
+        height = STANCE_HEIGHT + self._terrain.under(position[:2])
+        qpos = np.concatenate([position[:2], [height], forward, STANCE])
         self._simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
 
     def _facing(self) -> NDArray[np.float64]:

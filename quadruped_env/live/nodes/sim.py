@@ -28,6 +28,7 @@ from quadruped_env.live.session import Session
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.sole import SolePublisher
 from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.live.topics import JOINT_COMMANDS, PUSH
 
 SUMMARY: Final = "the simulated robot in real time"
@@ -46,12 +47,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="S",
         help="put the robot on its feet S seconds after it has fallen, as a person would (it stays where it fell)",
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of where the robot faces (%(default)s)")
+    parser.add_argument(
+        "--seed", type=int, default=0, metavar="N", help="of where the robot faces, and of the ground (%(default)s)"
+    )
+    parser.add_argument(
+        "--terrain",
+        choices=TERRAINS,
+        default="flat",
+        help="what it walks on: bumps of up to 1 cm, or hills of up to 8 cm; the start is flat (%(default)s)",
+    )
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Simulate until the session ends."""
-    robot = SimulatedRobot(arguments.seed)
+    robot = SimulatedRobot(arguments.seed, arguments.terrain)
     sole = SolePublisher(session)
     sole.check()
     sensors = Sensors(session.node)

@@ -12,6 +12,7 @@ from typing import Final
 
 from quadruped_env.live.launch import common, launch
 from quadruped_env.live.nodes import MODULES
+from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.viewer import PORT
 
 SUMMARY: Final = "sim + controller + state + viewer + teleop"
@@ -21,6 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What drives the robot, and where the page is."""
     parser.add_argument("policy", nargs="?", default="flat", metavar="POLICY", help="as of 'controller' (%(default)s)")
     parser.add_argument("--port", type=int, default=PORT, help="of the page; the next free one is taken (%(default)s)")
+    parser.add_argument("--terrain", choices=TERRAINS, default="flat", help="as of 'sim' (%(default)s)")
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="as of 'sim' (%(default)s)")
 
 
@@ -30,7 +32,7 @@ def start(arguments: argparse.Namespace) -> int:
     # The terminal is for the keys then.
     all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
     nodes = [
-        ["sim", "--seed", str(arguments.seed), "--pick-up", "3", *all_alike],
+        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *all_alike],
         ["controller", arguments.policy, *all_alike],
         ["state", *all_alike],
         ["view", "--port", str(arguments.port), *all_alike],
