@@ -5,6 +5,7 @@ import signal
 import socket
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -347,6 +348,12 @@ def test_help_tells_what_each_node_does():
     for name in MODULES:
         assert f"{name} " in text
         assert node_module(name).__doc__.count("\n") >= 3
+
+
+def test_a_node_without_subscriptions_waits_too(nodes):
+    start = time.monotonic()
+    assert not nodes().wait(0.05)
+    assert time.monotonic() - start >= 0.05
 
 
 def test_a_publisher_that_went_is_no_message(nodes):

@@ -193,7 +193,12 @@ class Node:
 
     def wait(self, seconds: float) -> bool:
         """Wait until a message is there to take, or for a time; whether there is one."""
-        return bool(self._waitset.wait(max(0, round(seconds * NANOSECONDS))) > 0)
+        seconds = max(0.0, seconds)
+        if not self.subscriptions:
+            # DDS does not wait for nothing.
+            time.sleep(seconds)
+            return False
+        return bool(self._waitset.wait(round(seconds * NANOSECONDS)) > 0)
 
     def close(self) -> None:
         """Leave the domain, so that others learn of it at once."""

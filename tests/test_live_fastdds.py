@@ -1,0 +1,116 @@
+"""Both ways between these nodes and an independent DDS: Debian's Fast DDS, in a C++ program that is built here."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from live_nodes import joint_state, wait_until
+
+from quadruped_env import asset_path
+from quadruped_env.live import Topic
+from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION
+from quadruped_env.live.transforms import description_message
+from quadruped_env.ros import Qos
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+SOURCE = Path(__file__).parent / "fastdds_peer" / "peer.cpp"
+COUNT = 1000
+DEEP = Qos(depth=COUNT)
+FROM_PEER, TO_PEER = (Topic(name, JOINT_STATES.type_name, DEEP) for name in ("/from_peer", "/to_peer"))
+
+discoveries = pytest.mark.parametrize(
+    "discovery", ["localhost", *(pytest.param(way, marks=pytest.mark.slow) for way in ("loopback", "subnet"))]
+)
+"""Ways in which a ROS 2 installation may be told to look for others"""
+
+
+@pytest.fixture(scope="module")
+def peer(tmp_path_factory):
+    """Starts the peer, which is built first; skips where that cannot be."""
+    program = tmp_path_factory.mktemp("peer") / "peer"
+    compiler = shutil.which("g++")
+    if compiler is None:
+        pytest.skip("no g++: the independent DDS peer cannot be built")
+    if not Path("/usr/include/fastdds/dds/domain/DomainParticipant.hpp").exists():
+        pytest.skip("no Fast DDS: apt-get install libfastrtps-dev libfastcdr-dev")
+    subprocess.run(
+        [compiler, "-std=c++17", "-O1", "-w", SOURCE, "-lfastrtps", "-lfastcdr", "-pthread", "-o", program], check=True
+    )
+
+    def start(discovery, *arguments):
+        return subprocess.Popen(
+            [program, *arguments],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=os.environ | {"PEER_DISCOVERY": discovery},
+        )
+
+    return start
+
+
+@discoveries
+def test_all_messages_come_from_an_independent_dds(nodes, peer, discovery):
+    subscription = nodes().subscribe(FROM_PEER)
+    received = []
+    with peer(discovery, "publish", str(COUNT)) as process:
+        wait_until(lambda: subscription.writers, 30.0)
+        process.stdin.write("\n")
+        process.stdin.flush()
+        wait_until(lambda: received.extend(subscription.take()) or len(received) >= COUNT, 30.0)
+        assert process.wait(30) == 0
+    assert len(received) == COUNT
+    for i, one in enumerate(received):
+        message, joints = subscription.decode(one), np.arange(1 + i % 8)
+        assert (message.header.stamp.sec, message.header.stamp.nanosec) == (1_700_000_000 + i, 999_999_999 - i)
+        assert message.header.frame_id == "f" * (i % 5)
+        assert message.name == [f"joint_{joint * i}" for joint in joints]
+        assert message.position.tolist() == (0.5 * i - joints).tolist()
+        assert message.velocity.tolist() == []
+        assert message.effort.tolist() == [-0.25 * i] * (len(joints) if i % 2 else 0)
+
+
+@discoveries
+def test_all_messages_reach_an_independent_dds(nodes, peer, discovery):
+    rng = np.random.default_rng(0)
+    publisher = nodes().publish(TO_PEER)
+    sent = []
+    for i in range(COUNT):
+        joints = i % 9
+        values = rng.normal(size=(3, joints)) * 10.0 ** rng.integers(-300, 300, (3, joints))
+        if joints:
+            values[2, 0] = np.nan
+        names = [f"joint_{rng.integers(0, 10**9)}" for _ in range(joints)]
+        sent.append((int(rng.integers(0, 2**31 * 10**9)), names, *values.tolist()))
+    with peer(discovery, "receive", str(COUNT)) as process:
+        wait_until(lambda: publisher.readers, 30.0)
+        assert process.stdout.readline() == "ready\n"
+        for message in sent:
+            publisher.send(joint_state(*message))
+        output = process.communicate(timeout=60)[0]
+    assert process.returncode == 0
+    found = [read(line) for line in output.splitlines()]
+    assert len(found) == COUNT
+    for one, message in zip(found, sent, strict=True):
+        assert repr(one) == repr(message)  # NaN is not equal to itself
+
+
+def read(line):
+    """The message that the peer printed."""
+    stamp, frame, names, *arrays, _ = line.split("|")
+    sec, nanosec = map(int, stamp.split())
+    assert frame == ""
+    return sec * 10**9 + nanosec, names.split(), *([float.fromhex(one) for one in array.split()] for array in arrays)
+
+
+def test_an_independent_dds_that_joins_late_gets_the_description(nodes, peer):
+    nodes().publish(ROBOT_DESCRIPTION).send(description_message())
+    with peer("localhost", "description") as process:
+        output = process.communicate(timeout=60)[0]
+    assert process.returncode == 0
+    assert output == asset_path("mini_quadruped.urdf").read_text()
