@@ -659,5 +659,5 @@ def test_the_program_names_what_is_wrong(tmp_path):
     process = _program("runs/none", cwd=tmp_path)
     out, err = process.communicate(timeout=30)
     assert (process.returncode, out) == (2, "")
-    assert err.startswith("error: load_policy: 'runs/none' is neither a directory nor a shipped policy")
+    assert err.startswith("error: 'runs/none' is no shipped policy (flat), no scripted gait (article, trot, ")
     assert len(err.splitlines()) == 1

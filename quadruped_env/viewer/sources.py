@@ -65,12 +65,21 @@ def recording_source(path: Path) -> Source:
 
 
 def asked_source(text: str) -> Source:
-    """What a person means: a shipped policy, a scripted gait, a recording of joint states, or a run's directory."""
+    """What a person means: a shipped policy, a scripted gait, a recording of joint states, or a run's directory.
+
+    Raises:
+        QuadrupedError: if it is none of these.
+    """
     if text in SHIPPED:
         return policy_source(f"policy {text}", text)
     if text in PRESETS:
         return gait_source(text)
     path = Path(text)
+    if not path.suffix and not path.is_dir():
+        raise QuadrupedError(
+            f"{text!r} is no shipped policy ({', '.join(SHIPPED)}), no scripted gait ({', '.join(PRESETS)}), no run's "
+            f"directory and no recording; name one of these, or train with 'python train/ppo.py'"
+        )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
     return recording_source(path) if recorded else policy_source(f"run {text}", text)
 
