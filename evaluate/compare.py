@@ -11,13 +11,13 @@ from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import compare_policies
+from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.options import add_evaluation_options, tell_results
-from quadruped_env.evaluation.page import summary_table
+from quadruped_env.evaluation.pages.page import summary_table
+from quadruped_env.evaluation.pages.run_comparison import films, find_subjects, headline, write_comparison
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import free_path
-from quadruped_env.evaluation.run_comparison import films, find_subjects, headline, write_comparison
 from quadruped_env.evaluation.subject import prepare
-from quadruped_env.evaluation.video import prepare_video, save_film
 
 
 def main() -> None:

@@ -4,8 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from quadruped_env.evaluation.format_speed import measure_formats
-from quadruped_env.evaluation.throughput import write
+from quadruped_env.benchmarks.format_speed import measure_formats
+from quadruped_env.benchmarks.throughput import write
 from quadruped_env.training.run import machine, versions
 
 

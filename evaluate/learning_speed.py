@@ -26,7 +26,7 @@ def main() -> int:
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
     parser.add_argument("--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON")
     args = parser.parse_args()
-    from quadruped_env.evaluation.learning_speed import summary, time_to_walk
+    from quadruped_env.benchmarks.learning_speed import summary, time_to_walk
 
     def say(line: str) -> None:
         print(line, flush=True)

@@ -5,10 +5,10 @@ import sys
 from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.film import Motion
+from quadruped_env.evaluation.films.film import Motion
+from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.evaluation.video import prepare_video, save_film
 from quadruped_env.policies import PolicyController, load_policy
 
 START, STRIDES = 3.0, 6

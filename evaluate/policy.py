@@ -10,14 +10,14 @@ import sys
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.options import add_evaluation_options, tell_results
-from quadruped_env.evaluation.page import summary_table
-from quadruped_env.evaluation.pictures import filmed
+from quadruped_env.evaluation.pages.page import summary_table
+from quadruped_env.evaluation.pages.pictures import filmed
+from quadruped_env.evaluation.pages.report import write_report
+from quadruped_env.evaluation.pages.verdict import verdict
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.report import write_report
 from quadruped_env.evaluation.subject import find_subject, prepare
-from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.evaluation.video import prepare_video, save_film
 
 
 def main(arguments: list[str] | None = None) -> None:

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.render_speed import GOAL, measure_rendering, stay_on_one_core
+from quadruped_env.benchmarks.render_speed import GOAL, measure_rendering, stay_on_one_core
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.training.run import machine, versions
 

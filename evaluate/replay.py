@@ -27,13 +27,13 @@ import sys
 from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.motors_file import read_motors
 from quadruped_env.evaluation.options import add_video_option, plain_warnings
+from quadruped_env.evaluation.pages.replay_report import write_replay_report
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.replay import MODES, replay, replay_files
-from quadruped_env.evaluation.replay_report import write_replay_report
 from quadruped_env.evaluation.results import check_free, free_path
-from quadruped_env.evaluation.video import prepare_video, save_film
 from quadruped_env.trajectory.arguments import add_reading_options, load_with
 
 

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from quadruped_env.evaluation import throughput
+from quadruped_env.benchmarks import throughput
 from quadruped_env.training.run import machine, versions
 
 

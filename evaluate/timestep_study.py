@@ -14,9 +14,9 @@ import sys
 from pathlib import Path
 
 from quadruped_env import QuadrupedError
+from quadruped_env.benchmarks.timestep_study import GAITS, run_study
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import check_free, free_path
-from quadruped_env.evaluation.timestep_study import GAITS, run_study
 from quadruped_env.gait import PRESETS
 
 

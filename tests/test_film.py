@@ -9,9 +9,9 @@ import pytest
 from PIL import Image
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.evaluation import film, overlay, video
 from quadruped_env.evaluation.colours import LEG_COLOURS
-from quadruped_env.evaluation.film import Camera, Motion
+from quadruped_env.evaluation.films import film, overlay, video
+from quadruped_env.evaluation.films.film import Camera, Motion
 from quadruped_env.evaluation.recording import play, publish
 from quadruped_env.evaluation.replay import replay
 from quadruped_env.evaluation.rollout import roll_out

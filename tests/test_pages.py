@@ -4,9 +4,9 @@ import browser
 import numpy as np
 import pytest
 
-from quadruped_env.evaluation import pictures
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.report import write_report
+from quadruped_env.evaluation.pages import pictures
+from quadruped_env.evaluation.pages.report import write_report
 from quadruped_env.evaluation.subject import find_subject
 
 

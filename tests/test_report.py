@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import failures, pictures, plots, report, run_comparison, subject
+from quadruped_env.evaluation import plots, subject
 from quadruped_env.evaluation.comparison import (
     COMMANDS,
     CONTROLLERS,
@@ -26,10 +26,11 @@ from quadruped_env.evaluation.comparison import (
     motion_of,
 )
 from quadruped_env.evaluation.metrics import METRICS
-from quadruped_env.evaluation.page import summary_table
-from quadruped_env.evaluation.report import write_report
+from quadruped_env.evaluation.pages import failures, pictures, report, run_comparison
+from quadruped_env.evaluation.pages.page import summary_table
+from quadruped_env.evaluation.pages.report import write_report
+from quadruped_env.evaluation.pages.verdict import reached_share, verdict
 from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.verdict import reached_share, verdict
 from quadruped_env.policies import Policy
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, ActionConfig, CommandConfig, TaskConfig
 

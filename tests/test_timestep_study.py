@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation import timestep_study
-from quadruped_env.evaluation.timestep_study import Outcome, Reading, Setting, Study
+from quadruped_env.benchmarks import timestep_study
+from quadruped_env.benchmarks.timestep_study import Outcome, Reading, Setting, Study
 from quadruped_env.robot import STANCE_HEIGHT
 from quadruped_env.task import TaskConfig
 

@@ -10,8 +10,8 @@ from typing import Any
 
 from quadruped_env.errors import QuadrupedWarning
 from quadruped_env.evaluation.comparison import NUM_SEEDS
+from quadruped_env.evaluation.films.video import STILLS, SUFFIXES
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
-from quadruped_env.evaluation.video import STILLS, SUFFIXES
 
 
 @contextmanager

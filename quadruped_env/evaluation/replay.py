@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.film import FRAME_RATE, Motion
-from quadruped_env.evaluation.page import REPORT_FILE
+from quadruped_env.evaluation.films.film import FRAME_RATE, Motion
+from quadruped_env.evaluation.pages.page import REPORT_FILE
 from quadruped_env.evaluation.recording import Recording, play
 from quadruped_env.evaluation.results import check_free, write_json
 from quadruped_env.evaluation.rollout import Progress

@@ -9,8 +9,8 @@ import numpy as np
 
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import measure
+from quadruped_env.evaluation.pages.verdict import verdict
 from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
-from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Policy, PolicyController, load_policy
 from quadruped_env.policies.policy import shipped_directory
 from quadruped_env.training.run import PROGRESS_FILE

@@ -10,7 +10,7 @@ from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.colours import BLUE, INK, ORANGE
 from quadruped_env.evaluation.identification.identify import Identification, pooled
 from quadruped_env.evaluation.identification.recorded import UNITS, columns
-from quadruped_env.evaluation.page import REPORT_FILE, circumstances, figure, write_html
+from quadruped_env.evaluation.pages.page import REPORT_FILE, circumstances, figure, write_html
 from quadruped_env.evaluation.plots.joints import Line, joint_panels
 from quadruped_env.evaluation.results import check_free, write_json
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW

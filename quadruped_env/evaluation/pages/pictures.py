@@ -8,14 +8,14 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
-from quadruped_env.evaluation.failures import Failure
-from quadruped_env.evaluation.film import Camera, Motion, Picture
+from quadruped_env.evaluation.films.film import Camera, Motion, Picture
+from quadruped_env.evaluation.films.overlay import AVERAGED
+from quadruped_env.evaluation.films.video import encode_mp4, encode_webp, halved
 from quadruped_env.evaluation.metrics import START_UP
-from quadruped_env.evaluation.overlay import AVERAGED
-from quadruped_env.evaluation.page import data_url, words
+from quadruped_env.evaluation.pages.failures import Failure
+from quadruped_env.evaluation.pages.page import data_url, words
+from quadruped_env.evaluation.pages.scene import scene_html
 from quadruped_env.evaluation.rollout import Progress
-from quadruped_env.evaluation.scene import scene_html
-from quadruped_env.evaluation.video import encode_mp4, encode_webp, halved
 
 CLIP_SECONDS: Final = 2.4
 SCENE_SECONDS: Final = 20.0

@@ -7,12 +7,12 @@ from typing import Any
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation import plots
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
-from quadruped_env.evaluation.film import Motion
-from quadruped_env.evaluation.page import circumstances, figure, tables, without_nan, words, write_page
-from quadruped_env.evaluation.pictures import filmed, shown_commands, take_pictures
+from quadruped_env.evaluation.films.film import Motion
+from quadruped_env.evaluation.pages.page import circumstances, figure, tables, without_nan, words, write_page
+from quadruped_env.evaluation.pages.pictures import filmed, shown_commands, take_pictures
+from quadruped_env.evaluation.pages.verdict import LEVEL, error_of, listed, verdict
 from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.evaluation.subject import Subject, find_subject, prepare
-from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
 
 
 def find_subjects(runs: Sequence[str], output: Path) -> dict[str, Subject]:

@@ -6,7 +6,7 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.evaluation.colours import BLUE, INK, VERMILION
-from quadruped_env.evaluation.page import REPORT_FILE, circumstances, figure, write_html
+from quadruped_env.evaluation.pages.page import REPORT_FILE, circumstances, figure, write_html
 from quadruped_env.evaluation.plots.joints import Line, joint_panels
 from quadruped_env.evaluation.replay import Replay
 from quadruped_env.evaluation.signals import SIGNALS

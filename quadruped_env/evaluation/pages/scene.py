@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.evaluation.film import FRAME_RATE, Motion, steady_way
+from quadruped_env.evaluation.films.film import FRAME_RATE, Motion, steady_way
 from quadruped_env.robot import load_model
 
 _CAMERA: Final = (0.65, -0.85, 0.42)

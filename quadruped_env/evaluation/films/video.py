@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.film import FRAME_RATE, Camera, Motion, Picture
+from quadruped_env.evaluation.films.film import FRAME_RATE, Camera, Motion, Picture
 from quadruped_env.evaluation.results import check_free
 from quadruped_env.evaluation.rollout import Progress
 

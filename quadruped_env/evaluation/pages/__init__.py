@@ -1,0 +1,1 @@
+"""The HTML pages that a person reads: reports of a policy, of several, and of a replay."""
