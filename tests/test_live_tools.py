@@ -23,7 +23,7 @@ from quadruped_env.live.dds import open_participant
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
 from quadruped_env.live.listener import common_qos
 from quadruped_env.live.nodes.hz import rate_text
-from quadruped_env.live.nodes.teleop import after
+from quadruped_env.live.nodes.teleop import after, twist
 from quadruped_env.live.recorder import Recorder
 from quadruped_env.live.text import as_csv, as_yaml, plain, select
 from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ROBOT_DESCRIPTION, TF
@@ -169,6 +169,30 @@ def test_a_recording_replays_to_the_same_motion(nodes, tmp_path):
     subprocess.run([sys.executable, REPLAY, bag, "--out", found, "--no-report"], check=True, capture_output=True)
     for name in ("link_poses.csv", "joint_states.csv"):
         assert (found / name).read_bytes() == (expected / name).read_bytes()
+
+
+@pytest.mark.slow
+def test_a_recorded_walk_replays_to_the_same_motion(nodes, tmp_path):
+    """What the controller told the robot, recorded live and given to a simulation of its own: it walks as it did."""
+    velocities, bag = nodes().publish(CMD_VEL), tmp_path / "bag"
+    with started("sim", "--seconds", "60") as robot:
+        with started("record", "-o", str(bag)) as record, started("controller") as controller:
+            wait_until(lambda: velocities.readers, 30.0)
+            for _ in range(60):
+                velocities.send(twist((0.4, 0.0)))
+                time.sleep(0.1)
+            output = ended(record)
+            ended(controller)
+        ended(robot)
+    assert "/joint_commands" in output
+    commands = JointTrajectory.load(bag, topic="/joint_commands")
+    result = replay(commands, measured=JointTrajectory.load(bag))
+    assert np.sqrt(np.mean(result.comparison().difference("positions") ** 2)) < 0.03
+    odometry = [cdr.deserialize(data, "nav_msgs/msg/Odometry").pose.pose.position for data in contents(bag)["/odom"]]
+    went = np.hypot(odometry[-1].x - odometry[0].x, odometry[-1].y - odometry[0].y)
+    assert went > 0.5
+    x, y = result.motion.base_pose[-1, :2] - result.motion.base_pose[0, :2]
+    assert np.hypot(x, y) == pytest.approx(went, rel=0.1)
 
 
 def contents(bag):
