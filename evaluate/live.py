@@ -20,11 +20,16 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=60.0, help="how long to count")
     parser.add_argument("--policy", default="flat", help="'flat' or a run's directory")
     parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="to ask for")
+    parser.add_argument("--realtime", action="store_true", help="let the two run before all else, as on a robot")
     parser.add_argument("--output", type=Path, default=Path("results/live.json"), help="where to write the JSON")
     args = parser.parse_args()
     try:
         walk = benchmark.measure(
-            args.seconds, args.policy, args.velocity, lambda line: print(line, file=sys.stderr, flush=True)
+            args.seconds,
+            args.policy,
+            args.velocity,
+            args.realtime,
+            lambda line: print(line, file=sys.stderr, flush=True),
         )
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)

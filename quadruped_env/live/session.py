@@ -10,7 +10,7 @@ from typing import Any, Final, Self, TextIO
 
 from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.node import Node, Publisher, Subscription
-from quadruped_env.live.pace import Pace, Rate
+from quadruped_env.live.pace import Pace, Rate, claim_processor
 
 LOOK: Final = 0.1
 """s; the longest wait between two looks at whether to end"""
@@ -39,6 +39,15 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--quiet", action="store_true", help="no status line")
 
 
+def add_realtime_argument(parser: argparse.ArgumentParser) -> None:
+    """The argument of nodes that have deadlines."""
+    parser.add_argument(
+        "--realtime",
+        action="store_true",
+        help="run before all programs of ordinary priority (SCHED_FIFO), where the system gives the right to it",
+    )
+
+
 class Session:
     """A running node: a context that ends with Ctrl-C, a time, or `stop`.
 
@@ -53,6 +62,8 @@ class Session:
     """
 
     def __init__(self, name: str, arguments: argparse.Namespace, log: TextIO | None = None) -> None:
+        # Before DDS starts its threads, which are to have the same priority.
+        refusal = claim_processor() if getattr(arguments, "realtime", False) else ""
         self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
@@ -69,6 +80,8 @@ class Session:
         self._status_width = 0
         self._handlers: dict[int, Any] = {}
         self._status_pace.tick()
+        if refusal:
+            self.say(f"--realtime: {refusal}; goes on without")
 
     def __enter__(self) -> Self:
         # Only Python's main thread may have signals; a test runs a node in another one.

@@ -21,7 +21,7 @@ from quadruped_env.live.imu import Imu, read_imu
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Publisher, Subscription
 from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
-from quadruped_env.live.session import Session
+from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.viewer.sources import asked_source
@@ -42,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="POLICY",
         help="'flat', a run's directory, or a gait: 'tuned', 'trot', 'walk', 'bound', 'pace' (%(default)s)",
     )
+    add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:

@@ -24,7 +24,7 @@ from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import Received, Subscription
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.sensors import Sensors
-from quadruped_env.live.session import Session
+from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.sole import SolePublisher
 from quadruped_env.live.stamps import NANOSECONDS
@@ -56,6 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="flat",
         help="what it walks on: bumps of up to 1 cm, or hills of up to 8 cm; the start is flat (%(default)s)",
     )
+    add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
