@@ -276,6 +276,16 @@ def test_what_is_too_late_is_lost_and_the_grid_stays():
     assert pace.due == pytest.approx(105.01)
 
 
+def test_realtime_is_claimed_or_the_reason_told():
+    program = """
+import os
+from quadruped_env.live.pace import claim_processor
+print(claim_processor() or os.sched_getscheduler(0))
+"""
+    said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.strip()
+    assert said == str(os.SCHED_FIFO) or "SCHED_FIFO" in said
+
+
 def test_rate_is_growth_per_second():
     clock = Hands()
     rate = Rate(clock)

@@ -1,5 +1,6 @@
 """The nodes as processes: they walk together, and survive each other's ends, silences and noise."""
 
+import json
 import signal
 import time
 
@@ -8,7 +9,7 @@ import pytest
 from live_nodes import wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
-from quadruped_env.live import Node, Topic
+from quadruped_env.live import Node, Topic, benchmark
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE
@@ -223,4 +224,21 @@ def test_display_begins_and_ends_its_nodes(start):
 def test_a_node_that_cannot_do_what_was_asked_says_so(start, tmp_path):
     node = start("controller", str(tmp_path / "nothing"))
     assert node.process.wait(20) == 2
-    assert "error: load_policy" in node.said
+    assert f"error: {str(tmp_path / 'nothing')!r} is " in node.said
+
+
+@pytest.mark.slow
+def test_the_benchmark_sees_the_two_walk(domain_id, tmp_path):
+    lines = []
+    walk = benchmark.measure(5.0, progress=lines.append)
+    assert walk.ticks == pytest.approx(250, abs=5)
+    assert walk.speed == pytest.approx(walk.environment_speed, abs=0.05)
+    assert not walk.fell
+    assert walk.limp_commands == 0
+    assert 0.5 < walk.on_time <= 1.0
+    assert 0.0 < walk.latency_median <= walk.latency_99_9
+    assert 20.0 < walk.samples[0].sim_memory < 1000.0
+    assert len(lines) >= 10
+    benchmark.write(walk, "here", {"numpy": "1"}, tmp_path / "live.json")
+    assert json.loads((tmp_path / "live.json").read_text())["ticks"] == walk.ticks
+    assert "| state to command, median |" in str(walk)
