@@ -3,6 +3,7 @@
 import os
 import pty
 import re
+import select
 import signal
 import subprocess
 import sys
@@ -16,7 +17,7 @@ import pytest
 from live_nodes import STAMP, joint_state, started, wait_until
 from trajectories import assert_same, random_trajectory
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, asset_path
 from quadruped_env.evaluation.replay import replay
 from quadruped_env.live import Network, Topic
 from quadruped_env.live.dds import open_participant
@@ -25,7 +26,7 @@ from quadruped_env.live.listener import common_qos
 from quadruped_env.live.nodes.hz import rate_text
 from quadruped_env.live.nodes.teleop import after, twist
 from quadruped_env.live.recorder import Recorder
-from quadruped_env.live.text import as_csv, as_yaml, plain, select
+from quadruped_env.live.text import as_csv, as_yaml, field_at, plain
 from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.transforms import TransformWriter, description_message
 from quadruped_env.ros import Qos, cdr
@@ -77,13 +78,13 @@ def test_yaml_is_that_of_ros():
 
 def test_a_field_is_chosen_by_its_path():
     values = plain(cdr.deserialize(TransformWriter()(STAMP, np.zeros(8)), TF.type_name))
-    assert select(values, "transforms.0.header.stamp.sec") == 1_700_000_000
-    assert as_yaml(select(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
-    assert select(values, "") is values
+    assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
+    assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
+    assert field_at(values, "") is values
     with pytest.raises(QuadrupedError, match=r"--field transforms\.8: there is no '8'; there is a list of 8"):
-        select(values, "transforms.8")
+        field_at(values, "transforms.8")
     with pytest.raises(QuadrupedError, match="there is no 'x'; there is transforms"):
-        select(values, "x")
+        field_at(values, "x")
 
 
 def test_echo_prints_what_is_sent(nodes):
@@ -96,6 +97,24 @@ def test_echo_prints_what_is_sent(nodes):
         output = ended(process)
     first = int(float(output.split()[1]))
     assert output == "".join(f"- {i}.0\n" * 8 + "---\n" for i in range(first, 20))
+
+
+def test_echo_ends_when_nobody_reads_on(nodes):
+    """As with `echo ... | head -1`."""
+    publisher = nodes().publish(JOINT_STATES)
+    with started("echo", "/joint_states", "--csv", stderr=subprocess.PIPE) as process:
+        wait_until(lambda: publisher.readers, 20.0)
+
+        def ended():
+            publisher.send(joint_state())
+            return process.poll() is not None
+
+        wait_until(lambda: publisher.send(joint_state()) or select.select([process.stdout], [], [], 0.01)[0])
+        assert process.stdout.readline().startswith("1700000000,123456789,,LF_hip_joint,")
+        process.stdout.close()
+        wait_until(ended, 20.0)
+        assert "Traceback" not in process.stderr.read()
+    assert process.returncode == 0
 
 
 def test_hz_measures_what_comes(nodes):
@@ -164,6 +183,7 @@ def test_a_recording_replays_to_the_same_motion(nodes, tmp_path):
     assert f"201 messages of 3 topics: {bag}" in output.splitlines()
     assert_same(JointTrajectory.load(bag), trajectory)
     assert contents(bag)["/tf"] == tf_bytes
+    assert_read_by_others(bag, trajectory)
     expected, found = tmp_path / "expected", tmp_path / "found"
     replay(trajectory).save(expected)
     subprocess.run([sys.executable, REPLAY, bag, "--out", found, "--no-report"], check=True, capture_output=True)
@@ -193,6 +213,22 @@ def test_a_recorded_walk_replays_to_the_same_motion(nodes, tmp_path):
     assert went > 0.5
     x, y = result.motion.base_pose[-1, :2] - result.motion.base_pose[0, :2]
     assert np.hypot(x, y) == pytest.approx(went, rel=0.1)
+
+
+def assert_read_by_others(bag, trajectory):
+    """An independent reader finds the positions, and the URDF whole."""
+    from mcap.reader import make_reader
+    from mcap_ros2.decoder import DecoderFactory
+
+    positions, texts = [], []
+    with next(bag.glob("*.mcap")).open("rb") as file:
+        for _, channel, _, message in make_reader(file, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
+            if channel.topic == "/joint_states":
+                positions.append(message.position)
+            elif channel.topic == "/robot_description":
+                texts.append(message.data)
+    np.testing.assert_array_equal(positions, trajectory.positions)
+    assert texts == [asset_path("mini_quadruped.urdf").read_text()]
 
 
 def contents(bag):

@@ -23,7 +23,7 @@ def plain(message: Any) -> dict[str, Any]:
     return values
 
 
-def select(values: Any, path: str) -> Any:
+def field_at(values: Any, path: str) -> Any:
     """One field of what `plain` made.
 
     Args:

@@ -13,7 +13,7 @@ import argparse
 
 from quadruped_env.live.listener import Listener
 from quadruped_env.live.session import Session
-from quadruped_env.live.text import as_csv, as_yaml, plain, select
+from quadruped_env.live.text import as_csv, as_yaml, field_at, plain
 
 SUMMARY = "print the messages of a topic"
 
@@ -37,7 +37,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         listener.look()
         for subscription in listener.subscriptions:
             for received in subscription.take():
-                print(write(select(plain(subscription.decode(received)), arguments.field)), end="", flush=True)
+                print(write(field_at(plain(subscription.decode(received)), arguments.field)), end="", flush=True)
                 if arguments.once:
                     return 0
         session.wait_for(listener.missing)
