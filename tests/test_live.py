@@ -8,6 +8,7 @@ import sys
 import time
 
 import numpy as np
+import psutil
 import pytest
 from live_nodes import STAMP, joint_state, wait_until
 
@@ -344,6 +345,7 @@ def test_waiting_for_readers_ends_in_time(nodes, start):
     wait_until(lambda: publisher.readers, 20.0)
     assert publisher.wait_until_read(5.0)
     reader.process.send_signal(signal.SIGSTOP)
+    wait_until(lambda: psutil.Process(reader.process.pid).status() == psutil.STATUS_STOPPED)
     publisher.send(joint_state())
     assert not publisher.wait_until_read(0.05)
     reader.process.send_signal(signal.SIGCONT)
