@@ -48,7 +48,7 @@ def progress(velocity, command, overshoot):
         (0.0, 0.0, 0.0),  # none commanded, none paid
     ],
 )
-@pytest.mark.parametrize("overshoot", [0.0, 1.0])
+@pytest.mark.parametrize("overshoot", [1.0, 2.0])
 def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command, expected, overshoot):
     assert progress(velocity, command, overshoot) == pytest.approx(expected, abs=1e-12)
 
@@ -56,13 +56,13 @@ def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command,
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 def test_progress_beyond_the_command_stays_or_falls_as_it_rose(direction):
     velocity, command = direction * np.array([0.4, 0.5, 0.6, 0.8, 5.0]), direction * 0.4
-    np.testing.assert_allclose(progress(velocity, command, 0.0), 1.0)
-    np.testing.assert_allclose(progress(velocity, command, 1.0), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
+    np.testing.assert_allclose(progress(velocity, command, 1.0), 1.0)
+    np.testing.assert_allclose(progress(velocity, command, 2.0), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
 
 
 def test_progress_pays_small_commands_in_proportion():
-    assert progress(0.05, 0.05, 1.0) == pytest.approx(0.5)
-    assert progress(0.01, 0.01, 1.0) == pytest.approx(0.1)
+    assert progress(0.05, 0.05, 2.0) == pytest.approx(0.5)
+    assert progress(0.01, 0.01, 2.0) == pytest.approx(0.1)
     # A yaw rate is small under 0.2 rad/s.
     scale, whole = rewards.progress_scale(np.array([[0.0, 0.05]]))
     np.testing.assert_allclose((scale, whole), ([[0.0, 5.0]], [[0.0, 0.25]]))

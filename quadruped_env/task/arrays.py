@@ -3,9 +3,14 @@
 NumPy's ufuncs are called directly: on a single row the wrappers around them cost more than the arithmetic.
 """
 
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
+
+# Scalars as arrays: on a single row, converting a Python number costs as much again as the operation.
+ZERO: Final = np.array(0.0)
+ONE: Final = np.array(1.0)
+MINUS_ONE: Final = np.array(-1.0)
 
 
 def exp(x: Any) -> Any:
@@ -13,14 +18,19 @@ def exp(x: Any) -> Any:
     return np.exp(x) if isinstance(x, np.ndarray) else x.exp()
 
 
-def clip(x: Any, low: float, high: float) -> Any:
-    """Elementwise x, kept within [low, high]."""
-    return np.minimum(np.maximum(x, low), high) if isinstance(x, np.ndarray) else x.clip(low, high)
+def clip(x: Any) -> Any:
+    """Elementwise x, kept within [-1, 1]."""
+    return np.minimum(np.maximum(x, MINUS_ONE), ONE) if isinstance(x, np.ndarray) else x.clip(-1.0, 1.0)
 
 
-def at_least(x: Any, low: float) -> Any:
-    """Elementwise x, or low where x is less."""
-    return np.maximum(x, low) if isinstance(x, np.ndarray) else x.clip(low)
+def positive(x: Any) -> Any:
+    """Elementwise x where it is positive, else 0."""
+    return np.maximum(x, ZERO) if isinstance(x, np.ndarray) else x.clip(0.0)
+
+
+def over_minus_one(x: Any) -> Any:
+    """Elementwise x, or -1 where it is less."""
+    return np.maximum(x, MINUS_ONE) if isinstance(x, np.ndarray) else x.clip(-1.0)
 
 
 def any_of(x: Any) -> Any:

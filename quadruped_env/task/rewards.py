@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.robot import FOOT_RADIUS, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from quadruped_env.simulation import State
-from quadruped_env.task.arrays import as_number, at_least, clip, dot, exp, like, reverse, total
+from quadruped_env.task.arrays import as_number, clip, dot, exp, like, over_minus_one, positive, reverse, total
 from quadruped_env.task.config import RewardConfig
 
 _JOINT_MIDDLE: Final = (JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2.0
@@ -22,8 +22,9 @@ _JOINT_HALF_RANGE: Final = (JOINT_POSITION_HIGH - JOINT_POSITION_LOW) / 2.0
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 """m/s and rad/s under which `progress` no longer pays in full."""
 
-_OVERSHOOT: Final = np.array([1.0, 0.0])
-"""Going too fast does not pay. The yaw rate sways by more than its command, and a peak there would hardly be felt."""
+_OVERSHOOT: Final = np.array([2.0, 1.0])
+"""How often `progress` takes off what is beyond the command: twice, because going too fast does not pay. The yaw rate
+sways by more than its command, and a peak there would hardly be felt."""
 
 _SOLE: Final = np.array([-FOOT_RADIUS, FOOT_RADIUS])
 """m; turns angular velocity about (y, x) into velocity of a foot's lowest point along (x, y)"""
@@ -47,10 +48,10 @@ def progress_scale(command: NDArray[np.float64]) -> tuple[NDArray[np.float64], N
 def progress(share: Any, whole: Any, overshoot: Any) -> Any:
     """Share of a commanded velocity that is reached, in [-1, 1]; 0 where none is commanded. Elementwise, (N, 2).
 
-    Linear, so it shows the way from standing, where a tracking kernel is flat. What is beyond the whole counts
-    -overshoot: 0 stays there, 1 falls as it rose.
+    Linear, so it shows the way from standing, where a tracking kernel is flat. What is beyond the whole is taken off
+    `overshoot` times: 1 stays there, 2 falls as it rose.
     """
-    return at_least(share - (1.0 + overshoot) * at_least(share - whole, 0.0), -1.0)
+    return over_minus_one(share - overshoot * positive(share - whole))
 
 
 def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
@@ -69,7 +70,7 @@ def foot_lift(foot_height: Any, full: float) -> Any:
 
     Smooth where contact is a switch, so that a little more lift already pays.
     """
-    return clip(foot_height * (2.0 / full) - (2.0 * FOOT_RADIUS / full + 1.0), -1.0, 1.0)
+    return clip(foot_height * (2.0 / full) - (2.0 * FOOT_RADIUS / full + 1.0))
 
 
 def sum_of_squares(x: Any) -> Any:
@@ -79,13 +80,13 @@ def sum_of_squares(x: Any) -> Any:
 
 def base_height_error(height: Any, target: float) -> Any:
     """Square of the missing height in m^2, shape (N,); standing taller is free."""
-    missing = at_least(target - height, 0.0)
+    missing = positive(target - height)
     return missing * missing
 
 
 def mechanical_power(torque: Any, velocity: Any) -> Any:
     """Power that the motors put in, W, shape (N,); braking gives nothing back."""
-    return total(at_least(torque * velocity, 0.0))
+    return total(positive(torque * velocity))
 
 
 def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> Any:
@@ -101,7 +102,7 @@ def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> A
 def joint_limit_excess(position: Any, margin: float) -> Any:
     """How far the joints are inside a margin (rad) of their limits, summed, rad, shape (N,)."""
     from_middle = abs(position - like(_JOINT_MIDDLE, position))
-    return total(at_least(from_middle - like(_free_half_range(margin), position), 0.0))
+    return total(positive(from_middle - like(_free_half_range(margin), position)))
 
 
 @functools.cache

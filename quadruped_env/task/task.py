@@ -19,10 +19,12 @@ from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from quadruped_env.simulation import Simulation
 from quadruped_env.task import commands, observations, randomization, rewards, terminations
+from quadruped_env.task.arrays import MINUS_ONE, ONE
 from quadruped_env.task.config import TaskConfig
 
 ACTION_WIDTH: Final = len(JOINT_NAMES)
 
+_TURN: Final = np.array(math.tau)
 _LEG_PHASES: Final = JOINT_PHASES[::2]
 _EPISODE_ARRAYS: Final = (
     "_last_action",
@@ -78,9 +80,9 @@ class Task:
         self.max_episode_steps = max_episode_steps
         n = self.num_rows = simulation.num_rows
         self._residual = config.action.mode == "residual"
-        self._action_scale = config.action.residual_scale if self._residual else config.action.position_scale
-        self._phase_step = math.tau * config.clock_frequency * config.control_timestep
-        self._smoothing = 1.0 - math.exp(-config.control_timestep / config.reward.velocity_time_constant)
+        self._action_scale = np.array(config.action.residual_scale if self._residual else config.action.position_scale)
+        self._phase_step = np.array(math.tau * config.clock_frequency * config.control_timestep)
+        self._smoothing = np.array(1.0 - math.exp(-config.control_timestep / config.reward.velocity_time_constant))
         self._noise = config.randomization.observation_noise * observations.OBSERVATION_NOISE
         self._pushes = config.randomization.push_velocity > 0.0
         self._weights = np.array(list(config.reward.weights.values()))[:, None] * config.control_timestep
@@ -192,8 +194,8 @@ class Task:
             QuadrupedError: if the action's shape is wrong or a value is not finite; no row has moved then.
         """
         action = self._checked(action, "action")
-        np.minimum(action, 1.0, out=action)
-        np.maximum(action, -1.0, out=action)
+        np.minimum(action, ONE, out=action)
+        np.maximum(action, MINUS_ONE, out=action)
         self._advance_phase()
         return self._advance(action, self._nominal() + action * self._action_scale)
 
@@ -211,7 +213,7 @@ class Task:
 
     def _advance_phase(self) -> None:
         self._phase += self._phase_step
-        np.remainder(self._phase, math.tau, out=self._phase)
+        np.remainder(self._phase, _TURN, out=self._phase)
 
     def _advance(self, action: NDArray[np.float64], target: NDArray[np.float64]) -> Transition:
         np.minimum(target, JOINT_POSITION_HIGH, out=target)
