@@ -6,13 +6,13 @@ import time
 
 import numpy as np
 import pytest
-from live_nodes import wait_until
+from live_nodes import joint_state, wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node, Topic, benchmark
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.robot import STANCE
+from quadruped_env.robot import STANCE, STANCE_HEIGHT
 from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -209,6 +209,63 @@ def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
     assert heights.min() > 0.14
     np.testing.assert_allclose(targets[0], STANCE, atol=0.1)
     assert np.abs(np.diff(targets, axis=0)).max() <= 0.1 + 1e-12
+
+
+def test_the_controller_refuses_what_it_cannot_use(start, nodes):
+    """Bad messages of every kind move nothing and are said; good ones after them do move the robot."""
+    robot = nodes("robot")
+    states, attitudes = robot.publish(JOINT_STATES), robot.publish(IMU)
+    commands = robot.subscribe(JOINT_COMMANDS)
+    controller = start("controller")
+    wait_until(lambda: states.readers and attitudes.readers and commands.writers, 20.0)
+    level, good = {"w": 1.0}, {"position": STANCE, "velocity": np.zeros(8)}
+
+    def send(imu_age=0.0, orientation=level, **fields):
+        now = time.time_ns()
+        header = cdr.header(now - round(imu_age * 1e9))
+        attitudes.send(cdr.message(IMU.type_name, header=header, orientation=orientation))
+        states.send(joint_state(now, **(good | fields)))
+        time.sleep(0.01)
+
+    bad = {
+        "position of LF_hip_joint is nan": {"position": np.full(8, np.nan)},
+        "velocity of LF_hip_joint is inf": {"velocity": np.full(8, np.inf)},
+        "unknown 'other' among 8": {"names": ("other", *JOINT_NAMES[1:])},
+        "position holds 7 values for 8 names": {"position": STANCE[:7]},
+        "needs positions and velocities": {"velocity": ()},
+        "are over 0.02 s apart": {"imu_age": 0.5},
+        "the orientation has length 0": {"orientation": {"w": 0.0}},
+    }
+    for words, changes in bad.items():
+        for _ in range(100):
+            send(**changes)
+            if words in controller.said:
+                break
+        else:
+            pytest.fail(f"{words!r} was not said: {controller.said}")
+    assert not commands.take()
+    wait_until(lambda: send() or commands.take())
+
+
+@pytest.mark.slow
+def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, nodes):
+    sim = start("sim")
+    commands = nodes("commander").publish(JOINT_COMMANDS)
+    wait_until(lambda: commands.readers, 20.0)
+    bad = {
+        "position of LF_hip_joint is nan": {"position": np.full(8, np.nan)},
+        "LF_hip_joint is missing among 7": {"names": JOINT_NAMES[1:], "position": STANCE[1:]},
+        "has no positions": {"position": (), "effort": np.ones(8)},
+    }
+    for words, fields in bad.items():
+        wait_until(lambda: commands.send(joint_state(0, **fields)) or words in sim.said)  # noqa: B023
+    _, heights = watcher.watch(1.5)
+    assert heights[-1] == pytest.approx(STANCE_HEIGHT, abs=0.01)
+    # Beyond the range: brought into it.
+    commands.send(joint_state(0, position=np.full(8, 9.0)))
+    states = watcher.node.subscribe(JOINT_STATES)
+    wait_until(lambda: any(JointReader("test")(one.data).positions[0] > 1.2 for one in states.take()))
+    assert "Traceback" not in sim.said
 
 
 @pytest.mark.slow

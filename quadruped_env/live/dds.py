@@ -20,26 +20,17 @@ _PARTICIPANTS: Final = 32
 _ANNOUNCED: Final = "1s"
 """How often a process tells of itself: a ROS 2 with its usual settings learns of it in no other way"""
 _LOOPBACK: Final = f"""
-<CycloneDDS><Domain Id="any">
   <General>
     <Interfaces><NetworkInterface name="{LOOPBACK_INTERFACE}" multicast="false"/></Interfaces>
     <AllowMulticast>false</AllowMulticast>
   </General>
-  <Discovery>
-    <ParticipantIndex>auto</ParticipantIndex>
-    <MaxAutoParticipantIndex>{_PARTICIPANTS}</MaxAutoParticipantIndex>
-    <Peers><Peer address="localhost"/></Peers>
-    <SPDPInterval>{_ANNOUNCED}</SPDPInterval>
-  </Discovery>
-</Domain></CycloneDDS>
 """
-_SUBNET: Final = f"""
-<CycloneDDS><Domain Id="any">
+_SETTINGS: Final = """
+<CycloneDDS><Domain Id="any">{general}
   <Discovery>
     <ParticipantIndex>auto</ParticipantIndex>
-    <MaxAutoParticipantIndex>{_PARTICIPANTS}</MaxAutoParticipantIndex>
+    <MaxAutoParticipantIndex>{participants}</MaxAutoParticipantIndex>
     <Peers><Peer address="localhost"/></Peers>
-    <SPDPInterval>{_ANNOUNCED}</SPDPInterval>
   </Discovery>
 </Domain></CycloneDDS>
 """
@@ -141,7 +132,8 @@ def _domain(network: Network) -> Any:
     known = _DOMAINS.get(network.domain_id)
     if known is None:
         own_settings = network.subnet and os.environ.get(_SETTINGS_VARIABLE)
-        settings = None if own_settings else _SUBNET if network.subnet else _LOOPBACK
+        general = "" if network.subnet else _LOOPBACK
+        settings = None if own_settings else _SETTINGS.format(general=general, participants=_PARTICIPANTS)
         known = _DOMAINS[network.domain_id] = (network, Domain(network.domain_id, settings))
     if known[0] != network:
         raise QuadrupedError(

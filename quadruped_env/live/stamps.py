@@ -1,9 +1,10 @@
 """Times in messages."""
 
-from typing import Any, Final
+from typing import Any
 
-NANOSECONDS: Final = 1_000_000_000
-"""in a second"""
+from quadruped_env.ros.joint_state import NANOSECONDS
+
+__all__ = ["NANOSECONDS", "read_stamp", "write_stamp"]
 
 
 def write_stamp(time: Any, stamp: int) -> None:
