@@ -15,7 +15,7 @@ from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
 from quadruped_env.live.standing import Rise
 from quadruped_env.live.terrain import CELL, SIZE, Terrain
-from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, TF
+from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, STANCE, STANCE_HEIGHT, resting_pose
 from quadruped_env.robot.ground import foot_centres
 from quadruped_env.ros import cdr
@@ -283,7 +283,8 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         mirror = Mirror(viewer_node)
         source = mirror_source(mirror)
         show = ViewController({source.name: source}, [source.name], tmp_path)
-        robot, sensors, velocities = SimulatedRobot(), Sensors(robot_node), robot_node.subscribe(CMD_VEL)
+        robot, sensors = SimulatedRobot(), Sensors(robot_node)
+        velocities, pushes = robot_node.subscribe(CMD_VEL), robot_node.subscribe(PUSH)
         robot.push(np.array([0.4, 0.2, 0.0]))
         show.set_command(0.3, -0.2)
         for i in range(100):
@@ -304,6 +305,15 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         np.testing.assert_allclose(seen.base_pose[:3], robot.state.base_position[0], atol=1e-12)
         np.testing.assert_allclose(seen.joint_velocity, robot.state.joint_velocity[0], atol=1e-12)
         np.testing.assert_allclose(seen.velocity[0], robot.state.linear_velocity_b[0, 0], atol=1e-9)
+        assert not pushes.take()
+        show.push(direction=np.pi / 2, strength=0.5)
+        show.advance(0.02)
+        robot_node.wait(2.0)
+        push = pushes.decode(pushes.latest())
+        heading = show.view().robots[0].heading
+        np.testing.assert_allclose(numbers(push), [-0.5 * np.sin(heading), 0.5 * np.cos(heading), 0.0], atol=1e-9)
+        show.advance(0.02)
+        assert not pushes.take()
         show.close()
     finally:
         robot_node.close()

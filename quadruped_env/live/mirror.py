@@ -1,4 +1,4 @@
-"""The viewer as a follower: a robot that is drawn where the messages say it is, and steered over `/cmd_vel`."""
+"""The viewer as a follower: it draws the robot where the messages say, and sends its commands and pushes as messages."""
 
 import time
 from typing import Final
@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node
-from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY
+from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
+from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.viewer.sources import Source
 
@@ -37,11 +38,12 @@ class Mirror:
     def __init__(self, node: Node) -> None:
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS)
-        self._velocities = node.publish(CMD_VEL)
+        self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
         self._read = JointReader(JOINT_STATES.name)
         self._joints = Joints(0, STANCE, np.zeros(8), None)
         self._pose = resting_pose(STANCE)
         self._twist = np.zeros(6)
+        self._velocity = np.zeros(3)
         self._odometry_at = -_ODOMETRY_LASTS
         self._moved_at = -_STOP
         self._sent_at = 0.0
@@ -53,6 +55,10 @@ class Mirror:
         now = time.monotonic()
         self._listen(now)
         self._steer(task.command[0], now)
+        simulation = task.simulation
+        assert isinstance(simulation, SingleSimulation)
+        if task.steps[0] > 0:
+            self._pass_push_on(simulation.data.qvel[:3])
         positions, velocities = self._joints.positions, self._joints.velocities
         assert positions is not None
         transition = task.step_joint_target(positions[None].copy())
@@ -61,7 +67,8 @@ class Mirror:
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         qpos = np.concatenate([self._pose, positions])
         qvel = np.concatenate([self._twist, np.zeros(8) if velocities is None else velocities])
-        task.simulation.reset(_ROW, qpos[None], qvel[None])
+        simulation.reset(_ROW, qpos[None], qvel[None])
+        self._velocity = qvel[:3]
         transition.terminated[:] = False
         transition.diverged[:] = False
         return transition
@@ -96,6 +103,13 @@ class Mirror:
         self._odometry_at = now
         self._pose = pose
         self._twist = np.concatenate([_in_world(pose[3:], velocity), rate])
+
+    def _pass_push_on(self, velocity: NDArray[np.float64]) -> None:
+        """Send what somebody added to the base's velocity (3,) since it was put where it is: a push in the viewer."""
+        added = velocity - self._velocity
+        if added.any():
+            x, y, z = added.tolist()
+            self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
 
     def _steer(self, command: NDArray[np.float64], now: float) -> None:
         """Send the viewer's command, for as long as it asks for something and a little longer."""

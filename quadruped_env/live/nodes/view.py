@@ -1,7 +1,7 @@
 """The robot of the live topics in the browser: what RViz shows, with plots, and arrow keys that steer it.
 
 Draws the robot of /joint_states where /odom says it is, or on its feet where nobody says. The sliders and the arrow
-keys send /cmd_vel. The page is for browsers on this machine; the log says its address.
+keys send /cmd_vel, the push button /push. The page is for browsers on this machine; the log says its address.
 """
 
 import argparse
