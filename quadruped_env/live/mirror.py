@@ -1,4 +1,4 @@
-"""The viewer as a follower: it draws the robot where the messages say, and sends its commands and pushes as messages."""
+"""The viewer as a follower: it draws the robot where the messages say, and sends commands and pushes as messages."""
 
 import time
 from typing import Final
