@@ -36,6 +36,9 @@ _SETTINGS: Final = """
 """
 _SETTINGS_VARIABLE: Final = "CYCLONEDDS_URI"
 _FILES: Final = Path("/proc/self/fd")
+_FIRST_PORT: Final = 7400
+_PORTS: Final = 250
+"""of each domain, as the standard has it"""
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,6 @@ def open_participant(network: Network, name: str) -> Any:
     from cyclonedds.core import DDSException, Policy, Qos
     from cyclonedds.domain import DomainParticipant
 
-    before = _open_files()
     try:
         domain = _domain(network)
         # What ROS 2 writes there, so that its tools take the process for one without access control.
@@ -116,7 +118,7 @@ def open_participant(network: Network, name: str) -> Any:
             f"domain already"
         ) from error
     if not network.subnet:
-        _bind_to_loopback(_open_files() - before)
+        _bind_to_loopback(network.domain_id)
     # The domain's settings live as long as somebody holds it.
     participant.quadruped_domain = domain
     return participant
@@ -142,23 +144,23 @@ def _domain(network: Network) -> Any:
     return known[1]
 
 
-def _open_files() -> set[int]:
-    return {int(entry.name) for entry in _FILES.iterdir()} if _FILES.is_dir() else set()
-
-
-def _bind_to_loopback(files: set[int]) -> None:
-    """Let sockets hear nothing but the loopback interface.
+def _bind_to_loopback(domain_id: int) -> None:
+    """Let a domain's sockets hear nothing but the loopback interface.
 
     CycloneDDS sends on the interface that it is told, but listens on all of them.
     """
     if not hasattr(socket, "SO_BINDTODEVICE"):
         return
-    for number in files:
+    first = _FIRST_PORT + _PORTS * domain_id
+    for entry in list(_FILES.iterdir()):
         try:
             # A duplicate, because closing the Python object must not close the socket.
-            duplicate = socket.socket(fileno=os.dup(number))
+            duplicate = socket.socket(fileno=os.dup(int(entry.name)))
         except OSError:
             continue
         with duplicate:
-            if duplicate.family == socket.AF_INET and duplicate.type == socket.SOCK_DGRAM:
+            if duplicate.family != socket.AF_INET or duplicate.type != socket.SOCK_DGRAM:
+                continue
+            address, port = duplicate.getsockname()
+            if address == "0.0.0.0" and first <= port < first + _PORTS:  # noqa: S104
                 duplicate.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, LOOPBACK_INTERFACE.encode() + b"\0")
