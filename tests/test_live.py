@@ -180,18 +180,20 @@ def test_nothing_listens_beyond_this_machine(nodes, domain_id):
     nodes().publish(JOINT_STATES)
     ports = range(7400 + 250 * domain_id, 7400 + 250 * (domain_id + 1))
     found = 0
-    for name in os.listdir("/proc/self/fd"):
-        try:
-            duplicate = socket.socket(fileno=os.dup(int(name)))
-        except OSError:
-            continue
-        with duplicate:
-            if duplicate.family == socket.AF_INET and duplicate.type == socket.SOCK_DGRAM:
-                address, port = duplicate.getsockname()
-                device = duplicate.getsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, 16).rstrip(b"\0")
-                assert address == "127.0.0.1" or device == b"lo", (address, port)
-                found += port in ports
+    for connection in psutil.Process().net_connections("udp4"):
+        with socket.socket(fileno=os.dup(connection.fd)) as duplicate:
+            device = duplicate.getsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, 16).rstrip(b"\0")
+        assert connection.laddr.ip == "127.0.0.1" or device == b"lo", connection
+        found += connection.laddr.port in ports
     assert found >= 2
+
+
+def test_joining_domains_leaves_no_files_open(nodes):
+    nodes("first")
+    before = psutil.Process().num_fds()
+    for _ in range(5):
+        nodes().close()
+    assert psutil.Process().num_fds() == before
 
 
 @pytest.mark.parametrize(("value", "expected"), [("", 0), ("42", 42), (" 7 ", 7)])

@@ -2,8 +2,9 @@
 
 import os
 import socket
+import stat
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -152,15 +153,26 @@ def _bind_to_loopback(domain_id: int) -> None:
     if not hasattr(socket, "SO_BINDTODEVICE"):
         return
     first = _FIRST_PORT + _PORTS * domain_id
-    for entry in list(_FILES.iterdir()):
-        try:
-            # A duplicate, because closing the Python object must not close the socket.
-            duplicate = socket.socket(fileno=os.dup(int(entry.name)))
-        except OSError:
-            continue
+    for duplicate in _datagram_sockets():
         with duplicate:
-            if duplicate.family != socket.AF_INET or duplicate.type != socket.SOCK_DGRAM:
-                continue
             address, port = duplicate.getsockname()
             if address == "0.0.0.0" and first <= port < first + _PORTS:  # noqa: S104
                 duplicate.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, LOOPBACK_INTERFACE.encode() + b"\0")
+
+
+def _datagram_sockets() -> Iterator[socket.socket]:
+    """The open UDP sockets of this process, each as a duplicate for the caller to close."""
+    for entry in list(_FILES.iterdir()):
+        number = int(entry.name)
+        try:
+            if not stat.S_ISSOCK(os.fstat(number).st_mode):
+                continue
+            # Closing the Python object must not close the socket itself.
+            duplicate = socket.socket(fileno=os.dup(number))
+        except OSError:
+            # It was closed meanwhile.
+            continue
+        if duplicate.family == socket.AF_INET and duplicate.type == socket.SOCK_DGRAM:
+            yield duplicate
+        else:
+            duplicate.close()
