@@ -22,6 +22,12 @@ def main() -> int:
     parser.add_argument(
         "--timesteps", type=int, default=2_000_000, help="budget that the schedules of learning rate and noise end with"
     )
+    parser.add_argument(
+        "--symmetric",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="make the policy left/right symmetric by construction",
+    )
     parser.add_argument("--limit", type=float, default=60.0, help="s of learning after which a seed has failed")
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
     parser.add_argument("--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON")
@@ -35,9 +41,15 @@ def main() -> int:
     for mode in args.action_modes:
         for seed in args.seeds:
             say(f"{mode}, seed {seed}")
-            results.append(time_to_walk(mode, seed, args.limit, args.interval, say, timesteps=args.timesteps))
+            training = {"timesteps": args.timesteps, "symmetric": args.symmetric}
+            results.append(time_to_walk(mode, seed, args.limit, args.interval, say, **training))
     say(f"\n{summary(results)}")
-    document = {"machine": machine(), "versions": versions(), "results": [asdict(result) for result in results]}
+    document = {
+        "machine": machine(),
+        "versions": versions(),
+        "symmetric": args.symmetric,
+        "results": [asdict(result) for result in results],
+    }
     write_json(args.output, document)
     say(f"\nmeasured on {machine()}; written to {args.output}")
     return 0
