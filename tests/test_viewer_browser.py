@@ -63,7 +63,7 @@ def still(page):
     return pictures[-1]
 
 
-def until(condition, seconds=20.0):
+def until(condition, seconds=60.0):
     """Wait for something that another thread or the page does."""
     end = time.monotonic() + seconds
     while not condition():
