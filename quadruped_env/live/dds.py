@@ -31,6 +31,7 @@ _SETTINGS: Final = """
   <Discovery>
     <ParticipantIndex>auto</ParticipantIndex>
     <MaxAutoParticipantIndex>{participants}</MaxAutoParticipantIndex>
+    <SPDPInterval>{announced}</SPDPInterval>
     <Peers><Peer address="localhost"/></Peers>
   </Discovery>
 </Domain></CycloneDDS>
@@ -136,7 +137,11 @@ def _domain(network: Network) -> Any:
     if known is None:
         own_settings = network.subnet and os.environ.get(_SETTINGS_VARIABLE)
         general = "" if network.subnet else _LOOPBACK
-        settings = None if own_settings else _SETTINGS.format(general=general, participants=_PARTICIPANTS)
+        settings = (
+            None
+            if own_settings
+            else _SETTINGS.format(general=general, participants=_PARTICIPANTS, announced=_ANNOUNCED)
+        )
         known = _DOMAINS[network.domain_id] = (network, Domain(network.domain_id, settings))
     if known[0] != network:
         raise QuadrupedError(
