@@ -1,7 +1,7 @@
 """A policy that is left/right symmetric by construction: what it learns on one side it knows on the other.
 
 With one network f, the mean action is (f(x) + mirror(f(mirror(x)))) / 2, and the value likewise. Learning from nothing
-takes a third of the samples that a free network takes (`evaluate/learning_speed.py`), and a straight command cannot
+takes a fraction of the samples that a free network takes (`evaluate/learning_speed.py`), and a straight command cannot
 end in a curve. Symmetry in learned locomotion: Mittal et al. 2024, https://arxiv.org/abs/2403.04359.
 """
 
