@@ -71,6 +71,16 @@ def assert_complete(directory):
     return policy
 
 
+def assert_refused(tmp_path, arguments, message):
+    """One clear line, status 2, and no run begun."""
+    done = subprocess.run(command(tmp_path / "runs", *arguments), capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert re.search(message, done.stderr), done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stdout == ""
+    assert not (tmp_path / "runs").exists(), "no run was begun"
+
+
 @contextlib.contextmanager
 def running(runs, *arguments):
     """The program while it trains, from its second row of progress on."""
@@ -273,12 +283,7 @@ def test_resuming_goes_on_with_the_task_and_the_network_of_the_run(tmp_path):
     ],
 )
 def test_bad_arguments_give_one_clear_line_and_status_2(tmp_path, arguments, message):
-    done = subprocess.run(command(tmp_path / "runs", *arguments), capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert re.search(message, done.stderr), done.stderr
-    assert "Traceback" not in done.stderr
-    assert done.stdout == ""
-    assert not (tmp_path / "runs").exists(), "no run was begun"
+    assert_refused(tmp_path, arguments, message)
 
 
 @pytest.mark.slow
@@ -291,7 +296,7 @@ def test_bad_arguments_give_one_clear_line_and_status_2(tmp_path, arguments, mes
     ],
 )
 def test_a_bad_task_gives_one_clear_line_and_status_2(tmp_path, arguments, message):
-    test_bad_arguments_give_one_clear_line_and_status_2(tmp_path, (*TINY, *arguments), message)
+    assert_refused(tmp_path, (*TINY, *arguments), message)
 
 
 @pytest.mark.slow

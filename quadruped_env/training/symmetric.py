@@ -1,8 +1,8 @@
 """A policy that is left/right symmetric by construction: what it learns on one side it knows on the other.
 
 With one network f, the mean action is (f(x) + mirror(f(mirror(x)))) / 2, and the value likewise. Learning from nothing
-takes a fraction of the samples that a free network takes (`evaluate/learning_speed.py`), and a straight command cannot
-end in a curve. Symmetry in learned locomotion: Mittal et al. 2024, https://arxiv.org/abs/2403.04359.
+takes a fraction of the samples that a free network takes (`evaluate/learning_speed.py`), and no side is preferred.
+Symmetry in learned locomotion: Mittal et al. 2024, https://arxiv.org/abs/2403.04359.
 """
 
 from typing import Any
