@@ -13,7 +13,7 @@ from PIL import Image
 EXECUTABLES = ("chromium", "chromium-browser", "google-chrome")
 LOCAL_SCHEMES = ("file", "data", "blob", "about")
 WIDTH, HEIGHT = 1280, 800
-TIMEOUT = 15_000
+TIMEOUT = 60_000
 """ms"""
 
 # WebGL on the processor, and nothing that the browser would do on its own account.

@@ -71,14 +71,14 @@ def test_its_replay_in_3d_shows_the_robot_and_turns(opened):
 
     def still():
         """What is seen once nothing moves any more."""
-        for _ in range(20):
+        for _ in range(60):
             before = seen()
             opened.wait_for_timeout(800)
             if np.array_equal(seen(), before):
                 return before
         raise AssertionError("it does not stand still")
 
-    for _ in range(100):
+    for _ in range(300):
         if seen().sum() > 200:
             break
         opened.wait_for_timeout(200)
