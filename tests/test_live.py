@@ -344,7 +344,7 @@ def test_state_sends_the_urdf(nodes, start):
 def test_waiting_for_readers_ends_in_time(nodes, start):
     """A reader that was stopped has not got everything; once it goes on it has."""
     publisher = nodes().publish(JOINT_STATES)
-    reader = start("controller")
+    reader = start("hz", "/joint_states")
     wait_until(lambda: publisher.readers, 20.0)
     assert publisher.wait_until_read(5.0)
     reader.process.send_signal(signal.SIGSTOP)

@@ -11,9 +11,10 @@ from live_nodes import joint_state, wait_until
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node, Topic, benchmark
 from quadruped_env.live.joints import JointReader
+from quadruped_env.live.sole import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, STANCE_HEIGHT
-from quadruped_env.ros import Qos, cdr
+from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
 pytest.importorskip("cyclonedds")
 
@@ -123,6 +124,8 @@ def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
     """Somebody repeats every state, attitude and command ten times, in disorder; nobody minds."""
     sim, controller = start("sim"), start("controller")
     watcher.until_it_walks()
+    # Until then it would take the noise for a simulator that began with it.
+    watcher.watch(CONTEST)
     noise = Node("noise")
     rng = np.random.default_rng(5)
     try:
@@ -245,6 +248,26 @@ def test_the_controller_refuses_what_it_cannot_use(start, nodes):
             pytest.fail(f"{words!r} was not said: {controller.said}")
     assert not commands.take()
     wait_until(lambda: send() or commands.take())
+
+
+def test_a_driver_of_best_effort_is_heard_and_is_the_only_robot(start, nodes):
+    driver = nodes("driver")
+    states, attitudes = driver.publish(JOINT_STATES, SENSOR_DATA_QOS), driver.publish(IMU, SENSOR_DATA_QOS)
+    commands = driver.subscribe(JOINT_COMMANDS)
+    start("controller")
+    second = start("sim")
+
+    def send():
+        header = cdr.header(time.time_ns())
+        attitudes.send(cdr.message(IMU.type_name, header=header, orientation={"w": 1.0}))
+        states.send(joint_state(time.time_ns(), **at_rest))
+        time.sleep(0.01)
+
+    at_rest = {"position": STANCE, "velocity": np.zeros(8)}
+    wait_until(lambda: send() or commands.take(), 20.0, "a command")
+    wait_until(lambda: send() or second.process.poll() is not None, 20.0, "the refusal")
+    assert second.process.returncode == 2
+    assert f"{JOINT_STATES.name}: driver" in second.said
 
 
 @pytest.mark.slow

@@ -20,6 +20,9 @@ _PARTICIPANTS: Final = 32
 """Processes on one machine that find each other without multicast: as many as ROS 2 allows for"""
 _ANNOUNCED: Final = "1s"
 """How often a process tells of itself: a ROS 2 with its usual settings learns of it in no other way"""
+_RECEIVED: Final = "192 KiB"
+"""of a buffer for what comes in. CycloneDDS fills one to its end before it takes the next; with the 1 MiB that it would
+take, a process seems to grow for half an hour"""
 _LOOPBACK: Final = f"""
   <General>
     <Interfaces><NetworkInterface name="{LOOPBACK_INTERFACE}" multicast="false"/></Interfaces>
@@ -34,6 +37,7 @@ _SETTINGS: Final = """
     <SPDPInterval>{announced}</SPDPInterval>
     <Peers><Peer address="localhost"/></Peers>
   </Discovery>
+  <Sizing><ReceiveBufferSize>{received}</ReceiveBufferSize></Sizing>
 </Domain></CycloneDDS>
 """
 _SETTINGS_VARIABLE: Final = "CYCLONEDDS_URI"
@@ -140,7 +144,7 @@ def _domain(network: Network) -> Any:
         settings = (
             None
             if own_settings
-            else _SETTINGS.format(general=general, participants=_PARTICIPANTS, announced=_ANNOUNCED)
+            else _SETTINGS.format(general=general, participants=_PARTICIPANTS, announced=_ANNOUNCED, received=_RECEIVED)
         )
         known = _DOMAINS[network.domain_id] = (network, Domain(network.domain_id, settings))
     if known[0] != network:

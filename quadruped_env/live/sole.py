@@ -6,10 +6,11 @@ from typing import Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import JOINT_STATES, Topic
+from quadruped_env.ros import SENSOR_DATA_QOS
 
 LISTEN: Final = 1.0
 """s before the first message; who publishes is heard in that time"""
-_CONTEST: Final = 3.0
+CONTEST: Final = 3.0
 """s after that, in which two that began together decide who stays"""
 
 
@@ -24,7 +25,7 @@ class SolePublisher:
     def __init__(self, session: Session, topic: Topic = JOINT_STATES) -> None:
         self._session = session
         self._topic = topic
-        self._others = session.node.subscribe(topic, ignore_own=True)
+        self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True)
         self._contest_until = 0.0
 
     def check(self) -> None:
@@ -41,7 +42,7 @@ class SolePublisher:
                     f"{self._topic.name}: {self._owner(received[0].writer)} publishes it already on domain "
                     f"{self._session.node.network.domain_id}; end that first, or take another domain (--domain-id)"
                 )
-        self._contest_until = time.monotonic() + _CONTEST
+        self._contest_until = time.monotonic() + CONTEST
 
     def watch(self) -> None:
         """Look whether somebody else has begun; to be called often.

@@ -22,4 +22,5 @@ TF_QOS: Final = Qos(depth=100)
 LATCHED_QOS: Final = Qos(depth=1, transient_local=True)
 """`/robot_description` and `/tf_static`"""
 SENSOR_DATA_QOS: Final = Qos(depth=5, reliable=False)
-"""`rclcpp::SensorDataQoS`, with which robot_state_publisher reads `/joint_states`"""
+"""`rclcpp::SensorDataQoS`, with which robot_state_publisher reads `/joint_states`: it hears reliable publishers and
+others"""

@@ -24,6 +24,7 @@ from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.viewer.sources import asked_source
 
 SUMMARY: Final = "a policy drives the robot: states and /cmd_vel in, joint commands out"
@@ -51,7 +52,9 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     pilot = Pilot(controller, config, say=session.say)
     node = session.node
     commands = node.publish(JOINT_COMMANDS)
-    states, attitudes, velocities = node.subscribe(JOINT_STATES), node.subscribe(IMU), node.subscribe(CMD_VEL)
+    # Drivers of real robots may offer best effort only.
+    states, attitudes = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS), node.subscribe(IMU, SENSOR_DATA_QOS)
+    velocities = node.subscribe(CMD_VEL)
     write, inbox = CommandWriter(), _Inbox(session, states, attitudes)
     last = None
     while session.running:

@@ -24,6 +24,7 @@ from quadruped_env.live.sole import SolePublisher
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.joint_state import Encoder
 
 SUMMARY: Final = "a scripted gait on /joint_states, as the tutorial's publisher, or as commands"
@@ -79,7 +80,7 @@ def _send_states(session: Session, gait: SinusoidalGait, period: float) -> None:
 
 
 def _send_commands(session: Session, gait: SinusoidalGait, period: float) -> None:
-    commands, states = session.node.publish(JOINT_COMMANDS), session.node.subscribe(JOINT_STATES)
+    commands, states = session.node.publish(JOINT_COMMANDS), session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
     write, read = CommandWriter(), JointReader(JOINT_STATES.name)
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
