@@ -12,7 +12,7 @@ from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node, Topic, benchmark
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.sole import CONTEST
-from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, STANCE_HEIGHT
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
@@ -106,6 +106,18 @@ def test_a_killed_simulator_is_missed_and_the_next_one_walks(start, watcher):
     again = start("sim")
     watcher.until_it_walks()
     assert again.process.poll() is None
+
+
+@pytest.mark.slow
+def test_they_walk_on_commands_of_ros2_control_too(start, watcher, nodes):
+    """And the robot lies down when the controller ends: it falls silent."""
+    arrays = nodes("listener").subscribe(JOINT_POSITIONS)
+    start("sim")
+    controller = start("controller", "--arrays")
+    watcher.until_it_walks()
+    assert len(arrays.decode(arrays.latest()).data) == 8
+    assert controller.interrupt() == 0
+    watcher.until_it_lies()
 
 
 @pytest.mark.slow

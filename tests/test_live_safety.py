@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
-from quadruped_env.live.commands import LIMP, CommandWriter, limited, read_target
+from quadruped_env.live.commands import LIMP, CommandWriter, limited, positions_message, read_positions, read_target
 from quadruped_env.live.gate import Gate
 from quadruped_env.live.imu import read_imu
 from quadruped_env.live.joints import JointReader
@@ -358,6 +358,13 @@ def test_commands_are_read_as_they_are_written():
         read_target(read(joint_state(position=(), velocity=np.ones(8))))
     with pytest.raises(QuadrupedError, match="has no positions"):
         read_target(read(joint_state(position=(), velocity=(), effort=np.ones(8))))
+
+
+def test_commands_of_ros2_control_are_read_as_they_are_written():
+    np.testing.assert_array_equal(read_positions(positions_message(STANCE)), STANCE)
+    for wrong in (STANCE[:7], np.full(8, np.nan), []):
+        with pytest.raises(QuadrupedError, match="send a finite number of rad for each of LF_hip_joint"):
+            read_positions(positions_message(np.array(wrong)))
 
 
 def test_up_in_body_is_the_models_sensor(model):

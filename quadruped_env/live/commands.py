@@ -1,13 +1,15 @@
 """What controllers tell the robot, on both ends: joint targets, or to go limp."""
 
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.joints import Joints
+from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, VELOCITY_LIMIT
+from quadruped_env.ros import cdr
 from quadruped_env.ros.joint_state import Encoder
 
 LIMP: Final = None
@@ -62,5 +64,30 @@ def read_target(joints: Joints) -> Target:
     if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
         return LIMP
     raise QuadrupedError(
-        "/joint_commands: has no positions; send positions in rad, or efforts of 0 alone to let the robot go limp"
+        f"{JOINT_COMMANDS.name}: has no positions; send positions in rad, or efforts of 0 alone to let the robot go "
+        "limp"
     )
+
+
+def positions_message(target: NDArray[np.float64]) -> Any:
+    """A message of `/forward_position_controller/commands`.
+
+    Args:
+        target: rad (8,).
+    """
+    return cdr.message(JOINT_POSITIONS.type_name, data=target)
+
+
+def read_positions(message: Any) -> NDArray[np.float64]:
+    """The target that a message of `/forward_position_controller/commands` holds, rad (8,).
+
+    Raises:
+        QuadrupedError: if it does not hold a finite number for each joint.
+    """
+    positions = np.array(message.data, dtype=np.float64)
+    if positions.shape != (len(JOINT_NAMES),) or not np.isfinite(positions).all():
+        raise QuadrupedError(
+            f"{JOINT_POSITIONS.name}: holds {positions.tolist()}; send a finite number of rad for each of "
+            f"{', '.join(JOINT_NAMES)}"
+        )
+    return positions

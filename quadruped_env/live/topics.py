@@ -45,6 +45,8 @@ ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LA
 CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
 JOINT_COMMANDS: Final = Topic("/joint_commands", "sensor_msgs/msg/JointState", _LATEST)
 """Joint targets: names with positions in rad; names with efforts of zero and no positions let the robot go limp"""
+JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msgs/msg/Float64MultiArray", _LATEST)
+"""Joint targets as `forward_position_controller` of ros2_control takes them: rad, in the order of `JOINT_NAMES`"""
 PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
 """To `sim`: velocity in m/s that is added to the base's, in the world's axes"""
 
@@ -60,6 +62,7 @@ TOPICS: Final = {
         ROBOT_DESCRIPTION,
         CMD_VEL,
         JOINT_COMMANDS,
+        JOINT_POSITIONS,
         PUSH,
     )
 }

@@ -3,6 +3,7 @@
     python -m quadruped_env.live controller              the shipped policy
     python -m quadruped_env.live controller runs/latest  a run's
     python -m quadruped_env.live controller tuned        the scripted gait that follows /cmd_vel
+    python -m quadruped_env.live controller --arrays     to a robot with ros2_control
 
 Waits for fresh states, goes slowly from where the joints are to the stance, and then follows /cmd_vel; without one
 newer than 0.5 s it stands. Holds when no state comes for 0.2 s, and lets the robot go limp after 1 s, or when it has
@@ -16,14 +17,15 @@ import time
 from typing import Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import CommandWriter
+from quadruped_env.live.commands import LIMP, CommandWriter, positions_message
 from quadruped_env.live.imu import Imu, read_imu
 from quadruped_env.live.joints import JointReader, Joints
-from quadruped_env.live.node import Publisher, Subscription
+from quadruped_env.live.node import Subscription
 from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.stamps import NANOSECONDS
-from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
+from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.viewer.sources import asked_source
 
@@ -43,6 +45,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="POLICY",
         help="'flat', a run's directory, or a gait: 'tuned', 'trot', 'walk', 'bound', 'pace' (%(default)s)",
     )
+    parser.add_argument(
+        "--arrays",
+        action="store_true",
+        help=f"send the targets as ros2_control takes them, on {JOINT_POSITIONS.name}: eight numbers in the order "
+        f"{', '.join(JOINT_NAMES)}. There is none that says limp: it falls silent, and the driver has to let go",
+    )
     add_realtime_argument(parser)
 
 
@@ -51,12 +59,11 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     controller, config = asked_source(arguments.policy).make()
     pilot = Pilot(controller, config, say=session.say)
     node = session.node
-    commands = node.publish(JOINT_COMMANDS)
+    outbox = _Outbox(session, arguments.arrays)
     # Drivers of real robots may offer best effort only.
     states, attitudes = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS), node.subscribe(IMU, SENSOR_DATA_QOS)
     velocities = node.subscribe(CMD_VEL)
-    write, inbox = CommandWriter(), _Inbox(session, states, attitudes)
-    last = None
+    inbox = _Inbox(session, states, attitudes)
     while session.running:
         session.wait(_LOOK)
         now = time.monotonic()
@@ -68,12 +75,10 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
                 answer = pilot.measured(measurement, now)
             except QuadrupedError as error:
                 session.say_once(f"refused: {error}")
-        last = _send(commands, write, answer or pilot.silent(now)) or last
+        outbox.send(answer or pilot.silent(now))
         session.wait_for(_missing(pilot, states, attitudes))
         session.report("" if pilot.mode is not Mode.WALKING or pilot.moving(now) else "standing: no /cmd_vel")
-    if last is not None:
-        _send(commands, write, Answer(last.stamp, None))
-        commands.wait_until_read(0.5)
+    outbox.let_go()
     return 0
 
 
@@ -132,10 +137,35 @@ def _take_command(session: Session, pilot: Pilot, velocities: Subscription, now:
         session.say_once(f"refused: {error}")
 
 
-def _send(commands: Publisher, write: CommandWriter, answer: Answer | None) -> Answer | None:
-    if answer is not None:
-        commands.send_bytes(write(answer.stamp, answer.target))
-    return answer
+class _Outbox:
+    """Sends what the pilot answers.
+
+    Args:
+        session: of the process.
+        arrays: whether to send for ros2_control.
+    """
+
+    def __init__(self, session: Session, arrays: bool) -> None:
+        self._arrays = arrays
+        self._commands = session.node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
+        self._write = CommandWriter()
+        self._stamp = 0
+
+    def send(self, answer: Answer | None) -> None:
+        """Send an answer, if there is one."""
+        if answer is None:
+            return
+        self._stamp = answer.stamp
+        if not self._arrays:
+            self._commands.send_bytes(self._write(answer.stamp, answer.target))
+        elif answer.target is not LIMP:
+            self._commands.send(positions_message(answer.target))
+
+    def let_go(self) -> None:
+        """Let the robot go limp, if it was ever commanded, and see that it hears of it."""
+        if self._stamp:
+            self.send(Answer(self._stamp, LIMP))
+            self._commands.wait_until_read(0.5)
 
 
 def _missing(pilot: Pilot, states: Subscription, attitudes: Subscription) -> str:

@@ -2,6 +2,7 @@
 
     publishes   /joint_states, /imu/data, /odom, /tf (base_link in odom), /clock      100 Hz
     takes       /joint_commands   sensor_msgs/JointState: names with positions in rad; efforts of 0 alone let it go limp
+                /forward_position_controller/commands   std_msgs/Float64MultiArray: eight positions in rad, LF hip first
                 /push             geometry_msgs/Vector3: velocity in m/s, added to the base's
 
 Stands until it is commanded. Without a command for 1 s its motors go limp, as a driver's watchdog sees to it. It obeys
@@ -19,7 +20,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import read_target
+from quadruped_env.live.commands import Target, read_positions, read_target
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import Received, Subscription
 from quadruped_env.live.pace import Pace
@@ -29,7 +30,7 @@ from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.sole import SolePublisher
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.terrain import TERRAINS
-from quadruped_env.live.topics import JOINT_COMMANDS, PUSH
+from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 
 SUMMARY: Final = "the simulated robot in real time"
 STEPS_PER_STATE: Final = 2
@@ -65,7 +66,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     sole = SolePublisher(session)
     sole.check()
     sensors = Sensors(session.node)
-    commands = _Commands(session, robot, session.node.subscribe(JOINT_COMMANDS))
+    commands = _Commands(session, robot)
     pushes = session.node.subscribe(PUSH)
     # What is there now stays: the collector need not look at it again while time matters.
     gc.collect()
@@ -104,10 +105,11 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 class _Commands:
     """Hands commands on to the robot: checked, in order, and of one publisher at a time."""
 
-    def __init__(self, session: Session, robot: SimulatedRobot, subscription: Subscription) -> None:
+    def __init__(self, session: Session, robot: SimulatedRobot) -> None:
         self._session = session
         self._robot = robot
-        self._subscription = subscription
+        self._commands = session.node.subscribe(JOINT_COMMANDS)
+        self._positions = session.node.subscribe(JOINT_POSITIONS)
         self._read = JointReader(JOINT_COMMANDS.name)
         self._writer = 0
         self._stamp = 0
@@ -115,23 +117,29 @@ class _Commands:
 
     def take(self) -> None:
         """Hand on what has come."""
-        for received in self._subscription.take():
-            try:
-                self._hand_on(received)
-            except QuadrupedError as error:
-                self._session.say_once(f"refused: {error}")
+        for subscription in (self._commands, self._positions):
+            for received in subscription.take():
+                try:
+                    self._hand_on(received, *self._target(subscription, received))
+                except QuadrupedError as error:
+                    self._session.say_once(f"refused: {error}")
 
-    def _hand_on(self, received: Received) -> None:
+    def _target(self, subscription: Subscription, received: Received) -> tuple[str, int, Target]:
+        """The topic, the stamp in ns, or 0 where there is none, and what is asked for."""
+        if subscription is self._positions:
+            return JOINT_POSITIONS.name, 0, read_positions(subscription.decode(received))
         joints = self._read(received.data)
-        target = read_target(joints)
+        return JOINT_COMMANDS.name, joints.stamp, read_target(joints)
+
+    def _hand_on(self, received: Received, topic: str, stamp: int, target: Target) -> None:
         now = time.monotonic()
         if now - self._obeyed <= _OBEYS:
             if received.writer != self._writer:
-                raise QuadrupedError(f"{JOINT_COMMANDS.name}: from a second publisher; end one of the two")
+                raise QuadrupedError(f"{topic}: from a second publisher; end one of the two")
             # A stamp of 0 is what `ros2 topic pub` sends.
-            if 0 < joints.stamp < self._stamp:
-                raise QuadrupedError(f"{JOINT_COMMANDS.name}: older than the one before; such messages are left out")
-        self._writer, self._stamp, self._obeyed = received.writer, joints.stamp, now
+            if 0 < stamp < self._stamp:
+                raise QuadrupedError(f"{topic}: older than the one before; such messages are left out")
+        self._writer, self._stamp, self._obeyed = received.writer, stamp, now
         self._robot.command(target)
 
 
