@@ -135,23 +135,31 @@ class SinusoidalGait:
 def _preset(
     turns: tuple[float, ...],
     angular_frequency: float,
-    hip: tuple[float, float],
-    knee: tuple[float, float, float],
+    fore: tuple[float, float, float, float, float],
+    hind: tuple[float, float, float, float, float],
 ) -> SinusoidalGait:
-    """A gait with every leg alike: hip (amplitude, offset), knee (cosine part, sine part, offset)."""
-    cosine, sine, offset = knee
-    lag = math.atan2(-sine, cosine)
-    phases = tuple(math.tau * turn + joint for turn in turns for joint in (0.0, lag))
-    return SinusoidalGait(hip[0], hip[1], math.hypot(cosine, sine), offset, angular_frequency, phases)
+    """A gait of two kinds of legs: hip amplitude and offset, the knee's cosine and sine part and its offset."""
+    hip_amplitude, hip_offset, cosine, sine, knee_offset = zip(fore, fore, hind, hind, strict=True)
+    lags = [math.atan2(-s, c) for c, s in zip(cosine, sine, strict=True)]
+    return SinusoidalGait(
+        hip_amplitude=hip_amplitude,
+        hip_offset=hip_offset,
+        knee_amplitude=tuple(math.hypot(c, s) for c, s in zip(cosine, sine, strict=True)),
+        knee_offset=knee_offset,
+        angular_frequency=angular_frequency,
+        phases=tuple(math.tau * turn + joint for turn, lag in zip(turns, lags, strict=True) for joint in (0.0, lag)),
+    )
 
 
 _PRESETS: Final = {
     "article": SinusoidalGait(0.4, 0.0, 0.3, -0.3, 2.0, (0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21)),
     # The others: train/tune_gait.py.
-    "trot": _preset(TURNS["trot"], 14.0, (0.091, 0.613), (0.241, -0.24, -0.621)),
-    "walk": _preset(TURNS["walk"], 12.0, (0.127, 0.648), (0.269, -0.185, -0.658)),
-    "bound": _preset(TURNS["bound"], 14.0, (0.033, 0.492), (0.257, -0.161, -0.732)),
-    "pace": _preset(TURNS["pace"], 14.0, (0.167, 0.447), (0.247, -0.257, -0.814)),
+    "trot": _preset(TURNS["trot"], 14.0, (0.201, 0.63, 0.247, -0.255, -0.6), (-0.076, 0.431, 0.045, -0.291, -0.752)),
+    "walk": _preset(TURNS["walk"], 12.0, (0.078, 0.73, 0.172, -0.201, -0.56), (0.084, 0.436, 0.186, -0.202, -0.843)),
+    "bound": _preset(
+        TURNS["bound"], 14.0, (0.16, 0.782, 0.133, -0.029, -0.607), (-0.084, 0.489, 0.272, -0.213, -0.656)
+    ),
+    "pace": _preset(TURNS["pace"], 14.0, (0.135, 0.469, 0.221, -0.265, -0.87), (0.013, 0.546, 0.172, -0.13, -0.618)),
 }
 
 
@@ -167,29 +175,42 @@ def wave_positions(
 
 
 @dataclass(frozen=True)
-class CommandedGait:
-    """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
+class LegTable:
+    """A leg's sinusoids over the ground speed: columns of `CommandedGait.speeds`' length, rad (K,).
 
-    Each side of the robot has a ground speed, v - w * half_track on the left and v + w * half_track on the right, and
-    each parameter of that side's legs is interpolated in a table over that speed. The knee's wave is kept as a cosine
-    and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p), because walking backwards is walking
-    forwards with time reversed: only the sine part changes its sign, and the table stays smooth through zero.
-
-    Args:
-        angular_frequency: rad/s.
-        half_track: m; half the track for a robot that did not slip, tuned for one that does.
-        speeds: the table's ground speeds, m/s, rising (K,).
-        hip_amplitude, hip_offset, knee_cosine, knee_sine, knee_offset: the table's columns, rad (K,).
+    The knee's wave is kept as a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p), because
+    walking backwards is walking forwards with time reversed: only the sine part changes its sign, and the table stays
+    smooth through zero.
     """
 
-    angular_frequency: float
-    half_track: float
-    speeds: tuple[float, ...]
     hip_amplitude: tuple[float, ...]
     hip_offset: tuple[float, ...]
     knee_cosine: tuple[float, ...]
     knee_sine: tuple[float, ...]
     knee_offset: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class CommandedGait:
+    """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
+
+    Each side of the robot has a ground speed, v - w * half_track on the left and v + w * half_track on the right, and
+    each parameter of that side's legs is interpolated in a table over that speed. Fore and hind legs have tables of
+    their own: with one for both, either the fore or the hind feet hardly leave the ground.
+
+    Args:
+        angular_frequency: rad/s.
+        half_track: m; half the track for a robot that did not slip, tuned for one that does.
+        speeds: the tables' ground speeds, m/s, rising (K,).
+        fore: of LF and RF.
+        hind: of LH and RH.
+    """
+
+    angular_frequency: float
+    half_track: float
+    speeds: tuple[float, ...]
+    fore: LegTable
+    hind: LegTable
 
     @classmethod
     def tuned(cls) -> "CommandedGait":
@@ -201,17 +222,19 @@ class CommandedGait:
         command = np.asarray(command, dtype=np.float64)
         turn = command[:, 1] * self.half_track
         sine, cosine, offset = (np.zeros((len(command), len(JOINT_NAMES))) for _ in range(3))
-        for side, speed in enumerate((command[:, 0] - turn, command[:, 0] + turn)):
-            # Joints go LF, RF, LH, RH with a hip and a knee each: a side's hips are four columns apart.
-            hips, knees = slice(2 * side, None, 4), slice(2 * side + 1, None, 4)
-            for target, columns, values in (
-                (sine, hips, self.hip_amplitude),
-                (offset, hips, self.hip_offset),
-                (cosine, knees, self.knee_cosine),
-                (sine, knees, self.knee_sine),
-                (offset, knees, self.knee_offset),
+        left, right = command[:, 0] - turn, command[:, 0] + turn
+        for leg, (speed, table) in enumerate(
+            ((left, self.fore), (right, self.fore), (left, self.hind), (right, self.hind))
+        ):
+            hip, knee = 2 * leg, 2 * leg + 1
+            for target, joint, values in (
+                (sine, hip, table.hip_amplitude),
+                (offset, hip, table.hip_offset),
+                (cosine, knee, table.knee_cosine),
+                (sine, knee, table.knee_sine),
+                (offset, knee, table.knee_offset),
             ):
-                target[:, columns] = np.interp(speed, self.speeds, values)[:, None]
+                target[:, joint] = np.interp(speed, self.speeds, values)
         return sine, cosine, offset
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
@@ -240,10 +263,19 @@ JOINT_PHASES: Final = np.repeat(np.array(TURNS["trot"]) * math.tau, 2)
 _TUNED: Final = CommandedGait(
     angular_frequency=math.tau * 2.2,
     half_track=0.58,
-    speeds=(-0.444, -0.35, -0.2, -0.1, 0.0, 0.1, 0.2, 0.35, 0.431),
-    hip_amplitude=(0.3614, 0.2518, 0.1717, 0.1429, 0.0, 0.0933, 0.078, 0.1011, 0.056),
-    hip_offset=(0.4895, 0.4981, 0.513, 0.55, 0.6, 0.5769, 0.5804, 0.6267, 0.6377),
-    knee_cosine=(-0.0569, -0.0884, -0.0806, -0.072, 0.0, 0.049, 0.1238, 0.2231, 0.2735),
-    knee_sine=(-0.0434, -0.0586, -0.0969, -0.1371, 0.0, -0.1318, -0.1149, -0.1956, -0.2348),
-    knee_offset=(-0.5671, -0.5713, -0.5945, -0.6127, -0.72, -0.5857, -0.5886, -0.6088, -0.662),
+    speeds=(-0.4, -0.3, -0.2, -0.095, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.554),
+    fore=LegTable(
+        hip_amplitude=(0.2065, 0.141, 0.0773, 0.1105, 0.0, 0.1785, 0.229, 0.2136, 0.2631, 0.1936, 0.1062),
+        hip_offset=(0.6676, 0.5615, 0.5786, 0.5725, 0.6, 0.6453, 0.7038, 0.732, 0.7608, 0.7624, 0.7956),
+        knee_cosine=(0.0254, -0.0136, -0.0958, -0.0828, 0.0, 0.0713, 0.1218, 0.1785, 0.2408, 0.2592, 0.2805),
+        knee_sine=(0.1049, 0.0852, -0.0411, -0.1391, 0.0, -0.2624, -0.3303, -0.3007, -0.2647, -0.245, -0.2233),
+        knee_offset=(-0.4281, -0.5645, -0.6097, -0.6678, -0.72, -0.7735, -0.7434, -0.7744, -0.774, -0.7576, -0.7605),
+    ),
+    hind=LegTable(
+        hip_amplitude=(0.2648, 0.3007, 0.3298, 0.2866, 0.0, 0.1483, 0.113, 0.0339, -0.0365, -0.0792, -0.1308),
+        hip_offset=(0.5823, 0.6718, 0.6396, 0.5963, 0.6, 0.6881, 0.6114, 0.5865, 0.521, 0.4716, 0.4174),
+        knee_cosine=(-0.2504, -0.2074, -0.1332, -0.0749, 0.0, 0.062, 0.1341, 0.1849, 0.2592, 0.3225, 0.2872),
+        knee_sine=(-0.251, -0.2753, -0.2939, -0.2838, 0.0, -0.0945, -0.0838, -0.0594, -0.0935, -0.1443, -0.2049),
+        knee_offset=(-0.7179, -0.7268, -0.7337, -0.748, -0.72, -0.568, -0.5828, -0.5954, -0.5819, -0.602, -0.5927),
+    ),
 )

@@ -223,6 +223,14 @@ DAMAGES = {
     ),
     "layers too many": (lambda d: edit_card(d, layers=4), r"policy.safetensors: layer3.weight must have shape \(8, "),
     "other layout": (lambda d: edit_card(d, observation_layout=[]), r"policy.json: observation_layout differs"),
+    "other gait": (
+        lambda d: edit_card(d, config={"action": {"mode": "residual"}}, scripted_gait={"half_track": 0.5}),
+        r"policy.json: scripted_gait differs from this version's.*train again",
+    ),
+    "residual without its gait": (
+        lambda d: edit_card(d, config={"action": {"mode": "residual"}}),
+        r"policy.json: scripted_gait differs",
+    ),
     "bad config": (
         lambda d: edit_card(d, config={"decimation": 0}),
         r"policy.json: .*decimation must be 1 or more; found 0",

@@ -14,7 +14,7 @@ from tasks import (
     random_state,
 )
 
-from quadruped_env.robot import FOOT_RADIUS, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
+from quadruped_env.robot import FOOT_RADIUS
 from quadruped_env.task import (
     RewardConfig,
     rewards,
@@ -78,9 +78,10 @@ def test_gait_clock_agrees_when_the_swinging_feet_are_up():
     )
 
 
-def test_foot_lift_goes_from_the_ground_to_a_full_lift():
+def test_foot_lift_goes_from_the_ground_to_a_full_lift_and_pays_the_first_of_it_most():
     height = FOOT_RADIUS + np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.021, 1.0]])
-    np.testing.assert_allclose(rewards.foot_lift(height, 0.02), [[-1, -1, -0.5, 1], [0, 0.5, 1, 1]], atol=1e-12)
+    expected = [[-1.205, -1, -0.125, 1], [0.5, 0.875, 1, 1]]
+    np.testing.assert_allclose(rewards.foot_lift(height, 0.02), expected, atol=1e-12)
 
 
 def test_sum_of_squares():
@@ -107,13 +108,9 @@ def test_foot_slip_is_the_sliding_of_the_lowest_point_of_feet_in_contact():
     np.testing.assert_allclose(rewards.foot_slip(contact, velocity, spin), [0.25, 0.0, 0.0, 0.0], atol=1e-12)
 
 
-def test_joint_limit_excess_begins_a_margin_before_either_limit():
-    middle = (JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2
-    positions = np.tile(middle, (4, 1))
-    positions[1, 0] = JOINT_POSITION_HIGH[0] - 0.04
-    positions[2, 3] = JOINT_POSITION_LOW[3] + 0.03
-    positions[3] = JOINT_POSITION_HIGH + 0.1
-    np.testing.assert_allclose(rewards.joint_limit_excess(positions, 0.1), [0.0, 0.06, 0.07, 8 * 0.2], atol=1e-12)
+def test_joint_speed_excess_begins_a_margin_below_the_motors_top_speed():
+    velocity = np.array([[4.0, -4.0, 0.0], [5.0, -4.5, 1.0], [6.0, 0.0, 0.0]])
+    np.testing.assert_allclose(rewards.joint_speed_excess(velocity, 1.0), [0.0, 1.25, 4.0], atol=1e-12)
 
 
 def test_every_term_reads_what_its_name_says():
@@ -125,8 +122,7 @@ def test_every_term_reads_what_its_name_says():
         linear_velocity_b=np.array([[0.1, 0.2, 0.3]]),
         angular_velocity_b=np.array([[1.0, 2.0, 0.25]]),
         joint_torque=np.full((1, 8), 2.0),
-        joint_velocity=np.full((1, 8), 0.5),
-        joint_position=(JOINT_POSITION_LOW + 0.025)[None],
+        joint_velocity=np.full((1, 8), 4.5),
         foot_force=np.array([[config.contact_threshold + 1.0, config.contact_threshold, 0.0, 0.0]]),
         foot_velocity=np.full((1, 4, 3), 0.1),
         foot_position=np.full((1, 4, 3), FOOT_RADIUS + 0.01),
@@ -150,17 +146,17 @@ def test_every_term_reads_what_its_name_says():
         "track_yaw_rate": math.exp(-(1.25**2)),
         "forward_progress": 0.5,
         "turn_progress": 0.5,
-        "gait_clock": 0.0,  # feet half lifted
+        "gait_clock": 0.75 * 0.5 * 2 / 4,  # feet half lifted
         "upright": 0.25,
         "base_height": 0.01,
         "vertical_velocity": 0.09,
         "roll_pitch_rate": 5.0,
         "lateral_velocity": 0.04,
         "action_rate": 8 * 0.0625,
-        "mechanical_power": 8.0,
+        "mechanical_power": 8 * 9.0,
         "foot_slip": 0.02,  # one foot presses harder than the threshold
         "stand_still": 8 * 0.01 * 0.25,
-        "joint_limits": 8 * (config.joint_limit_margin - 0.025),
+        "joint_speed": 8 * (config.joint_speed_margin - 0.5) ** 2,
         "fall": 1.0,
     }
     terms = rewards.reward_terms(state, memory, config)

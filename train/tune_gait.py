@@ -15,11 +15,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description="Search the numbers of the scripted gaits on the simulated robot: the table of the 'tuned' gait "
         "over speed, and the presets trot, walk, bound and pace. Prints what to put into quadruped_env/gait.py and the "
-        "velocities that the tuned gait reaches. Takes about three minutes on two cores.",
+        "velocities that the tuned gait reaches. Takes about four minutes on two cores.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--frequency", type=float, default=2.2, help="gait cycles per second of the tuned gait")
-    parser.add_argument("--generations", type=int, default=10, help="search generations for each speed")
+    parser.add_argument("--generations", type=int, default=20, help="search generations for each speed")
     parser.add_argument("--output", type=Path, default=Path("results/gait.json"), help="where to write the numbers")
     parser.add_argument("--table", action="store_true", help="only measure the tuned gait and print its table")
     args = parser.parse_args()
@@ -32,8 +32,8 @@ def main() -> None:
 
     gait = tune_commanded_gait(
         math.tau * args.frequency,
-        forward=(0.1, 0.2, 0.35, 0.5),
-        backward=(-0.1, -0.2, -0.35, -0.5),
+        forward=(0.1, 0.2, 0.3, 0.4, 0.5, 0.6),
+        backward=(-0.1, -0.2, -0.3, -0.4),
         generations=args.generations,
         say=say,
     )

@@ -65,21 +65,21 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
 
     | term | formula | weight, 1/s |
     |---|---|---|
-    | `track_forward_velocity` | exp(-((v~ - v_command) / 0.1 m/s)^2) | 2 |
-    | `track_yaw_rate` | exp(-((w~ - w_command) / 0.25 rad/s)^2) | 1 |
-    | `forward_progress` | share - 2 max(0, share - 1), in [-1, 1]; share = v / v_command, less below 0.1 m/s | 2 |
-    | `turn_progress` | min(share, 1), in [-1, 1]; share = w / w_command, less below 0.2 rad/s | 1 |
-    | `gait_clock` | mean over feet of sin(phase) (2 lift - 1), lift = clip(sole height / 0.015 m, 0, 1) | 3 |
+    | `track_forward_velocity` | exp(-((v~ - v_command) / 0.1 m/s)^2) | 6 |
+    | `track_yaw_rate` | exp(-((w~ - w_command) / 0.25 rad/s)^2) | 3 |
+    | `forward_progress` | share - 2 max(0, share - 1), in [-1, 1]; share = v / v_command, less below 0.1 m/s | 4 |
+    | `turn_progress` | min(share, 1), in [-1, 1]; share = w / w_command, less below 0.2 rad/s | 2 |
+    | `gait_clock` | mean over feet of sin(phase) (1 - 2 missing^2), missing = max(0, 1 - sole height / 0.02 m) | 5 |
     | `upright` | squared horizontal part of the base's up axis | -2 |
     | `base_height` | max(0, 0.175 m - height)^2 | -20 |
     | `vertical_velocity` | v_z^2 | -0.5 |
     | `roll_pitch_rate` | w_x^2 + w_y^2 | -0.03 |
     | `lateral_velocity` | v_y^2 | -0.5 |
-    | `action_rate` | sum of (action - last action)^2 | -0.03 |
+    | `action_rate` | sum of (action - last action)^2 | -0.08 |
     | `mechanical_power` | sum of max(0, torque * joint velocity) | -0.005 |
     | `foot_slip` | sum of c * squared velocity of the sole's lowest point | -0.3 |
     | `stand_still` | sum of (joint - stance)^2, at a zero command | -1 |
-    | `joint_limits` | sum of what is within 0.1 rad of a limit | -2 |
+    | `joint_speed` | sum of max(0, joint speed - 4 rad/s)^2 | -1 |
     | `fall` | 1 where the episode ends in a fall | -50 |
 
     ## Starting state

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -12,6 +12,7 @@ from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import CommandedGait
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_LAYOUT, OBSERVATION_WIDTH, TaskConfig
 
 FORMAT_VERSION: Final = 1
@@ -83,6 +84,7 @@ class Policy:
             "layers": len(self.weights),
             "observation_layout": _layout_document(),
             "action_mode": self.action_mode,
+            "scripted_gait": _gait_document(self.action_mode),
             "control_rate_hz": 1.0 / self.config.control_timestep,
             "config": self.config.to_dict(),
             "card": self.card,
@@ -97,6 +99,11 @@ def _layout_document() -> list[dict[str, Any]]:
     ]
 
 
+def _gait_document(action_mode: str) -> dict[str, Any] | None:
+    """The gait under a residual policy, as JSON has it: lists for tuples."""
+    return json.loads(json.dumps(asdict(CommandedGait.tuned()))) if action_mode == "residual" else None
+
+
 def shipped_directory(name: str) -> Path:
     """Where the package keeps one of its own policies."""
     return _SHIPPED_DIRECTORY / name
@@ -109,7 +116,7 @@ def load_policy(source: str | Path) -> Policy:
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
-            observation layout; the message names the file and the cure.
+            observation layout or scripted gait; the message names the file and the cure.
     """
     directory = shipped_directory(str(source)) if str(source) in SHIPPED else Path(source)
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
@@ -162,9 +169,22 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
         config = TaskConfig.from_dict(document["config"])
     except QuadrupedError as error:
         raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error
+    if document.get("scripted_gait") != _gait_document(config.action.mode):
+        raise QuadrupedError(
+            f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
+            f"train again, or install the version that made it"
+        )
+    weights, biases = _layers(document["layers"], tensors, tensors_path)
+    return Policy(weights, biases, document["activation"], config, document["card"])
+
+
+def _layers(
+    count: int, tensors: dict[str, NDArray[Any]], tensors_path: Path
+) -> tuple[tuple[NDArray[np.float32], ...], tuple[NDArray[np.float32], ...]]:
+    """Weights and biases that fit together."""
     weights, biases = [], []
     width = OBSERVATION_WIDTH
-    for i in range(document["layers"]):
+    for i in range(count):
         weight, bias = tensors.get(f"layer{i}.weight"), tensors.get(f"layer{i}.bias")
         if weight is None or bias is None or bias.ndim != 1 or weight.shape != (width, len(bias)):
             found = " and ".join("none" if tensor is None else str(tensor.shape) for tensor in (weight, bias))
@@ -185,10 +205,4 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
         raise QuadrupedError(
             f"{tensors_path}: the last layer has {width} outputs; expected {ACTION_WIDTH}, one a joint; train again"
         )
-    return Policy(
-        tuple(weights),
-        tuple(biases),
-        document["activation"],
-        config,
-        document["card"],
-    )
+    return tuple(weights), tuple(biases)

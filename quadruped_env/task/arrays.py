@@ -18,11 +18,6 @@ def exp(x: Any) -> Any:
     return np.exp(x) if isinstance(x, np.ndarray) else x.exp()
 
 
-def clip(x: Any) -> Any:
-    """Elementwise x, kept within [-1, 1]."""
-    return np.minimum(np.maximum(x, MINUS_ONE), ONE) if isinstance(x, np.ndarray) else x.clip(-1.0, 1.0)
-
-
 def positive(x: Any) -> Any:
     """Elementwise x where it is positive, else 0."""
     return np.maximum(x, ZERO) if isinstance(x, np.ndarray) else x.clip(0.0)

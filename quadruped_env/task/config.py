@@ -20,21 +20,21 @@ Range = tuple[float, float]
 
 REWARD_WEIGHTS: Final = types.MappingProxyType(
     {
-        "track_forward_velocity": 2.0,
-        "track_yaw_rate": 1.0,
-        "forward_progress": 2.0,
-        "turn_progress": 1.0,
-        "gait_clock": 3.0,
+        "track_forward_velocity": 6.0,
+        "track_yaw_rate": 3.0,
+        "forward_progress": 4.0,
+        "turn_progress": 2.0,
+        "gait_clock": 5.0,
         "upright": -2.0,
         "base_height": -20.0,
         "vertical_velocity": -0.5,
         "roll_pitch_rate": -0.03,
         "lateral_velocity": -0.5,
-        "action_rate": -0.03,
+        "action_rate": -0.08,
         "mechanical_power": -0.005,
         "foot_slip": -0.3,
         "stand_still": -1.0,
-        "joint_limits": -2.0,
+        "joint_speed": -1.0,
         "fall": -50.0,
     }
 )
@@ -107,10 +107,10 @@ class RewardConfig:
     """s; the tracking terms see velocities through a first-order filter, because every gait sways within its cycle"""
     base_height: float = 0.175
     """m; the height that `base_height` asks for"""
-    foot_lift: float = 0.015
+    foot_lift: float = 0.02
     """m; the sole's height in the swing at which `gait_clock` is satisfied"""
-    joint_limit_margin: float = 0.1
-    """rad from a joint's limit at which `joint_limits` begins"""
+    joint_speed_margin: float = 1.0
+    """rad/s below the motors' top speed at which `joint_speed` begins; a motor at its top speed has no torque left"""
     contact_threshold: float = 1.0
     """N; a foot that presses harder than this is in contact"""
 

@@ -5,19 +5,17 @@ a row's value does not depend on how many rows there are.
 """
 
 import functools
+import math
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.robot import FOOT_RADIUS, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
+from quadruped_env.robot import FOOT_RADIUS, VELOCITY_LIMIT
 from quadruped_env.simulation import State
-from quadruped_env.task.arrays import as_number, clip, dot, exp, like, over_minus_one, positive, reverse, total
+from quadruped_env.task.arrays import ONE, as_number, dot, exp, like, over_minus_one, positive, reverse, total
 from quadruped_env.task.config import RewardConfig
-
-_JOINT_MIDDLE: Final = (JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2.0
-_JOINT_HALF_RANGE: Final = (JOINT_POSITION_HIGH - JOINT_POSITION_LOW) / 2.0
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 """m/s and rad/s under which `progress` no longer pays in full."""
@@ -68,9 +66,19 @@ def gait_clock(lift: Any, clock_sine: Any, moving: Any) -> Any:
 def foot_lift(foot_height: Any, full: float) -> Any:
     """Height of each foot's sole over flat ground: -1 on the ground to 1 at a full lift (m) and above, shape (N, 4).
 
-    Smooth where contact is a switch, so that a little more lift already pays.
+    Smooth where contact is a switch, so that a little more lift already pays; and bent, 1 - 2 (1 - height / full)^2, so
+    that the first millimetres pay most and no foot is left dragging for the sake of the others.
     """
-    return clip(foot_height * (2.0 / full) - (2.0 * FOOT_RADIUS / full + 1.0))
+    top, scale = _lift_scale(full)
+    missing = positive(like(top, foot_height) - foot_height * like(scale, foot_height))
+    return like(ONE, foot_height) - missing * missing
+
+
+@functools.cache
+def _lift_scale(full: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Height of a full lift and the scale of heights, such that the square of what is missing is 2 on the ground."""
+    scale = math.sqrt(2.0) / full
+    return np.array(scale * (FOOT_RADIUS + full)), np.array(scale)
 
 
 def sum_of_squares(x: Any) -> Any:
@@ -99,15 +107,14 @@ def foot_slip(contact: Any, foot_velocity: Any, foot_angular_velocity: Any) -> A
     return dot(dot(sliding, sliding), contact)
 
 
-def joint_limit_excess(position: Any, margin: float) -> Any:
-    """How far the joints are inside a margin (rad) of their limits, summed, rad, shape (N,)."""
-    from_middle = abs(position - like(_JOINT_MIDDLE, position))
-    return total(positive(from_middle - like(_free_half_range(margin), position)))
+def joint_speed_excess(velocity: Any, margin: float) -> Any:
+    """How far the joints are inside a margin (rad/s) of the motors' top speed, squared and summed, (rad/s)^2, (N,)."""
+    return sum_of_squares(positive(abs(velocity) - like(_free_speed(margin), velocity)))
 
 
 @functools.cache
-def _free_half_range(margin: float) -> NDArray[np.float64]:
-    return _JOINT_HALF_RANGE - margin
+def _free_speed(margin: float) -> NDArray[np.float64]:
+    return np.array(VELOCITY_LIMIT - margin)
 
 
 @dataclass(slots=True)
@@ -163,6 +170,6 @@ def reward_terms(state: State, memory: Memory, config: RewardConfig) -> dict[str
         "mechanical_power": mechanical_power(state.joint_torque, state.joint_velocity),
         "foot_slip": foot_slip(contact, state.foot_velocity, state.foot_angular_velocity),
         "stand_still": sum_of_squares(memory.joint_offset) * (1.0 - memory.moving),
-        "joint_limits": joint_limit_excess(state.joint_position, config.joint_limit_margin),
+        "joint_speed": joint_speed_excess(state.joint_velocity, config.joint_speed_margin),
         "fall": memory.fallen,
     }
