@@ -228,7 +228,7 @@ DAMAGES = {
         r"policy.json: scripted_gait differs from this version's.*train again",
     ),
     "residual without its gait": (
-        lambda d: edit_card(d, config={"action": {"mode": "residual"}}),
+        lambda d: edit_card(d, config={"action": {"mode": "residual"}}, scripted_gait=None),
         r"policy.json: scripted_gait differs",
     ),
     "bad config": (
