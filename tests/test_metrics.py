@@ -211,6 +211,8 @@ def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
     np.testing.assert_allclose(values["distance"][2:], values["forward_velocity"][2:] * 4.0, rtol=0.2)
     assert np.isnan(values["cost_of_transport"][:2]).all()
     assert values["peak_torque"].max() <= METRICS["peak_torque"].limit + 1e-3
+    feet = metrics.foot_clearance(rollout.foot_height, metrics.counted_samples(rollout))
+    np.testing.assert_array_equal(values["foot_clearance"], feet.min(axis=1))
     assert not np.array_equal(rollout.base_position[:, 2], rollout.base_position[:, 3])
 
     # A row's numbers depend on its own seed and command only, and a selection is the rows themselves.

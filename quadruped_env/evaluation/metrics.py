@@ -88,7 +88,7 @@ METRICS: Final[dict[str, Metric]] = {
     ),
     "foot_slip": Metric("Foot slip", "m/s", "mean sliding speed of the soles that are on the ground", 3, True),
     "foot_clearance": Metric(
-        "Foot clearance", "m", "height that a sole exceeds in 5 % of the time, mean of the feet", 3
+        "Foot clearance", "m", "height that a sole exceeds in 5 % of the time, of the foot that is lifted least", 3
     ),
     "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
     "stride_frequency": Metric("Stride frequency", "Hz", "strongest frequency of the hips' swing"),
@@ -120,7 +120,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "joint_acceleration": joint_acceleration(r.joint_velocity, counted, dt),
         "joints_at_limit": joints_at_limit(r.joint_position, counted),
         "foot_slip": stance_slip(r.slip_speed, r.contact, counted),
-        "foot_clearance": foot_clearance(r.foot_height, counted).mean(axis=-1),
+        "foot_clearance": foot_clearance(r.foot_height, counted).min(axis=-1),
         "duty_factor": duty_factor(r.contact, counted).mean(axis=-1),
         "stride_frequency": stride_frequency(r.joint_position, counted, dt),
     }
