@@ -6,19 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.robot import JOINT_NAMES, STANCE
-from quadruped_env.robot.ground import foot_centres
 
 FAR = 0.5
-"""rad from the stance; from further away one half of the robot gets up before the other"""
-_FRONT = np.array([name[1] == "F" for name in JOINT_NAMES])
+"""rad from the stance; from further away the hips move before the knees"""
+_KNEE = np.array(["knee" in name for name in JOINT_NAMES])
 
 
 @dataclass(frozen=True)
 class Rise:
     """The way of the joints to the stance; it begins and ends at rest.
 
-    The legs swing fore and aft only. Where all feet lie behind the robot's middle it would fall on its nose if all legs
-    rose together, so the front gets up first; where they lie before it, the hind.
+    The legs swing fore and aft only. A robot that was let go lies with its feet far from under it, and would fall over
+    them if it rose from there: so the hips bring the legs under it first, and then the knees lift it.
     """
 
     start: NDArray[np.float64]
@@ -38,8 +37,7 @@ class Rise:
         time = max(least, way / speed)
         delay = np.zeros(len(JOINT_NAMES))
         if way > FAR:
-            behind = foot_centres(start)[:, 0].mean() < 0.0
-            delay[~_FRONT if behind else _FRONT] = time
+            delay[_KNEE] = time
         return cls(start.copy(), time, delay)
 
     @property
