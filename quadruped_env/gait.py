@@ -179,8 +179,8 @@ class LegTable:
     """A leg's sinusoids over the ground speed: columns of `CommandedGait.speeds`' length, rad (K,).
 
     The knee's wave is kept as a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p), because
-    walking backwards is walking forwards with time reversed: only the sine part changes its sign, and the table stays
-    smooth through zero.
+    walking backwards is walking forwards with time reversed and half a cycle on: only the cosine part changes its sign,
+    and the table stays smooth through zero.
     """
 
     hip_amplitude: tuple[float, ...]
