@@ -13,7 +13,6 @@ from quadruped_env.live.pilot import Measurement, Mode, Pilot
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
-from quadruped_env.live.standing import Rise
 from quadruped_env.live.terrain import CELL, SIZE, Terrain
 from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, STANCE, STANCE_HEIGHT, resting_pose
@@ -104,7 +103,7 @@ def test_it_stands_down_in_a_silence_and_walks_again(silence, at, in_environment
     _, during = loop.run(silence, (0.5, 0.0), states=False)
     assert loop.robot.limp == (silence > 1.0)
     assert (loop.pilot.mode is Mode.WALKING) == (silence < 0.2)
-    speeds, after = loop.run(10.0, (0.5, 0.0))
+    speeds, after = loop.run(12.0, (0.5, 0.0))
     assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=0.02)
     assert min(during.min(), after.min()) > 0.75, "it fell"
 
@@ -118,7 +117,7 @@ def test_without_commands_the_watchdog_lets_it_go_limp_and_a_new_controller_gets
     assert loop.robot.limp
     assert loop.robot.state.base_position[0, 2] < 0.1
     loop.pilot = Pilot(*asked_source("flat").make())
-    loop.run(5.0)
+    loop.run(8.0)
     assert loop.robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=0.02)
     speeds, _ = loop.run(5.0, (0.5, 0.0))
     assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=0.02)
@@ -208,32 +207,6 @@ def test_a_push_adds_its_velocity_and_a_pick_up_ends_a_fall():
     np.testing.assert_allclose(robot.state.base_position[0, :2], place, atol=1e-9)
     assert not robot.fallen
     assert robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT)
-
-
-def test_rising_begins_and_ends_at_rest_and_moves_the_hips_before_the_knees():
-    lying = np.array([1.3, -0.1] * 4)
-    rise = Rise.plan(lying, speed=1.0, least=1.0)
-    assert rise.duration == pytest.approx(2.0)
-    np.testing.assert_array_equal(rise.positions(0.0), lying)
-    np.testing.assert_allclose(rise.positions(1.0), np.tile([STANCE[0], lying[1]], 4))
-    np.testing.assert_allclose(rise.positions(9.0), STANCE)
-    times = np.linspace(0.0, rise.duration, 401)
-    speeds = np.diff([rise.positions(t) for t in times], axis=0) / np.diff(times)[:, None]
-    assert np.abs(speeds[[0, -1]]).max() < 0.02
-    assert np.abs(speeds).max() <= 1.5
-
-
-def test_a_robot_that_was_let_go_in_any_phase_of_its_step_nearly_always_gets_up():
-    """Where the legs are when it collapses decides how it lies; now and then it falls over them as it rises."""
-    up = []
-    for phase in np.arange(0.0, 0.44, 0.04):
-        loop = Loop()
-        loop.run(5.0 + phase, (0.5, 0.0))
-        loop.run(3.0, commands=False)
-        loop.pilot = Pilot(*asked_source("flat").make())
-        _, upright = loop.run(6.0)
-        up.append(upright.min() > 0.5)
-    assert np.mean(up) >= 0.9
 
 
 @pytest.fixture

@@ -166,7 +166,7 @@ def test_it_goes_the_whole_way_again_when_states_come_back():
     answers = bench.pass_time(0.5)
     assert bench.mode is Mode.RAMPING
     np.testing.assert_allclose(answers[0].target, bench.positions, atol=1e-6)
-    bench.pass_time(4.0)
+    bench.pass_time(8.0)
     assert bench.mode is Mode.WALKING
 
 

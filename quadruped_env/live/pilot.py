@@ -46,10 +46,10 @@ class Safety:
     """s without a state"""
     command_lasts: float = 0.5
     """s that a velocity command is followed"""
-    ramp_speed: float = 1.0
-    """rad/s; mean speed of the joint that has the longest way to the stance"""
+    ramp_speed: float = 1.5
+    """rad/s; mean speed of the joint that has the longest way"""
     ramp_least: float = 1.0
-    """s; the shortest ramp"""
+    """s; the shortest ramp from one pose to the next"""
     settle: float = 0.5
     """s in the stance before walking"""
 

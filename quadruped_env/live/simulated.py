@@ -48,9 +48,17 @@ class SimulatedRobot:
         still = RandomizationConfig(
             start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
         )
-        qpos, qvel = start_states(self._generator.random((1, START_DRAWS)), still)
-        self._simulation.reset(_ROW, qpos, qvel)
-        self._target = qpos[0, 7:].copy()
+        qpos, _ = start_states(self._generator.random((1, START_DRAWS)), still)
+        self.put(qpos[0])
+
+    def put(self, qpos: NDArray[np.float64]) -> None:
+        """Put the robot somewhere, still, its motors on as if it had just begun.
+
+        Args:
+            qpos: position in m and quaternion wxyz of the base, and joint positions in rad, (15,).
+        """
+        self._simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
+        self._target = qpos[7:].copy()
         self._commanded_for = None
         self.limp = False
 
@@ -65,11 +73,9 @@ class SimulatedRobot:
 
     def pick_up(self) -> None:
         """Put the robot on its feet where it is, motors on, as a person would."""
-        position, forward = self.state.base_position[0].copy(), self._facing()
-        self.reset()
-        height = STANCE_HEIGHT + self._terrain.under(position[:2])
-        qpos = np.concatenate([position[:2], [height], forward, STANCE])
-        self._simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
+        place = self.state.base_position[0, :2]
+        height = STANCE_HEIGHT + self._terrain.under(place)
+        self.put(np.concatenate([place, [height], self._facing(), STANCE]))
 
     def _facing(self) -> NDArray[np.float64]:
         """Quaternion wxyz (4,) of the base's yaw alone."""

@@ -1,0 +1,113 @@
+"""Getting up from wherever the robot was let go, lies or stands, in physics."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+from test_live_robot import Loop
+
+from quadruped_env.live.commands import LIMP, limited
+from quadruped_env.live.pilot import Pilot, Safety
+from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
+from quadruped_env.live.standing import Rise
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
+from quadruped_env.viewer.sources import asked_source
+
+pytest.importorskip("cyclonedds")
+
+PERIOD = 0.02
+"""s between commands"""
+SAFETY = Safety()
+
+
+def plan(start):
+    return Rise.plan(np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.ramp_least)
+
+
+def sampled(rise):
+    times = np.linspace(0.0, rise.duration, 2001)
+    return times, np.array([rise.positions(time) for time in times])
+
+
+def test_from_upright_legs_it_leads_straight_to_the_stance():
+    start = STANCE + np.array([0.3, -0.2] * 4)
+    rise = plan(start)
+    assert rise.duration == pytest.approx(1.0)
+    _, positions = sampled(rise)
+    np.testing.assert_array_equal(positions[0], start)
+    np.testing.assert_allclose(rise.positions(0.5), (start + STANCE) / 2)
+    np.testing.assert_allclose(positions[-1], STANCE)
+    assert np.all(np.diff(positions, axis=0) * (STANCE - start) >= 0.0)
+    np.testing.assert_array_equal(rise.positions(-1.0), start)
+    np.testing.assert_allclose(rise.positions(99.0), STANCE)
+
+
+def test_a_robot_in_its_stance_stays_there():
+    rise = plan(STANCE)
+    np.testing.assert_array_equal([rise.positions(time) for time in (0.0, 0.3, 1.0)], [STANCE] * 3)
+
+
+def test_legs_that_point_inward_go_outward_on_one_side_and_then_on_the_other():
+    """A robot on its nose: the fore legs point back under it; the left hind leg forward."""
+    rise = plan([1.2, -0.1, 1.0, 0.0, 0.3, -1.2, 0.9, -0.1])
+    lean = rise.points.reshape(-1, 4, 2).sum(axis=2)
+    along = np.pi / 2
+    np.testing.assert_allclose(
+        lean[1:-1],
+        [[along, along, -along, along], [-along, along, along, along], [-along, -along, along, along]],
+        atol=0.1,
+    )
+    np.testing.assert_array_equal(rise.points[-1], STANCE)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_it_goes_slowly_from_rest_to_rest_and_within_the_range(seed):
+    start = np.random.default_rng(seed).uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+    times, positions = sampled(plan(start))
+    speeds = np.abs(np.diff(positions, axis=0)).max(axis=1) / times[1]
+    assert speeds[[0, -1]].max() < 0.02
+    assert speeds.max() <= 1.5 * SAFETY.ramp_speed + 1e-9
+    np.testing.assert_array_equal(positions, np.clip(positions, JOINT_POSITION_LOW, JOINT_POSITION_HIGH))
+
+
+def got_up(robot):
+    """Whether it gets up, from how it is now, without ever leaning by more than the controller allows."""
+    rise = plan(robot.state.joint_position[0])
+    last, upright = rise.points[0], []
+    for elapsed in np.arange(0.0, rise.duration + 1.0, PERIOD):
+        last = limited(rise.positions(elapsed), last, PERIOD)
+        robot.command(last)
+        for _ in range(round(PERIOD / TIMESTEP)):
+            robot.step()
+            upright.append(robot.state.up_b[0, 2])
+    height = robot.state.base_position[0, 2]
+    return min(upright) > np.cos(1.0) and upright[-1] > 0.99 and abs(height - STANCE_HEIGHT) < 0.01
+
+
+def test_it_gets_up_from_however_it_was_dropped():
+    """Limp, with any joint positions, leaning by up to 0.5 rad each way; not on its back or flank."""
+    rng = np.random.default_rng(0)
+    robot, up = SimulatedRobot(), []
+    while len(up) < 100:
+        lean = Rotation.from_euler("xy", rng.uniform(-0.5, 0.5, 2)).as_quat(scalar_first=True)
+        legs = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+        robot.reset()
+        robot.put(np.concatenate([[0.0, 0.0, 0.25], lean, legs]))
+        robot.command(LIMP)
+        for _ in range(round(2.5 / TIMESTEP)):
+            robot.step()
+        if not robot.fallen:
+            up.append(got_up(robot))
+    assert all(up)
+
+
+@pytest.mark.parametrize("terrain", ["flat", "rough", "hills"])
+def test_a_robot_that_was_let_go_in_any_phase_of_its_step_gets_up(terrain):
+    """Where the legs are when it collapses decides how it lies."""
+    for phase in np.arange(0.0, 0.44, 0.04 if terrain == "flat" else 0.11):
+        loop = Loop(terrain=terrain)
+        loop.run(5.0 + phase, (0.5, 0.0))
+        loop.run(3.0, commands=False)
+        loop.pilot = Pilot(*asked_source("flat").make())
+        _, upright = loop.run(9.0)
+        assert upright.min() > np.cos(1.0), phase
+        assert upright[-1] > 0.98, phase
