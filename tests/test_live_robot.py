@@ -3,13 +3,14 @@
 import mujoco
 import numpy as np
 import pytest
+from live_loop import EPOCH, Loop
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live import Node
 from quadruped_env.live.benchmark import speed_in_environment
 from quadruped_env.live.commands import LIMP
 from quadruped_env.live.mirror import Mirror, mirror_source
-from quadruped_env.live.pilot import Measurement, Mode, Pilot
+from quadruped_env.live.pilot import Mode
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
@@ -18,54 +19,8 @@ from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETR
 from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, STANCE, STANCE_HEIGHT, resting_pose
 from quadruped_env.ros import cdr
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.sources import asked_source
 
 pytest.importorskip("cyclonedds")
-
-EPOCH = 10**18
-
-
-class Loop:
-    """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
-
-    def __init__(self, controller="flat", seed=0, terrain="flat"):
-        self.robot = SimulatedRobot(seed, terrain)
-        self.said = []
-        self.pilot = Pilot(*asked_source(controller).make(), say=self.said.append)
-        self.steps = 0
-
-    @property
-    def time(self):
-        return self.steps * TIMESTEP
-
-    def run(self, seconds, velocity=(0.0, 0.0), states=True, commands=True):
-        """Time goes by; returns forward velocities (T,) in m/s and the cosine of the tilt (T,)."""
-        speeds, upright = [], []
-        for _ in range(round(seconds / TIMESTEP)):
-            self.robot.step()
-            self.steps += 1
-            self.pilot.command(*velocity, self.time)
-            answers = []
-            if self.steps % 2 == 0:
-                if states:
-                    answers.append(self.pilot.measured(self.measurement(), self.time))
-                answers.append(self.pilot.silent(self.time))
-            for answer in answers:
-                if answer is not None and commands:
-                    self.robot.command(answer.target)
-            speeds.append(self.robot.state.linear_velocity_b[0, 0])
-            upright.append(self.robot.state.up_b[0, 2])
-        return np.array(speeds), np.array(upright)
-
-    def measurement(self):
-        state = self.robot.state
-        return Measurement(
-            EPOCH + round(self.time * 1e9),
-            state.joint_position[0].copy(),
-            state.joint_velocity[0].copy(),
-            state.orientation[0].copy(),
-            state.angular_velocity_b[0].copy(),
-        )
 
 
 @pytest.fixture(scope="module")
@@ -116,7 +71,7 @@ def test_without_commands_the_watchdog_lets_it_go_limp_and_a_new_controller_gets
     loop.run(3.0, commands=False)
     assert loop.robot.limp
     assert loop.robot.state.base_position[0, 2] < 0.1
-    loop.pilot = Pilot(*asked_source("flat").make())
+    loop.restart_pilot()
     loop.run(8.0)
     assert loop.robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=0.02)
     speeds, _ = loop.run(5.0, (0.5, 0.0))

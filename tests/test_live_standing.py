@@ -2,15 +2,14 @@
 
 import numpy as np
 import pytest
+from live_loop import Loop
 from scipy.spatial.transform import Rotation
-from test_live_robot import Loop
 
 from quadruped_env.live.commands import LIMP, limited
-from quadruped_env.live.pilot import Pilot, Safety
+from quadruped_env.live.pilot import Safety
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.standing import Rise
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
-from quadruped_env.viewer.sources import asked_source
 
 pytest.importorskip("cyclonedds")
 
@@ -107,7 +106,7 @@ def test_a_robot_that_was_let_go_in_any_phase_of_its_step_gets_up(terrain):
         loop = Loop(terrain=terrain)
         loop.run(5.0 + phase, (0.5, 0.0))
         loop.run(3.0, commands=False)
-        loop.pilot = Pilot(*asked_source("flat").make())
+        loop.restart_pilot()
         _, upright = loop.run(9.0)
         assert upright.min() > np.cos(1.0), phase
         assert upright[-1] > 0.98, phase

@@ -1,0 +1,57 @@
+"""What tests of the live robot share: robot and pilot in lock step, without a network."""
+
+import numpy as np
+
+from quadruped_env.live.pilot import Measurement, Pilot
+from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
+from quadruped_env.viewer.sources import asked_source
+
+EPOCH = 10**18
+"""ns; when their time begins"""
+
+
+class Loop:
+    """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
+
+    def __init__(self, controller="flat", seed=0, terrain="flat"):
+        self.robot = SimulatedRobot(seed, terrain)
+        self.steps = 0
+        self._controller = controller
+        self.restart_pilot()
+
+    def restart_pilot(self):
+        """The controller ended, and another one begins."""
+        self.pilot = Pilot(*asked_source(self._controller).make())
+
+    @property
+    def time(self):
+        return self.steps * TIMESTEP
+
+    def run(self, seconds, velocity=(0.0, 0.0), states=True, commands=True):
+        """Time goes by; returns forward velocities (T,) in m/s and the cosine of the tilt (T,)."""
+        speeds, upright = [], []
+        for _ in range(round(seconds / TIMESTEP)):
+            self.robot.step()
+            self.steps += 1
+            self.pilot.command(*velocity, self.time)
+            answers = []
+            if self.steps % 2 == 0:
+                if states:
+                    answers.append(self.pilot.measured(self.measurement(), self.time))
+                answers.append(self.pilot.silent(self.time))
+            for answer in answers:
+                if answer is not None and commands:
+                    self.robot.command(answer.target)
+            speeds.append(self.robot.state.linear_velocity_b[0, 0])
+            upright.append(self.robot.state.up_b[0, 2])
+        return np.array(speeds), np.array(upright)
+
+    def measurement(self):
+        state = self.robot.state
+        return Measurement(
+            EPOCH + round(self.time * 1e9),
+            state.joint_position[0].copy(),
+            state.joint_velocity[0].copy(),
+            state.orientation[0].copy(),
+            state.angular_velocity_b[0].copy(),
+        )
