@@ -8,12 +8,34 @@ import mujoco
 import numpy as np
 import pytest
 
+from quadruped_env import asset_path
 from quadruped_env.robot import load_model
 
 
 @pytest.fixture(scope="session")
 def model():
     return load_model()
+
+
+@pytest.fixture(scope="session")
+def urdf():
+    import yourdfpy
+
+    return yourdfpy.URDF.load(str(asset_path("mini_quadruped.urdf")), load_meshes=False)
+
+
+@pytest.fixture(scope="session")
+def urdf_model():
+    """The URDF as MuJoCo reads it; unfused, or the base would vanish into the world."""
+    spec = mujoco.MjSpec.from_file(str(asset_path("mini_quadruped.urdf")))
+    spec.compiler.fusestatic = False
+    return spec.compile()
+
+
+@pytest.fixture(scope="session")
+def mjcf():
+    """The robot alone, without its ground."""
+    return mujoco.MjModel.from_xml_path(str(asset_path("mini_quadruped.xml")))
 
 
 @pytest.fixture
@@ -38,6 +60,23 @@ def nodes(domain_id):
     yield make
     for node in made:
         node.close()
+
+
+@pytest.fixture
+def control(tmp_path):
+    """Makes controllers that are closed in the end."""
+    from quadruped_env.viewer import ViewController, find_sources
+
+    made = []
+
+    def make(*names, asked=()):
+        sources, chosen = find_sources(asked, runs=tmp_path / "runs")
+        made.append(ViewController(sources, names or chosen, tmp_path / "results"))
+        return made[-1]
+
+    yield make
+    for controller in made:
+        controller.close()
 
 
 @pytest.fixture

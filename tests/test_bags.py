@@ -1,7 +1,6 @@
 """Bags, read back by independent readers, and bags that others wrote."""
 
 import itertools
-import re
 import sqlite3
 import struct
 import sys
@@ -9,6 +8,7 @@ import zlib
 
 import numpy as np
 import pytest
+from bags import JOINT_STATE, KINDS, fields, messages_of, save, write_bag, write_ros1
 from trajectories import STAMPS, assert_same, random_trajectory
 
 from quadruped_env import (
@@ -22,45 +22,10 @@ from quadruped_env import (
 from quadruped_env.robot import joint_transforms
 from quadruped_env.ros import cdr
 from quadruped_env.ros.tf import TfEncoder
-from quadruped_env.trajectory import JointMap, JointRule, formats
 
 pytest.importorskip("rosbags")
-from rosbags.rosbag1 import Writer as Writer1
-from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
+from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
-
-JOINT_STATE = "sensor_msgs/msg/JointState"
-KINDS = ("mcap", "sqlite3", "bare.mcap", "bare.db3", "mcap zstd", "sqlite3 zstd")
-
-
-def save(trajectory, directory, kind, **options):
-    """A bag of one of the kinds, and its path."""
-    name, _, compression = kind.partition(" ")
-    path = directory / (name if "." in name else "bag")
-    trajectory.save(path, storage=None if "." in name else name, compress=bool(compression), **options)
-    return path
-
-
-def write_bag(path, messages, storage="mcap", compression=None, topics=("/joint_states",)):
-    """A bag of messages (ns of recording, fields), by rosbags alone."""
-    writer = Writer(path, version=8, storage_plugin=StoragePlugin[storage.upper()])
-    if compression:
-        writer.set_compression(CompressionMode[compression.upper()], CompressionFormat.ZSTD)
-    with writer:
-        connections = [writer.add_connection(topic, JOINT_STATE, typestore=cdr.typestore()) for topic in topics]
-        for (time, fields), connection in zip(messages, itertools.cycle(connections), strict=False):
-            writer.write(connection, time, cdr.serialize(cdr.message(JOINT_STATE, **fields)))
-    return path
-
-
-def messages_of(trajectory):
-    for state in trajectory:
-        arrays = {"position": state.position, "velocity": state.velocity, "effort": state.effort}
-        yield state.stamp, {"header": cdr.header(state.stamp), "name": state.names, **arrays}
-
-
-def fields(stamp=0, names=("a", "b"), position=(0.1, 0.2), **others):
-    return {"header": cdr.header(stamp), "name": names, "position": position, **others}
 
 
 class TestRoundTrip:
@@ -329,236 +294,6 @@ class TestBagsOfOthers:
         loaded = JointTrajectory.load(path)
         assert (loaded.names, loaded.positions.tolist()) == (("a", "b"), [[1, 2], [6, 5]])
         assert loaded.velocities.tolist() == [[3, 4], [8, 7]]
-
-
-def write_ros1(path, trajectory, compression=None):
-    store = get_typestore(Stores.ROS1_NOETIC)
-    writer = Writer1(path)
-    if compression:
-        writer.set_compression(Writer1.CompressionFormat[compression])
-    with writer:
-        connection = writer.add_connection("/joint_states", JOINT_STATE, typestore=store)
-        for number, state in enumerate(trajectory):
-            time = store.types["builtin_interfaces/msg/Time"](*divmod(state.stamp, 10**9))
-            header = store.types["std_msgs/msg/Header"](number, time, "")
-            none = np.empty(0)
-            message = store.types[JOINT_STATE](
-                header,
-                list(state.names),
-                state.position,
-                none if state.velocity is None else state.velocity,
-                none if state.effort is None else state.effort,
-            )
-            writer.write(connection, state.stamp, store.serialize_ros1(message, JOINT_STATE))
-    return path
-
-
-class TestBadMessages:
-    """Every case is refused by default, with a cure; those that `drop` mends keep the other rows."""
-
-    @pytest.mark.parametrize(
-        ("bad", "message", "drop"),
-        [
-            (
-                fields(1, position=[0.1]),
-                r"message 1: 2 names and 1 positions; mend it, or leave .* out \(--drop\)",
-                True,
-            ),
-            (fields(1, velocity=[0.1]), r"message 1: 2 names and 1 velocities", True),
-            (fields(1, effort=[0.1, 0.2, 0.3]), r"message 1: 2 names and 3 efforts", True),
-            (
-                fields(1, names=[]),
-                r"message 1: 2 positions and no names: give the joints in their order \(--names\)",
-                True,
-            ),
-            (fields(1, names=["a", "a"]), r"message 1: joint 'a' is named twice", True),
-            (fields(1, names=["a", ""]), r"message 1: 2 positions and 2 names, of which 1 are empty", True),
-            (fields(1, names=["a", "c"]), r"message 1: it lacks joint 'b', which the messages before it have", True),
-            (fields(1, names=["a"], position=[1]), r"message 1: it lacks joint 'b'", True),
-            (fields(1, velocity=[1, 2]), r"message 1: it has the velocity that the messages before it lack", True),
-            (fields(1, position=[np.nan, 0]), r"message 1, position\.a: nan is not finite; leave the row out", True),
-            (fields(1, position=[0, np.inf]), r"message 1, position\.b: inf is not finite", True),
-            (fields(0), r"message 1, stamp_ns: 0 does not come after 0 .*\(--sort\).*\(--drop", True),
-            (fields(1, position=[90.0, 0]), r"message 1, position\.a: 90 rad is more than two turns.*--degrees", False),
-        ],
-    )
-    def test_is_named_and_dropped(self, tmp_path, bad, message, drop):
-        good = [(i, fields(i)) for i in range(6)]
-        path = write_bag(tmp_path / "bag", [good[0], (1, bad), *good[2:]])
-        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
-            JointTrajectory.load(path)
-        if drop:
-            loaded = JointTrajectory.load(path, drop=True)
-            assert loaded.stamps.tolist() == [0, 2, 3, 4, 5]
-            (note,) = loaded.source.notes
-            assert note.startswith("left out 1 of 6: ")
-
-    def test_an_empty_bag(self, tmp_path):
-        with pytest.raises(QuadrupedError, match=r"the topic has no message; record again"):
-            JointTrajectory.load(write_bag(tmp_path / "bag", []))
-
-    def test_no_row_left(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(0, fields(position=[np.nan, 0]))])
-        with pytest.raises(QuadrupedError, match=r"no row is left; left out 1 of 1: a number is not finite"):
-            JointTrajectory.load(path, drop=True)
-
-    def test_names_given_for_messages_without(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(i, fields(i, names=[])) for i in range(3)])
-        assert JointTrajectory.load(path, names=["x", "y"]).names == ("x", "y")
-        with pytest.raises(QuadrupedError, match=r"message 0: 3 names and 2 positions"):
-            JointTrajectory.load(path, names=["x", "y", "z"])
-
-    def test_falling_stamps_are_sorted_or_dropped_on_request(self, tmp_path):
-        path = write_bag(
-            tmp_path / "bag", [(i, fields(stamp, position=(stamp, 0))) for i, stamp in enumerate([3, 1, 2, 5])]
-        )
-        with pytest.raises(QuadrupedError, match=r"message 1, stamp_ns: 1 does not come after 3"):
-            JointTrajectory.load(path)
-        by_stamp = JointTrajectory.load(path, sort=True)
-        assert (by_stamp.stamps.tolist(), by_stamp.positions[:, 0].tolist()) == ([1, 2, 3, 5], [1, 2, 3, 5])
-        assert JointTrajectory.load(path, drop=True).stamps.tolist() == [3, 5]
-
-    def test_repeated_stamps_are_not_mended_by_sorting(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(i, fields(stamp)) for i, stamp in enumerate([3, 1, 3])])
-        with pytest.raises(QuadrupedError, match=r"message 2, stamp_ns: 3 does not come after 3"):
-            JointTrajectory.load(path, sort=True)
-        assert JointTrajectory.load(path, sort=True, drop=True).stamps.tolist() == [1, 3]
-
-    @pytest.mark.parametrize("row", [4095, 4096, 4097])
-    def test_stamps_that_fall_between_blocks_are_seen(self, tmp_path, row):
-        stamps = np.arange(5000) * 10
-        stamps[row] = stamps[row - 1]
-        path = write_bag(tmp_path / "bag", [(i, fields(int(stamp))) for i, stamp in enumerate(stamps)], "sqlite3")
-        with pytest.raises(QuadrupedError, match=rf"message {row}, stamp_ns: {stamps[row]} does not come after"):
-            JointTrajectory.load(path)
-        assert len(JointTrajectory.load(path, drop=True)) == 4999
-
-    def test_degrees_are_converted_on_request_only(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(0, fields(position=(90, -45), velocity=(180, 0), effort=(3, 4)))])
-        converted = JointTrajectory.load(path, degrees=True)
-        np.testing.assert_allclose(converted.positions, [[np.pi / 2, -np.pi / 4]])
-        np.testing.assert_allclose(converted.velocities, [[np.pi, 0]])
-        assert converted.efforts.tolist() == [[3, 4]]
-        assert JointTrajectory.load(path, degrees=False).positions.tolist() == [[90, -45]]
-
-    def test_unknown_velocities_are_none_and_unknown_efforts_stay(self, tmp_path):
-        unknown = {"velocity": (np.nan, np.nan), "effort": (np.nan, np.nan)}
-        loaded = JointTrajectory.load(write_bag(tmp_path / "bag", [(i, fields(i, **unknown)) for i in range(3)]))
-        assert loaded.velocities is None
-        assert np.isnan(loaded.efforts).all()
-        loaded = JointTrajectory.load(tmp_path / "bag", ignore=["effort"])
-        assert loaded.efforts is None
-
-    def test_options_are_checked(self, tmp_path):
-        with pytest.raises(QuadrupedError, match=r"stamps: expected one of header, log; found 'now'"):
-            JointTrajectory.load(tmp_path, stamps="now")
-        with pytest.raises(QuadrupedError, match=r"ignore: expected velocity or effort; found 'position'"):
-            JointTrajectory.load(tmp_path, ignore=["position"])
-
-
-class TestSalvage:
-    @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "sqlite3 zstd"])
-    @pytest.mark.parametrize("share", [0.35, 0.9])
-    def test_a_bag_that_was_cut_off_is_read_up_to_the_cut(self, tmp_path, kind, share):
-        trajectory = random_trajectory(rows=5000)
-        path = save(trajectory, tmp_path, kind)
-        file = next(entry for entry in path.iterdir() if entry.suffix != ".yaml") if path.is_dir() else path
-        data = file.read_bytes()
-        file.write_bytes(data[: int(len(data) * share)])
-        place = r"\([\w.]+: .*byte \d+.*\)"
-        with pytest.raises(QuadrupedError, match=rf"the bag is damaged, cut off, .* {place}; keep .*\(--salvage\)"):
-            JointTrajectory.load(path)
-        loaded = JointTrajectory.load(path, salvage=True)
-        # A page of sqlite3 or a block of zstd is lost as a whole.
-        assert 5000 * (share - 0.15) < len(loaded) < 5000
-        assert_same(loaded, trajectory.rows(np.s_[: len(loaded)]))
-        assert loaded.source.notes
-
-    @pytest.mark.parametrize("compression", [None, "BZ2", "LZ4"])
-    def test_a_ros_1_bag_that_was_cut_off(self, tmp_path, compression):
-        trajectory = random_trajectory(rows=12_000)
-        path = write_ros1(tmp_path / "a.bag", trajectory, compression)
-        data = path.read_bytes()
-        path.write_bytes(data[: len(data) // 2])
-        with pytest.raises(QuadrupedError, match=r"the bag is damaged, cut off"):
-            JointTrajectory.load(path)
-        loaded = JointTrajectory.load(path, salvage=True)
-        assert 3000 < len(loaded) < 12_000
-        assert_same(loaded, trajectory.rows(np.s_[: len(loaded)]))
-
-    def test_a_damaged_chunk_is_left_out_by_its_checksum(self, tmp_path):
-        trajectory = random_trajectory(rows=12_000)
-        path = save(trajectory, tmp_path, "bare.mcap")
-        data = bytearray(path.read_bytes())
-        data[len(data) // 2] ^= 1
-        path.write_bytes(data)
-        with pytest.raises(QuadrupedError, match=r"message \d+: the bag is damaged.*[Cc]hecksum"):
-            JointTrajectory.load(path)
-        loaded = JointTrajectory.load(path, salvage=True)
-        assert 4000 < len(loaded) < 12_000
-        kept = np.isin(trajectory.stamps, loaded.stamps)
-        np.testing.assert_array_equal(loaded.positions, trajectory.positions[kept])
-        assert any("checksum" in note for note in loaded.source.notes)
-        (gap,) = loaded.gaps()
-        assert gap.seconds > 1.0
-
-    @pytest.mark.parametrize("compress", [False, True])
-    def test_what_stands_behind_a_damaged_record_is_found(self, tmp_path, compress):
-        trajectory = random_trajectory(rows=20_000)
-        trajectory.save(tmp_path / "a.mcap", compress=compress)
-        data = bytearray((tmp_path / "a.mcap").read_bytes())
-        chunks, at = [], 8
-        while at < len(data) - 8:
-            chunks += [at] if data[at] == 0x06 else []
-            at += 9 + struct.unpack_from("<Q", data, at + 1)[0]
-        assert len(chunks) > 2
-        data[chunks[1] + 8] = 0xFF  # the greatest byte of its length
-        (tmp_path / "a.mcap").write_bytes(data)
-        loaded = JointTrajectory.load(tmp_path / "a.mcap", salvage=True)
-        assert any(f"cut off or damaged from byte {chunks[1]} on" in note for note in loaded.source.notes)
-        assert_same(loaded, trajectory)
-
-    def test_damaged_messages_are_named_and_left_out(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(i, fields(i)) for i in range(20)], "sqlite3")
-        (file,) = path.glob("*.db3")
-        with sqlite3.connect(file) as database:
-            database.execute("UPDATE messages SET data = substr(data, 1, 40) WHERE id = 6")
-        with pytest.raises(QuadrupedError, match=r"message 5: byte \d+: .*; leave damaged messages out \(--salvage\)"):
-            JointTrajectory.load(path)
-        loaded = JointTrajectory.load(path, salvage=True)
-        assert loaded.stamps.tolist() == [i for i in range(20) if i != 5]
-        assert loaded.source.notes == ("left out 1 of 20: the message is damaged",)
-
-
-class TestStream:
-    def test_pieces_are_short_and_add_up(self, tmp_path):
-        trajectory = random_trajectory(rows=10_000)
-        trajectory.save(tmp_path / "a.mcap")
-        shares = []
-        stream = formats.stream(tmp_path / "a.mcap", progress=shares.append)
-        pieces = list(stream)
-        assert max(map(len, pieces)) <= 4096
-        np.testing.assert_array_equal(np.concatenate([piece.efforts for piece in pieces]), trajectory.efforts)
-        assert pieces[1].source.row(0).endswith("message 4096")
-        assert shares == sorted(shares)
-        assert shares[-1] == 1.0
-        assert len(shares) > 5
-
-    def test_a_bag_that_lacks_messages_is_refused(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(i, fields(i)) for i in range(20)], "sqlite3")
-        (file,) = path.glob("*.db3")
-        with sqlite3.connect(file) as database:
-            database.execute("DELETE FROM messages WHERE id > 15")
-        with pytest.raises(QuadrupedError, match=r"message 15: .*it says that there are 20 messages; keep .*--salvage"):
-            JointTrajectory.load(path)
-        assert len(JointTrajectory.load(path, salvage=True)) == 15
-
-    def test_degrees_are_not_converted_twice(self, tmp_path):
-        path = write_bag(tmp_path / "bag", [(0, fields(position=(90, 45)))])
-        joint_map = JointMap({"x": JointRule("a", unit="deg")})
-        assert JointTrajectory.load(path, joint_map=joint_map).positions.tolist() == [[np.pi / 2]]
-        with pytest.raises(QuadrupedError, match=r"\[joints\.x\] has units of its own, and degrees were asked for too"):
-            JointTrajectory.load(path, joint_map=joint_map, degrees=True)
 
 
 class TestTargets:

@@ -1,49 +1,25 @@
-"""The viewer without a browser: its controller, what drives the robots, what is drawn, its server."""
+"""The viewer's controller without a browser: its clock, commands, gaits, sources and robots."""
 
 import json
 import math
-import os
-import signal
-import socket
-import subprocess
-import sys
 import threading
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-import psutil
 import pytest
+from viewing import DT, now, robot, throw_on_the_back
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, MissingExtraError, QuadrupedError, SinusoidalGait
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.evaluation.recording import publish, record
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.policies.policy import CARD_FILE
 from quadruped_env.robot import STANCE, TOTAL_MASS
-from quadruped_env.viewer import GaitSettings, ViewController, find_sources, open_show
+from quadruped_env.viewer import GaitSettings, find_sources
 from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS, RESTART_AFTER
 from quadruped_env.viewer.gaits import edited
 from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
 from quadruped_env.viewer.robot import Robot
-from quadruped_env.viewer.server import start_server, stop_server
-
-DT = 0.02
-REPOSITORY = Path(__file__).parents[1]
-
-
-@pytest.fixture
-def control(tmp_path):
-    """Makes controllers that are closed in the end."""
-    made = []
-
-    def make(*names, asked=()):
-        sources, chosen = find_sources(asked, runs=tmp_path / "runs")
-        made.append(ViewController(sources, names or chosen, tmp_path / "results"))
-        return made[-1]
-
-    yield make
-    for controller in made:
-        controller.close()
 
 
 @pytest.fixture
@@ -52,14 +28,6 @@ def recording(tmp_path):
     path = tmp_path / "walk.csv"
     publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(path)
     return path
-
-
-def robot(controller, index=0):
-    return controller._slots[index].robot
-
-
-def now(controller, index=0):
-    return controller.view().robots[index].now
 
 
 # --- the clock
@@ -243,15 +211,10 @@ def test_a_push_changes_the_velocity_as_the_robot_faces(control, heading, direct
     np.testing.assert_array_equal(data.qvel[3:], before[3:])
 
 
-def _throw_on_the_back(controller):
-    data = robot(controller).data
-    data.qpos[2:7] = [0.1, 0.0, 1.0, 0.0, 0.0]
-
-
 def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
     controller = control("gait trot", "stand still")
     controller.advance(0.2)
-    _throw_on_the_back(controller)
+    throw_on_the_back(controller)
     controller.step()
     assert now(controller).time > 0.0
     assert controller.view().robots[0].fell_at is not None
@@ -268,7 +231,7 @@ def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
 def test_who_is_not_to_stand_up_stays_down(control):
     controller = control("stand still")
     controller.restart_after_fall = False
-    _throw_on_the_back(controller)
+    throw_on_the_back(controller)
     for _ in range(20):
         controller.advance(0.2)
     assert controller.view().robots[0].fell_at is not None
@@ -424,107 +387,6 @@ def test_turning_the_start_ahead_keeps_the_motion(control):
     np.testing.assert_allclose(velocity, [state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]], atol=1e-12)
 
 
-# --- recordings
-
-
-def test_a_take_is_what_happened(control, tmp_path, monkeypatch):
-    told = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: told.append(motions))
-    controller = control("policy flat")
-    controller.set_command(0.4, 0.0)
-    controller.advance(0.2)
-    controller.start_recording()
-    controller.start_recording()
-    for _ in range(5):
-        controller.advance(0.1)
-    samples = list(robot(controller).history)[-26:]
-    assert controller.view().recorded == pytest.approx(0.5)
-    controller.stop_recording()
-    assert controller.view().recorded is None
-    controller.advance(0.1)
-    controller.close()
-    (path,) = tmp_path.glob("results/view-*/joint_states.csv")
-    saved = JointTrajectory.load(path)
-    assert saved.names == JOINT_NAMES
-    np.testing.assert_array_equal(saved.times, np.round(np.arange(26) * DT, 9))
-    np.testing.assert_array_equal(saved.positions, [s.joint_position for s in samples])
-    np.testing.assert_array_equal(saved.velocities, [s.joint_velocity for s in samples])
-    np.testing.assert_array_equal(saved.efforts, [s.joint_torque for s in samples])
-    ((motion,),) = told
-    np.testing.assert_array_equal(motion.base_pose, [s.base_pose for s in samples])
-    np.testing.assert_array_equal(motion.command, [s.command for s in samples])
-    messages = controller.messages()
-    assert messages[0] == f"0.5 s recorded: {path}"
-    assert messages[1].startswith("Video: ")
-    assert controller.messages() == []
-
-
-@pytest.mark.parametrize("end", ["reset", "set_source", "watch", "close", "fall"])
-def test_a_take_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
-    controller = control("gait trot", "stand still")
-    controller.start_recording()
-    controller.advance(0.2)
-    match end:
-        case "reset":
-            controller.reset()
-        case "set_source":
-            controller.set_source(0, "gait pace")
-        case "watch":
-            controller.watch(1)
-        case "fall":
-            _throw_on_the_back(controller)
-            for _ in range(12):
-                controller.advance(0.2)
-    controller.close()
-    (path,) = tmp_path.glob("results/view-*/joint_states.csv")
-    seconds = JointTrajectory.load(path).duration
-    assert seconds == pytest.approx(0.2 + RESTART_AFTER + DT if end == "fall" else 0.2, abs=1.5 * DT)
-
-
-def test_a_take_without_opengl_is_saved_without_a_video(control, tmp_path, monkeypatch):
-    def fail(path, motions):
-        raise QuadrupedError("no OpenGL to render with")
-
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", fail)
-    controller = control("stand still")
-    assert not controller.saving
-    controller.start_recording()
-    assert controller.saving
-    controller.advance(0.1)
-    controller.close()
-    assert not controller.saving
-    assert list(tmp_path.glob("results/view-*/joint_states.csv"))
-    assert controller.messages()[1:] == ["No video: no OpenGL to render with"]
-
-
-def test_a_take_that_cannot_be_saved_says_so(tmp_path):
-    (tmp_path / "results").write_text("a file where a directory should be")
-    sources, chosen = find_sources(runs=tmp_path)
-    controller = ViewController(sources, chosen, tmp_path / "results")
-    controller.start_recording()
-    controller.advance(0.1)
-    controller.close()
-    (message,) = controller.messages()
-    assert message.startswith("Not saved: ")
-
-
-@pytest.mark.slow
-def test_a_take_is_filmed(control, tmp_path):
-    av = pytest.importorskip("av")
-    controller = control("policy flat")
-    controller.start_recording()
-    for _ in range(10):
-        controller.advance(0.1)
-    controller.close()
-    messages = controller.messages()
-    if messages[1].startswith("No video: no OpenGL"):
-        pytest.skip(messages[1])
-    (path,) = tmp_path.glob("results/view-*/video.mp4")
-    with av.open(path) as film:
-        assert sum(1 for _ in film.decode(video=0)) == pytest.approx(25, abs=1)
-
-
 # --- threads
 
 
@@ -590,74 +452,3 @@ def test_the_reward_bars_add_up():
         ["fall", "-0.25"],
         ["sum", "+1.25"],
     ]
-
-
-# --- the server
-
-
-def test_a_taken_port_makes_way_for_the_next_free_one():
-    with socket.socket() as other:
-        other.bind(("127.0.0.1", 0))
-        other.listen()
-        taken = other.getsockname()[1]
-        server = start_server(port=taken)
-        try:
-            assert taken < server.get_port() < taken + 100
-            listening = {
-                c.laddr.ip
-                for c in psutil.Process().net_connections("inet")
-                if c.status == psutil.CONN_LISTEN and c.laddr.port == server.get_port()
-            }
-            assert listening == {"127.0.0.1"}
-            # A page could ask for a public address without a button.
-            assert server.request_share_url() is None
-        finally:
-            stop_server(server)
-
-
-def test_an_address_that_is_not_here_is_refused():
-    with pytest.raises(QuadrupedError, match=r"--host: cannot listen on '203\.0\.113\.1'"):
-        start_server("203.0.113.1")
-    with pytest.raises(QuadrupedError, match="--port: expected 0 to"):
-        start_server(port=70000)
-
-
-def test_without_viser_the_extra_is_named(monkeypatch):
-    monkeypatch.setitem(sys.modules, "viser", None)
-    with pytest.raises(MissingExtraError, match=r"The viewer needs the 'viewer' extra: .*\[viewer\]"):
-        open_show(port=0)
-
-
-def _program(*arguments, **options):
-    return subprocess.Popen(
-        [sys.executable, REPOSITORY / "evaluate" / "view.py", "--port", "0", *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=os.environ | {"PYTHONWARNINGS": "error"},
-        **options,
-    )
-
-
-def test_the_program_says_where_it_is_and_ends_at_ctrl_c(tmp_path):
-    process = _program("flat", "trot", cwd=tmp_path)
-    line = process.stdout.readline()
-    assert line.startswith("policy flat, gait trot: http://127.0.0.1:")
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=30)
-    assert (process.returncode, out, err) == (0, "ending\n", "")
-
-
-def test_the_program_measures_its_pace(tmp_path):
-    process = _program("--measure", "0.5", cwd=tmp_path)
-    out, err = process.communicate(timeout=30)
-    assert process.returncode == 0, err
-    assert "control steps/s" in out.splitlines()[-1]
-
-
-def test_the_program_names_what_is_wrong(tmp_path):
-    process = _program("runs/none", cwd=tmp_path)
-    out, err = process.communicate(timeout=30)
-    assert (process.returncode, out) == (2, "")
-    assert err.startswith("error: 'runs/none' is no shipped policy (flat), no scripted gait (article, trot, ")
-    assert len(err.splitlines()) == 1
