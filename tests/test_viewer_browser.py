@@ -63,7 +63,7 @@ def still(page):
     return pictures[-1]
 
 
-def until(condition, seconds=60.0):
+def until(condition, seconds=120.0):
     """Wait for something that another thread or the page does."""
     end = time.monotonic() + seconds
     while not condition():
@@ -182,6 +182,7 @@ def test_what_is_hidden_is_not_drawn(paused):
 @pytest.mark.slow
 def test_the_plots_go_along(stage):
     show, page = stage
+    show.controller.set_command(0.4, 0.0)
     diagram = page.locator("svg[data-plot=gait]")
     first = diagram.inner_html()
     until(lambda: diagram.inner_html() != first)
