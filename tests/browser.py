@@ -22,6 +22,8 @@ ARGUMENTS = (
     "--disable-gpu",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    # On a busy machine it takes a slow processor for a GPU that hangs, and ends it: the pages then stay empty.
+    "--disable-gpu-watchdog",
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
@@ -34,6 +36,7 @@ ARGUMENTS = (
 class Watched:
     """What a page complained about and asked for, since it was opened."""
 
+    console: list[str] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
     requests: list[str] = field(default_factory=list)
 
@@ -66,6 +69,7 @@ def opened(browser, width=WIDTH, height=HEIGHT):
     context.set_default_timeout(TIMEOUT)
     page = context.new_page()
     page.watched = watched = Watched()
+    page.on("console", lambda message: watched.console.append(message.text))
     page.on("console", lambda message: watched.errors.append(message.text) if message.type == "error" else None)
     page.on("pageerror", lambda error: watched.errors.append(str(error)))
     page.on("request", lambda request: watched.requests.append(request.url))

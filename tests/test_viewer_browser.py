@@ -63,11 +63,12 @@ def still(page):
     return pictures[-1]
 
 
-def until(condition, seconds=120.0):
-    """Wait for something that another thread or the page does."""
+def until(condition, seconds=120.0, page=None):
+    """Wait for something that another thread or the page does; a failure tells what the page wrote to its console."""
     end = time.monotonic() + seconds
     while not condition():
-        assert time.monotonic() < end, "it did not happen"
+        said = page.watched.console if page else []
+        assert time.monotonic() < end, f"it did not happen; console: {said}"
         time.sleep(0.02)
 
 
@@ -344,13 +345,14 @@ def test_two_browsers_show_and_steer_the_same(stage, paused, chromium):
     controller, page = paused
     with browser.opened(chromium, *SIZE) as other:
         visit(other, show)
+        until(lambda: robot_pixels(shot(other)) > ENOUGH, page=other)
         for steering, watching, shown in ((page, other, "0.1"), (other, page, "0.2")):
             steering.mouse.click(SIZE[0] / 2, SIZE[1] - 20)
             steering.keyboard.press("ArrowUp")
             until(lambda shown=shown: controller.command == (float(shown), 0.0))
             for each in (steering, watching):
                 until(lambda each=each, shown=shown: field(each, "Forward, m/s").input_value() == shown)
-        until(lambda: robot_pixels(shot(other)) > ENOUGH)
+        until(lambda: robot_pixels(shot(other)) > ENOUGH, page=other)
         assert other.watched.errors == []
 
 
@@ -361,7 +363,7 @@ def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium
         with browser.opened(chromium, *SIZE) as page:
             visit(page, show)
             page.get_by_role("button", name="Record").click()
-            until(lambda: (show.controller.view().recorded or 0.0) > 0.5)
+            until(lambda: (show.controller.view().recorded or 0.0) > 0.5, page=page)
             page.get_by_text("recording").wait_for()
         until(lambda: show.controller.view().recorded is None)
         until(lambda: list(tmp_path.glob("results/view-*/joint_states.csv")))
