@@ -51,7 +51,7 @@ def test_it_walks_and_turns_and_stands(in_environment):
     assert np.abs(speeds[-200:]).max() < 0.01
 
 
-@pytest.mark.parametrize(("silence", "at"), [(0.15, 0.07), (0.5, 0.21), (1.5, 0.14), (3.0, 0.2), (5.0, 0.35)])
+@pytest.mark.parametrize(("silence", "at"), [(0.15, 0.07), (0.5, 0.21), (1.5, 0.14), (3.0, 0.28), (5.0, 0.35)])
 def test_it_stands_down_in_a_silence_and_walks_again(silence, at, in_environment):
     loop = Loop()
     loop.run(5.0 + at, (0.5, 0.0))
