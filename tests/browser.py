@@ -22,7 +22,7 @@ ARGUMENTS = (
     "--disable-gpu",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    # On a busy machine it takes a slow processor for a GPU that hangs, and ends it: the pages then stay empty.
+    # It would take a processor that draws slowly, as on a busy machine, for a GPU that hangs, and end it.
     "--disable-gpu-watchdog",
     "--disable-background-networking",
     "--disable-component-update",

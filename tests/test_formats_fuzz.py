@@ -10,6 +10,7 @@ import struct
 
 import numpy as np
 import pytest
+from bags import JOINT_STATE, write_ros1
 from trajectories import assert_same, random_trajectory
 
 from quadruped_env import JointTrajectory, QuadrupedError
@@ -19,9 +20,7 @@ pytest.importorskip("rosbags")
 import yaml
 from rosbags.rosbag1 import Reader as Reader1
 from rosbags.typesys import Stores, get_typestore
-from test_bags import write_ros1
 
-JOINT_STATE = "sensor_msgs/msg/JointState"
 NAMES = ["a_joint", "b_joint"]
 SECONDS = 20.0
 """A file that takes longer than this to read hangs the reader"""
