@@ -8,13 +8,14 @@ from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
+import waiting
 from PIL import Image
 
 EXECUTABLES = ("chromium", "chromium-browser", "google-chrome")
 LOCAL_SCHEMES = ("file", "data", "blob", "about")
 WIDTH, HEIGHT = 1280, 800
-TIMEOUT = 60_000
-"""ms"""
+TIMEOUT = 1e3 * waiting.DEADLINE
+"""Deadline of what Playwright waits for by itself, ms."""
 
 # WebGL on the processor, and nothing that the browser would do on its own account.
 ARGUMENTS = (
@@ -76,6 +77,30 @@ def opened(browser, width=WIDTH, height=HEIGHT):
     page.on("websocket", lambda socket: watched.requests.append(socket.url))
     yield page
     context.close()
+
+
+def draw(page, frames=2):
+    """Let a page draw some frames, however long it takes to draw one."""
+    page.evaluate(
+        """frames => new Promise(done => {
+            const next = () => frames-- > 0 ? requestAnimationFrame(next) : done();
+            next();
+        })""",
+        frames,
+    )
+
+
+def still(page, picture, frames=10):
+    """Wait until a picture, which `picture()` takes, stays as it is for some frames of the page; the picture."""
+    pictures = [picture()]
+
+    def stays():
+        draw(page, frames)
+        pictures.append(picture())
+        return np.array_equal(*pictures[-2:])
+
+    waiting.wait_until(stays, "a picture that stands still", interval=0.0)
+    return pictures[-1]
 
 
 def pixels(target, **options):

@@ -4,7 +4,8 @@ import contextlib
 import signal
 import subprocess
 import sys
-import time
+
+import waiting
 
 from quadruped_env import JOINT_NAMES
 from quadruped_env.ros import cdr
@@ -36,7 +37,11 @@ class Running:
     def interrupt(self):
         """End it as Ctrl-C does; its exit status."""
         self.process.send_signal(signal.SIGINT)
-        return self.process.wait(15)
+        return self.status()
+
+    def status(self):
+        """Wait for its end; its exit status."""
+        return waiting.status_of(self.process)
 
 
 @contextlib.contextmanager
@@ -59,15 +64,6 @@ def launcher(directory):
         assert "Traceback" not in node.said, node.said
 
 
-def wait_until(condition, seconds=10.0, what="what the test waits for"):
-    """Wait for something to become true, and return it."""
-    end = time.monotonic() + seconds
-    while not (found := condition()):
-        assert time.monotonic() < end, f"{what} did not come"
-        time.sleep(0.005)
-    return found
-
-
 def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, velocity=(), effort=()):
     return cdr.message(
         "sensor_msgs/msg/JointState",
@@ -77,6 +73,15 @@ def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, veloci
         velocity=velocity,
         effort=effort,
     )
+
+
+def received_from(subscription, count, alive=None):
+    """Wait for so many messages of a subscription; those that have come, `count` or more."""
+    received = []
+    waiting.wait_until(
+        lambda: received.extend(subscription.take()) or len(received) >= count, f"{count} messages", alive
+    )
+    return received
 
 
 def started(*arguments, **settings):

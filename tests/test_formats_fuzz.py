@@ -10,6 +10,7 @@ import struct
 
 import numpy as np
 import pytest
+import waiting
 from bags import JOINT_STATE, write_ros1
 from trajectories import assert_same, random_trajectory
 
@@ -22,8 +23,8 @@ from rosbags.rosbag1 import Reader as Reader1
 from rosbags.typesys import Stores, get_typestore
 
 NAMES = ["a_joint", "b_joint"]
-SECONDS = 20.0
-"""A file that takes longer than this to read hangs the reader"""
+SECONDS = 20.0 * waiting.SCALE
+"""A file that takes longer than this to read hangs the reader."""
 
 
 def small(rows=12):

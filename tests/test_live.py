@@ -10,7 +10,8 @@ import time
 import numpy as np
 import psutil
 import pytest
-from live_nodes import STAMP, joint_state, wait_until
+from live_nodes import STAMP, joint_state, received_from
+from waiting import DEADLINE, status_of, wait_until
 
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
 from quadruped_env.live import TOPICS, Network, Node, Topic
@@ -50,7 +51,7 @@ def test_every_type_arrives_as_it_was_sent(nodes):
         for data in sent[publisher.topic.name]:
             publisher.send_bytes(data)
     for _, subscription in ends:
-        received = subscription.take()
+        received = received_from(subscription, 5)
         # DDS fills the last word up.
         assert [one.data[: len(data)] for one, data in zip(received, sent[subscription.topic.name], strict=True)] == (
             sent[subscription.topic.name]
@@ -72,22 +73,21 @@ asked = node.subscribe(Topic("/joint_states", {JOINT_STATES.type_name!r}, Qos(de
 answers = node.publish(Topic("/answers", {JOINT_STATES.type_name!r}, Qos(depth=100)))
 count = 0
 while count < 50:
-    node.wait(5.0)
+    node.wait({DEADLINE})
     for one in asked.take():
         message = asked.decode(one)
         message.position = 2.0 * message.position
         answers.send(message)
         count += 1
-answers.wait_until_read(5.0)
+assert answers.wait_until_read({DEADLINE})
 """
     with subprocess.Popen([sys.executable, "-c", program]) as other:
-        wait_until(lambda: publisher.readers and subscription.writers, 20.0)
+        wait_until(lambda: publisher.readers and subscription.writers)
         expected = [(STAMP + i, np.arange(8.0) + i) for i in range(50)]
         for stamp, positions in expected:
             publisher.send(joint_state(stamp, position=positions))
-        received = []
-        wait_until(lambda: received.extend(subscription.take()) or len(received) == 50)
-        assert other.wait(10) == 0
+        received = received_from(subscription, 50)
+        assert status_of(other) == 0
     for one, (stamp, positions) in zip(received, expected, strict=True):
         message = subscription.decode(one)
         assert message.header.stamp.sec * 10**9 + message.header.stamp.nanosec == stamp
@@ -120,9 +120,8 @@ def test_a_latched_topic_reaches_who_comes_late(nodes):
     node = nodes()
     node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data="<robot/>"))
     late = nodes().subscribe(ROBOT_DESCRIPTION)
-    received = []
-    wait_until(lambda: received.extend(late.take()) or received)
-    assert late.decode(received[0]).data == "<robot/>"
+    (received,) = received_from(late, 1)
+    assert late.decode(received).data == "<robot/>"
 
 
 @pytest.mark.parametrize(
@@ -306,7 +305,7 @@ def test_state_does_what_robot_state_publisher_does(nodes, start):
     transforms, fixed, description = (node.subscribe(topic) for topic in (TF, TF_STATIC, ROBOT_DESCRIPTION))
     positions = np.array([0.4, -0.5, 0.3, -0.1, -0.2, -1.5, 1.1, -0.9])
     state = start("state")
-    wait_until(lambda: publisher.readers and transforms.writers, 20.0)
+    wait_until(lambda: publisher.readers and transforms.writers)
     received = []
 
     def answered():
@@ -336,8 +335,8 @@ def test_state_does_what_robot_state_publisher_does(nodes, start):
 
 def test_state_sends_the_urdf(nodes, start):
     description = nodes().subscribe(ROBOT_DESCRIPTION)
-    start("state", "--seconds", "20")
-    (received,) = wait_until(description.take, 20.0)
+    start("state")
+    (received,) = wait_until(description.take)
     assert description.decode(received).data == asset_path("mini_quadruped.urdf").read_text()
 
 
@@ -345,14 +344,14 @@ def test_waiting_for_readers_ends_in_time(nodes, start):
     """A reader that was stopped has not got everything; once it goes on it has."""
     publisher = nodes().publish(JOINT_STATES)
     reader = start("hz", "/joint_states")
-    wait_until(lambda: publisher.readers, 20.0)
-    assert publisher.wait_until_read(5.0)
+    wait_until(lambda: publisher.readers)
+    assert publisher.wait_until_read(DEADLINE)
     reader.process.send_signal(signal.SIGSTOP)
     wait_until(lambda: psutil.Process(reader.process.pid).status() == psutil.STATUS_STOPPED)
     publisher.send(joint_state())
     assert not publisher.wait_until_read(0.05)
     reader.process.send_signal(signal.SIGCONT)
-    assert publisher.wait_until_read(5.0)
+    assert publisher.wait_until_read(DEADLINE)
 
 
 def test_help_tells_what_each_node_does():
@@ -377,7 +376,7 @@ def test_a_publisher_that_went_is_no_message(nodes):
     publisher = gone.publish(JOINT_STATES)
     wait_until(lambda: subscription.writers and publisher.readers)
     publisher.send(joint_state())
-    publisher.wait_until_read(5.0)
+    assert publisher.wait_until_read(DEADLINE)
     gone.close()
     wait_until(lambda: not subscription.writers)
     assert len(subscription.take()) == 1

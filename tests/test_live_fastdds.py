@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from live_nodes import joint_state, wait_until
+from live_nodes import joint_state, received_from
+from waiting import output_of, status_of, wait_until
 
 from quadruped_env import asset_path
 from quadruped_env.live import Topic
@@ -57,13 +58,12 @@ def peer(tmp_path_factory):
 @discoveries
 def test_all_messages_come_from_an_independent_dds(nodes, peer, discovery):
     subscription = nodes().subscribe(FROM_PEER)
-    received = []
     with peer(discovery, "publish", str(COUNT)) as process:
-        wait_until(lambda: subscription.writers, 30.0)
+        wait_until(lambda: subscription.writers, alive=process)
         process.stdin.write("\n")
         process.stdin.flush()
-        wait_until(lambda: received.extend(subscription.take()) or len(received) >= COUNT, 30.0)
-        assert process.wait(30) == 0
+        received = received_from(subscription, COUNT, process)
+        assert status_of(process) == 0
     assert len(received) == COUNT
     for i, one in enumerate(received):
         message, joints = subscription.decode(one), np.arange(1 + i % 8)
@@ -88,11 +88,11 @@ def test_all_messages_reach_an_independent_dds(nodes, peer, discovery):
         names = [f"joint_{rng.integers(0, 10**9)}" for _ in range(joints)]
         sent.append((int(rng.integers(0, 2**31 * 10**9)), names, *values.tolist()))
     with peer(discovery, "receive", str(COUNT)) as process:
-        wait_until(lambda: publisher.readers, 30.0)
+        wait_until(lambda: publisher.readers, alive=process)
         assert process.stdout.readline() == "ready\n"
         for message in sent:
             publisher.send(joint_state(*message))
-        output = process.communicate(timeout=60)[0]
+        output, _ = output_of(process)
     assert process.returncode == 0
     found = [read(line) for line in output.splitlines()]
     assert len(found) == COUNT
@@ -111,6 +111,6 @@ def read(line):
 def test_an_independent_dds_that_joins_late_gets_the_description(nodes, peer):
     nodes().publish(ROBOT_DESCRIPTION).send(description_message())
     with peer("localhost", "description") as process:
-        output = process.communicate(timeout=60)[0]
+        output, _ = output_of(process)
     assert process.returncode == 0
     assert output == asset_path("mini_quadruped.urdf").read_text()

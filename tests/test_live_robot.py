@@ -1,9 +1,13 @@
 """The simulated robot under the controller's head, step by step and without a network; what it publishes; its looks."""
 
+import itertools
+
 import mujoco
 import numpy as np
 import pytest
 from live_loop import EPOCH, Loop
+from live_nodes import received_from
+from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live import Node
@@ -174,14 +178,16 @@ def node(domain_id):
 def taken(node, *subscriptions):
     """The next message of each."""
     found = {}
-    for _ in range(200):
+
+    def complete():
         node.wait(0.05)
         for one in subscriptions:
             received = one.latest()
             if received is not None:
                 found[one] = one.decode(received)
-        if len(found) == len(subscriptions):
-            break
+        return len(found) == len(subscriptions)
+
+    wait_until(complete, "a message of each topic")
     return [found[one] for one in subscriptions]
 
 
@@ -228,29 +234,34 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         velocities, pushes = robot_node.subscribe(CMD_VEL), robot_node.subscribe(PUSH)
         robot.push(np.array([0.4, 0.2, 0.0]))
         show.set_command(0.3, -0.2)
-        for i in range(100):
+        stamps = itertools.count(EPOCH, 5_000_000)
+
+        def goes_on():
             robot.step()
-            sensors.send(EPOCH + i * 5_000_000, robot.state)
+            sensors.send(next(stamps), robot.state)
             show.advance(0.02)
-            if mirror.hears and velocities.count:
-                break
-        robot_node.wait(2.0)
-        twist = velocities.decode(velocities.latest())
+
+        wait_until(lambda: goes_on() or (velocities.writers and mirror.hears), "both to be heard")
+        show.advance(0.02)
+        twist = velocities.decode(received_from(velocities, 1)[-1])
         assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
-        for i in range(100, 200):
-            sensors.send(EPOCH + i * 5_000_000, robot.state)
+
+        def shown():
+            sensors.send(next(stamps), robot.state)
             show.advance(0.02)
-            seen = show.view().robots[0].now
-            if np.array_equal(seen.joint_position, robot.state.joint_position[0]):
-                break
+            return np.array_equal(show.view().robots[0].now.joint_position, robot.state.joint_position[0])
+
+        wait_until(shown)
+        seen = show.view().robots[0].now
         np.testing.assert_allclose(seen.base_pose[:3], robot.state.base_position[0], atol=1e-12)
         np.testing.assert_allclose(seen.joint_velocity, robot.state.joint_velocity[0], atol=1e-12)
         np.testing.assert_allclose(seen.velocity[0], robot.state.linear_velocity_b[0, 0], atol=1e-9)
         assert not pushes.take()
         show.push(direction=np.pi / 2, strength=0.5)
+        wait_until(lambda: pushes.writers)
         show.advance(0.02)
-        robot_node.wait(2.0)
-        push = pushes.decode(pushes.latest())
+        (received,) = wait_until(pushes.take, "the push")
+        push = pushes.decode(received)
         heading = show.view().robots[0].heading
         np.testing.assert_allclose(numbers(push), [-0.5 * np.sin(heading), 0.5 * np.cos(heading), 0.0], atol=1e-9)
         show.advance(0.02)
@@ -275,11 +286,7 @@ def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
             name=list(JOINT_NAMES),
             position=positions,
         )
-        for _ in range(200):
-            states.send(message)
-            show.advance(0.02)
-            if mirror.hears:
-                break
+        wait_until(lambda: states.send(message) or show.advance(0.02) or mirror.hears, "the robot's states")
         show.advance(0.02)
         seen = show.view().robots[0].now
         np.testing.assert_allclose(seen.joint_position, positions)

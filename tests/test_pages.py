@@ -3,6 +3,7 @@
 import browser
 import numpy as np
 import pytest
+from waiting import wait_until
 
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.pages import pictures
@@ -69,21 +70,9 @@ def test_its_replay_in_3d_shows_the_robot_and_turns(opened):
         """The black legs; the notice that there is no graphics card covers no part of them."""
         return browser.pixels(frame).max(axis=-1)[150:, :-60] < 70
 
-    def still():
-        """What is seen once nothing moves any more."""
-        for _ in range(60):
-            before = seen()
-            opened.wait_for_timeout(800)
-            if np.array_equal(seen(), before):
-                return before
-        raise AssertionError("it does not stand still")
-
-    for _ in range(300):
-        if seen().sum() > 200:
-            break
-        opened.wait_for_timeout(200)
+    wait_until(lambda: seen().sum() > 200, "the robot's legs", interval=0.1)
     inside.locator(".mantine-ActionIcon-root").first.click()  # pause
-    before = still()
+    before = browser.still(opened, seen)
     assert before.sum() > 200
     box = frame.bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
@@ -91,7 +80,7 @@ def test_its_replay_in_3d_shows_the_robot_and_turns(opened):
     opened.mouse.down()
     opened.mouse.move(x + 150, y, steps=5)
     opened.mouse.up()
-    after = still()
+    after = browser.still(opened, seen)
     assert after.sum() > 200
     assert (after != before).sum() > 200
     assert opened.watched.outside() == []

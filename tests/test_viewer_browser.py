@@ -2,12 +2,12 @@
 
 import re
 import threading
-import time
 from contextlib import contextmanager
 
 import browser
 import numpy as np
 import pytest
+from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.policies import load_policy
@@ -52,24 +52,12 @@ def visit(page, show):
 
 def still(page):
     """A picture of the middle once it no longer changes."""
-    pictures = [shot(page)]
-
-    def settled():
-        page.wait_for_timeout(300)
-        pictures.append(shot(page))
-        return np.array_equal(*pictures[-2:])
-
-    until(settled)
-    return pictures[-1]
+    return browser.still(page, lambda: shot(page))
 
 
-def until(condition, seconds=120.0, page=None):
+def until(condition, page=None):
     """Wait for something that another thread or the page does; a failure tells what the page wrote to its console."""
-    end = time.monotonic() + seconds
-    while not condition():
-        said = page.watched.console if page else []
-        assert time.monotonic() < end, f"it did not happen; console: {said}"
-        time.sleep(0.02)
+    wait_until(condition, lambda: f"the condition (console: {page.watched.console if page else []})", interval=0.02)
 
 
 @pytest.fixture(scope="module")
@@ -108,16 +96,17 @@ def field(page, label):
 
 def fill(page, label, value):
     """Type a number into the field beside a slider."""
-    for _ in range(5):
+
+    def filled():
         # As a person types: of a whole text at once the field's library drops every second one, and on a busy machine
         # a key may get lost between two renderings.
         field(page, label).select_text()
         field(page, label).press_sequentially(str(value), delay=20)
         field(page, label).press("Tab")
-        page.wait_for_timeout(100)
-        if float(field(page, label).input_value()) == pytest.approx(value):
-            return
-    raise AssertionError(f"{label}: shows {field(page, label).input_value()}, not {value}")
+        browser.draw(page)
+        return float(field(page, label).input_value()) == pytest.approx(value)
+
+    until(filled, page)
 
 
 def choose(page, label, option):
@@ -159,7 +148,7 @@ def test_the_robot_is_there_moves_and_stands_still_in_a_pause(stage):
     until(lambda: show.controller.paused)
     page.get_by_role("button", name="Resume").wait_for()
     picture = still(page)
-    page.wait_for_timeout(400)
+    browser.draw(page, 20)
     np.testing.assert_array_equal(shot(page), picture)
     page.get_by_role("button", name="Resume").click()
     until(lambda: not show.controller.paused)
@@ -234,7 +223,8 @@ def test_keys_command_the_robot_and_leave_the_camera_alone(stage, paused):
         page.keyboard.press(key)
         until(lambda command=command: controller.command == command)
     page.keyboard.down("ArrowUp")
-    page.wait_for_timeout(300)
+    until(lambda: controller.command == (0.1, 0.0))
+    browser.draw(page, 20)
     page.keyboard.up("ArrowUp")
     assert controller.command == (0.1, 0.0)
     np.testing.assert_array_equal(client.camera.position, camera)
@@ -254,7 +244,7 @@ def test_a_key_after_a_slider_is_still_one_step(paused):
     page.get_by_role("slider").first.focus()
     page.keyboard.press("ArrowUp")
     until(lambda: controller.command[0] > 0.0)
-    page.wait_for_timeout(200)
+    browser.draw(page, 20)
     assert controller.command == (0.1, 0.0)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from waiting import output_of
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.viewer import open_show
@@ -66,20 +67,20 @@ def test_the_program_says_where_it_is_and_ends_at_ctrl_c(tmp_path):
     line = process.stdout.readline()
     assert line.startswith("policy flat, gait trot: http://127.0.0.1:")
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=30)
+    out, err = output_of(process)
     assert (process.returncode, out, err) == (0, "ending\n", "")
 
 
 def test_the_program_measures_its_pace(tmp_path):
     process = _program("--measure", "0.5", cwd=tmp_path)
-    out, err = process.communicate(timeout=30)
+    out, err = output_of(process)
     assert process.returncode == 0, err
     assert "control steps/s" in out.splitlines()[-1]
 
 
 def test_the_program_names_what_is_wrong(tmp_path):
     process = _program("runs/none", cwd=tmp_path)
-    out, err = process.communicate(timeout=30)
+    out, err = output_of(process)
     assert (process.returncode, out) == (2, "")
     assert err.startswith("error: 'runs/none' is no shipped policy (flat), no scripted gait (article, trot, ")
     assert len(err.splitlines()) == 1
