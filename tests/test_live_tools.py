@@ -153,9 +153,14 @@ def test_list_names_topics_types_owners_and_what_keeps_them_apart(nodes):
     one, other = nodes("one"), nodes("other")
     one.publish(JOINT_STATES, Qos(10, reliable=False))
     other.subscribe(JOINT_STATES)
-    with started("list", "--verbose", stderr=subprocess.DEVNULL) as process:
-        output, _ = output_of(process)
-    lines = output.splitlines()
+
+    def listed():
+        """What it prints once it has found both: it listens for a moment only, which a busy machine may let pass."""
+        with started("list", "--verbose", stderr=subprocess.DEVNULL) as process:
+            lines = output_of(process)[0].splitlines()
+        return lines if len(lines) >= 4 else None
+
+    lines = wait_until(listed, "the topic, its two ends and the problem")
     assert lines[0] == "/joint_states [sensor_msgs/msg/JointState]"
     assert lines[1].startswith(f"    publisher    one (process {os.getpid()} on ")
     assert ": best effort, volatile, RIHS01_a13ee3a3" in lines[1]
