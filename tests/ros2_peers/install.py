@@ -37,7 +37,7 @@ def python(version: str) -> str | None:
     question = "import ensurepip, platform, venv; print(platform.python_implementation(), platform.python_version())"
     for program in candidates(version):
         try:
-            answer = subprocess.run([program, "-c", question], capture_output=True, text=True)
+            answer = subprocess.run([program, "-c", question], check=False, capture_output=True, text=True)
         except OSError:
             continue
         if answer.stdout.startswith(f"CPython {version}."):
@@ -48,7 +48,7 @@ def python(version: str) -> str | None:
 def run(command: Sequence[str | Path], **environment: str) -> None:
     """Run a command, and show what it printed only if it failed."""
     done = subprocess.run(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=os.environ | environment
+        command, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=os.environ | environment
     )
     if done.returncode:
         raise RuntimeError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-3000:]}")
@@ -80,7 +80,8 @@ def install(distribution: str) -> None:
         return
     interpreter = python(version)
     if interpreter is None:
-        raise RuntimeError(f"no CPython {version} with venv: PYTHON{version.replace('.', '')}=/path/to/python names one")
+        variable = f"PYTHON{version.replace('.', '')}"
+        raise RuntimeError(f"no CPython {version} with venv and ensurepip; {variable}=/path/to/python names one")
     shutil.rmtree(venv, ignore_errors=True)
     run([interpreter, "-m", "venv", venv])
     pip = [venv / "bin" / "python", "-m", "pip", "--quiet", "--disable-pip-version-check"]
