@@ -13,7 +13,7 @@ from typing import Any, Final
 class _Operations(ctypes.Structure):
     """`struct ddsi_sertype_ops` of CycloneDDS: the functions of a type. Its layout goes with `version`."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         (name, ctypes.c_void_p)
         for name in (
             "version",
@@ -37,7 +37,7 @@ class _Operations(ctypes.Structure):
 class _Type(ctypes.Structure):
     """The beginning of `struct ddsi_sertype`."""
 
-    _fields_ = [("operations", ctypes.POINTER(_Operations))]  # noqa: RUF012
+    _fields_ = [("operations", ctypes.POINTER(_Operations))]
 
 
 _KEPT: Final[list[_Operations]] = []
