@@ -11,6 +11,7 @@ import numpy as np
 import psutil
 import pytest
 from live_nodes import STAMP, joint_state, received_from
+from random_messages import filled
 from waiting import DEADLINE, status_of, wait_until
 
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
@@ -21,24 +22,6 @@ from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_ST
 from quadruped_env.ros import MESSAGE_TYPES, Qos, cdr
 
 pytest.importorskip("cyclonedds")
-
-
-def filled(type_name, rng):
-    """A message of a type with something in every field."""
-    kind = MESSAGE_TYPES[type_name]
-
-    def value(field):
-        if field.is_message:
-            return filled(field.base, rng)
-        if field.base == "string":
-            return "some text é"[: rng.integers(0, 12)]
-        return rng.normal() if field.base == "float64" else int(rng.integers(0, 10**9))
-
-    fields = {}
-    for field in kind.fields:
-        count = field.count or int(rng.integers(0, 4))
-        fields[field.name] = [value(field) for _ in range(count)] if field.many else value(field)
-    return cdr.message(type_name, **fields)
 
 
 def test_every_type_arrives_as_it_was_sent(nodes):

@@ -28,6 +28,9 @@ class Endpoint:
     """`Received.writer` of what it writes"""
     participant: str
     """Key of its process"""
+    structure: str = ""
+    """Digest of the XTypes type information that it announces; empty where it announces none, as nodes of this package
+    do"""
 
     @property
     def kind(self) -> str:
@@ -94,6 +97,12 @@ class Graph:
                 f"{where}: both call their type {writer.type_name}, and their definitions differ "
                 f"({writer.type_hash} and {reader.type_hash}); what arrives cannot be trusted"
             )
+        elif writer.structure and reader.structure and writer.structure != reader.structure:
+            yield (
+                f"{where}: perhaps nothing will arrive; both announce the structure of {writer.type_name} (XTypes "
+                f"{writer.structure} and {reader.structure}), and Fast DDS 3 (ROS 2 Kilted) and Cyclone DDS cannot "
+                f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
+            )
         reason = incompatible(writer.qos, reader.qos)
         if reason:
             yield f"{where}: nothing will arrive; {reason}"
@@ -124,6 +133,7 @@ class Graph:
                         read_type_hash(one.qos),
                         one.sample_info.instance_handle,
                         str(one.participant_key),
+                        _structure(one.type_id),
                     )
 
 
@@ -133,6 +143,11 @@ def _taken(reader: Any) -> Iterator[Any]:
         yield from samples
         if len(samples) < _TAKEN:
             return
+
+
+def _structure(type_id: Any) -> str:
+    digest = getattr(type_id, "value", None)
+    return bytes(digest).hex() if isinstance(digest, (bytes, list, tuple)) else ""
 
 
 def _ros_type(dds_name: str) -> str:

@@ -19,6 +19,7 @@ from quadruped_env.live.graph import Graph
 from quadruped_env.live.profiles import dds_qos
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import Topic
+from quadruped_env.live.type_information import withhold_type_information
 from quadruped_env.live.wire import wire_type
 from quadruped_env.ros import Qos, cdr
 
@@ -210,4 +211,6 @@ class Node:
 def _dds_topic(participant: Any, topic: Topic) -> Any:
     from cyclonedds.topic import Topic as DdsTopic
 
-    return DdsTopic(participant, topic.dds_name, wire_type(topic.type_name))
+    made = DdsTopic(participant, topic.dds_name, wire_type(topic.type_name))
+    withhold_type_information(made)
+    return made

@@ -1,0 +1,96 @@
+"""What nodes announce of their types, and peers that announce more."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from live_nodes import STAMP, joint_state
+from waiting import status_of, wait_until
+
+from quadruped_env.live import TOPICS, Topic
+from quadruped_env.live.dds import Network, open_participant
+from quadruped_env.live.topics import JOINT_STATES
+from quadruped_env.live.type_information import withhold_type_information
+from quadruped_env.ros import Qos
+
+cyclonedds = pytest.importorskip("cyclonedds")
+
+PEER = Path(__file__).parent / "cyclonedds_peer.py"
+COUNT = 100
+FROM_PEER, TO_PEER = (Topic(name, JOINT_STATES.type_name, Qos(depth=COUNT)) for name in ("/from_peer", "/to_peer"))
+
+
+def test_no_topic_announces_type_information(nodes):
+    node, watcher = nodes(), nodes()
+    for topic in TOPICS.values():
+        node.publish(topic)
+        node.subscribe(topic)
+    wait_until(lambda: len(watcher.graph.endpoints()) == 2 * len(TOPICS))
+    assert {one.structure for one in watcher.graph.endpoints()} == {""}
+    assert all(one.type_hash for one in watcher.graph.endpoints())
+
+
+def test_a_cyclonedds_peer_that_announces_type_information_hears_and_is_heard(nodes):
+    node = nodes()
+    publisher, subscription = node.publish(TO_PEER), node.subscribe(FROM_PEER)
+    received = []
+    with subprocess.Popen([sys.executable, PEER, str(COUNT)]) as process:
+        wait_until(lambda: publisher.readers and subscription.writers, alive=process)
+        structures = {one.topic: one.structure for one in node.graph.endpoints() if not node.graph.is_own(one)}
+        for i in range(COUNT):
+            publisher.send(joint_state(STAMP + i, position=[float(i)] * 8))
+        wait_until(lambda: received.extend(subscription.take()) or len(received) >= COUNT, alive=process)
+        assert status_of(process) == 0
+    assert set(structures) == {"/from_peer", "/to_peer"}
+    assert all(structures.values())
+    messages = [subscription.decode(one) for one in received]
+    assert [one.position.tolist() for one in messages] == [[2.0 * i] * 8 for i in range(COUNT)]
+    assert [one.header.stamp.nanosec for one in messages] == [(STAMP + i) % 10**9 for i in range(COUNT)]
+
+
+@pytest.fixture
+def participant(nodes):
+    """A participant of plain `cyclonedds` beside this package's nodes."""
+    made = open_participant(Network.from_environment(), "plain")
+    yield made
+    made._delete(made._ref)
+
+
+def announced(participant, fields):
+    """A type with the name of ROS 2's String; its publishers and subscriptions announce its structure."""
+    from cyclonedds.idl import annotations, make_idl_struct
+    from cyclonedds.topic import Topic as DdsTopic
+
+    kind = annotations.final(make_idl_struct("String_", "std_msgs.msg.dds_.String_", fields))
+    return DdsTopic(participant, "rt/chatter", kind)
+
+
+def test_structures_that_differ_are_named_as_an_obstacle(nodes, participant):
+    from cyclonedds.pub import DataWriter
+    from cyclonedds.sub import DataReader
+
+    node = nodes()
+    writer = DataWriter(participant, announced(participant, {"data": str}))
+    same = DataReader(participant, announced(participant, {"data": str}))
+    wait_until(lambda: len(node.graph.endpoints("/chatter")) == 2)
+    assert node.graph.problems(everybody=True) == []
+    other = DataReader(participant, announced(participant, {"data": str, "more": str}))
+    wait_until(lambda: len(node.graph.endpoints("/chatter")) == 3)
+    (problem,) = node.graph.problems(everybody=True)
+    assert "/chatter, from plain (process " in problem
+    assert "perhaps nothing will arrive; both announce the structure of std_msgs/msg/String" in problem
+    assert "fastdds.type_propagation=disabled" in problem
+    assert node.graph.problems() == []
+    del writer, same, other
+
+
+def test_a_library_that_describes_types_in_another_way_is_left_alone(nodes, participant, monkeypatch):
+    from cyclonedds.internal import DDS
+
+    class Other:
+        """A library without what is looked for."""
+
+    topic = announced(participant, {"data": str})
+    monkeypatch.setattr(DDS, "_dll_handle", Other())
+    assert not withhold_type_information(topic)
