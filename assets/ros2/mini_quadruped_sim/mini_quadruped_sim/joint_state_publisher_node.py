@@ -7,6 +7,7 @@ Timestamps lie on a grid of 1 / rate seconds from the node's start, and a messag
 velocities at exactly its timestamp. On a machine that is too busy, messages are left out; the gait stays on time.
 """
 
+import math
 from typing import TypeVar, cast
 
 import rclpy
@@ -61,8 +62,9 @@ class JointStatePublisher(Node):
         return cast(Value, self.declare_parameter(name, default, descriptor).value)
 
     def _publish(self) -> None:
+        # Rounded down: a callback that comes late belongs to the tick that it was meant for.
         elapsed = (self.get_clock().now().nanoseconds - self._start) / NANOSECONDS
-        tick = round(elapsed / self._period)
+        tick = math.floor(elapsed / self._period)
         if tick <= self._last_tick:
             return
         self._last_tick = tick
