@@ -5,15 +5,17 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 from pathlib import Path
 
 import launch_files
 import numpy as np
 import pytest
 import ros2_peers
-from waiting import output_of
+from waiting import output_of, wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
+from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES
 
 NAME = "mini_quadruped_sim"
 PACKAGE = Path(__file__).parents[1] / "assets" / "ros2" / NAME
@@ -131,6 +133,25 @@ def test_built_node_with_parameters_publishes_another_gait(ros2, run_node):
     # A sinusoid and its derivative: the ellipse has the angular frequency as the ratio of its axes.
     ellipse = ((positions[:, 1::2] + 0.3) / 0.3) ** 2 + (velocities[:, 1::2] / (4.0 * 0.3)) ** 2
     np.testing.assert_allclose(ellipse, 1, atol=1e-9)
+
+
+def test_walk_launch_in_a_sourced_terminal_starts_a_robot_that_is_controlled(workspace, sourced, nodes):
+    share = workspace / "install" / NAME / "share" / NAME
+    launched = launch_files.started(share / "launch" / "walk.launch.py", share, python=sys.executable, rviz="false")
+    commands = [[one.executable, *one.arguments] for one in launched if one.executable == sys.executable]
+    assert len(commands) == 2
+    states, targets = (nodes().subscribe(topic) for topic in (JOINT_STATES, JOINT_COMMANDS))
+    settings = {"env": sourced, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    running = [subprocess.Popen(command, **settings) for command in commands]
+    try:
+        for subscription, process in zip((states, targets), running, strict=True):
+            wait_until(subscription.take, subscription.topic.name, alive=process)
+    finally:
+        for process in running:
+            process.send_signal(signal.SIGINT)
+        outputs = [output_of(process)[0] for process in running]
+    assert [process.returncode for process in running] == [0, 0], outputs
+    assert not any("Traceback" in output for output in outputs), outputs
 
 
 @pytest.mark.parametrize(("parameter", "found"), [("phases:=[0.5]", "found 1"), ("rate:=0.0", "found 0")])
