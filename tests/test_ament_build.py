@@ -154,11 +154,16 @@ def test_walk_launch_in_a_sourced_terminal_starts_a_robot_that_is_controlled(wor
     assert not any("Traceback" in output for output in outputs), outputs
 
 
-@pytest.mark.parametrize(("parameter", "found"), [("phases:=[0.5]", "found 1"), ("rate:=0.0", "found 0")])
+@pytest.mark.parametrize(
+    ("parameter", "found"),
+    [("phases:=[0.5]", "found 1"), ("rate:=0.0", "found 0"), ("angular_frequency:=4", "INTEGER")],
+)
 def test_built_node_with_an_invalid_parameter_names_it_and_ends(run_node, parameter, found):
     node = run_node("--ros-args", "-p", parameter)
     output, _ = output_of(node)
-    assert node.returncode != 0
+    assert node.returncode == 1
+    assert "Traceback" not in output
     last = output.strip().splitlines()[-1]
+    assert last.startswith("error: ")
     assert parameter.split(":")[0] in last
     assert found in last

@@ -8,10 +8,12 @@ velocities at exactly its timestamp. On a machine that is too busy, messages are
 """
 
 import math
+import sys
 from typing import TypeVar, cast
 
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.exceptions import InvalidParameterTypeException
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.time import Time
@@ -82,7 +84,11 @@ def main(arguments: list[str] | None = None) -> None:
     """Run the node until Ctrl-C."""
     rclpy.init(args=arguments)
     try:
-        rclpy.spin(JointStatePublisher())
+        try:
+            node = JointStatePublisher()
+        except (ValueError, InvalidParameterTypeException) as error:
+            sys.exit(f"error: {error}")
+        rclpy.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
