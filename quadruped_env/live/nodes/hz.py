@@ -18,6 +18,8 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 
 SUMMARY = "measure how often messages come"
+PERIOD = 1.0
+"""s between lines"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +32,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     """Measure until the session ends."""
     listener = Listener(session, arguments.topics)
     arrivals: dict[Subscription[bytes], deque[float]] = {}
-    pace, printed = Pace(1.0), 0
+    pace, printed = Pace(PERIOD), 0
     pace.tick()
     for _ in session.turns():
         listener.look()
