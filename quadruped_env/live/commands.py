@@ -86,8 +86,8 @@ def read_positions(message: Any) -> NDArray[np.float64]:
     """
     positions = np.array(message.data, dtype=np.float64)
     if positions.shape != (len(JOINT_NAMES),) or not np.isfinite(positions).all():
+        found = positions.tolist() if positions.size <= len(JOINT_NAMES) else f"{positions.size} numbers"
         raise QuadrupedError(
-            f"{JOINT_POSITIONS.name}: holds {positions.tolist()}; send a finite number of rad for each of "
-            f"{', '.join(JOINT_NAMES)}"
+            f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of {', '.join(JOINT_NAMES)}"
         )
     return positions

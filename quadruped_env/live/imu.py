@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.joints import LARGEST
 from quadruped_env.live.stamps import read_stamp
 
 _NORM_ERROR = 0.05
@@ -26,7 +27,7 @@ def read_imu(message: Any) -> Imu:
     """What a `sensor_msgs/msg/Imu` says of the base.
 
     Raises:
-        QuadrupedError: if it has no attitude, or a value is not finite.
+        QuadrupedError: if it has no attitude, or a value is not finite or too large.
     """
     if message.orientation_covariance[0] == -1.0:
         raise QuadrupedError("/imu/data: says that it has no orientation; send one, as from an attitude filter")
@@ -35,6 +36,10 @@ def read_imu(message: Any) -> Imu:
     angular_velocity = np.array([rate.x, rate.y, rate.z])
     if not (np.isfinite(orientation).all() and np.isfinite(angular_velocity).all()):
         raise QuadrupedError("/imu/data: a value is not finite; send finite numbers")
+    if np.abs(angular_velocity).max() > LARGEST:
+        raise QuadrupedError(
+            f"/imu/data: the angular velocity is {angular_velocity.tolist()}; send at most {LARGEST:g} rad/s"
+        )
     norm = float(np.linalg.norm(orientation))
     if abs(norm - 1.0) > _NORM_ERROR:
         raise QuadrupedError(f"/imu/data: the orientation has length {norm:.3g}; send a unit quaternion")

@@ -1,6 +1,7 @@
 """Joint states and joint commands as this robot can use them: checked, and in its own order of joints."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +9,9 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros.joint_state import Decoder, RawJointState
+
+LARGEST: Final = 1e3
+"""rad, or rad/s; larger values come of damage, and computing with them would give NaN"""
 
 
 class Joints(NamedTuple):
@@ -28,10 +32,12 @@ class JointReader:
 
     Args:
         topic: for errors.
+        needs: fields of `Joints` that every message must hold.
     """
 
-    def __init__(self, topic: str) -> None:
+    def __init__(self, topic: str, needs: Sequence[str] = ()) -> None:
         self._topic = topic
+        self._needs = tuple(needs)
         self._decode = Decoder()
         self._names: tuple[str, ...] | None = None
         self._order = np.empty(0, dtype=np.intp)
@@ -41,19 +47,22 @@ class JointReader:
 
         Raises:
             QuadrupedError: if they are damaged, the names are not this robot's, there are not as many values as names,
-                or a position or velocity is not finite.
+                a position or velocity is not finite or beyond `LARGEST`, or a field is missing that is needed.
         """
         try:
             raw = self._decode(data)
             if raw.names is not self._names:
                 self._order = _order(raw.names)
                 self._names = raw.names
-            return Joints(
+            joints = Joints(
                 raw.stamp,
                 self._values(raw, "position"),
                 self._values(raw, "velocity"),
                 self._values(raw, "effort", finite=False),
             )
+            if any(getattr(joints, field) is None for field in self._needs):
+                raise QuadrupedError(f"needs {' and '.join(self._needs)}; send a value per joint")
+            return joints
         except QuadrupedError as error:
             raise QuadrupedError(f"{self._topic}: {error}") from error
 
@@ -64,9 +73,11 @@ class JointReader:
         if len(given) != len(raw.names):
             raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one a joint")
         values = np.array(given)[self._order]
-        if finite and not np.isfinite(values).all():
-            wrong = int(np.flatnonzero(~np.isfinite(values))[0])
-            raise QuadrupedError(f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers")
+        if finite and not (np.abs(values) <= LARGEST).all():
+            wrong = int(np.flatnonzero(~(np.abs(values) <= LARGEST))[0])
+            raise QuadrupedError(
+                f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers of at most {LARGEST:g}"
+            )
         return values
 
 

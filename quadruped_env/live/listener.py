@@ -1,12 +1,12 @@
 """Subscriptions to topics as their publishers appear: of their type, and of the quality that all of them offer."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.graph import Endpoint
-from quadruped_env.live.node import Subscription
+from quadruped_env.live.node import Read, Subscription
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import TOPICS, Topic
@@ -27,13 +27,17 @@ class Listener:
     Args:
         session: of the process.
         names: of the topics, with or without the leading slash; none stands for all whose types are known here.
+        read: makes the `read` of a topic's subscription; without it messages stay bytes.
     """
 
-    def __init__(self, session: Session, names: Sequence[str] = ()) -> None:
+    def __init__(
+        self, session: Session, names: Sequence[str] = (), read: Callable[[Topic], Read[Any]] = lambda topic: bytes
+    ) -> None:
         self._session = session
+        self._read = read
         self._names = tuple(f"/{name.lstrip('/')}" for name in names)
         self._pace = Pace(_LOOK_PERIOD)
-        self.subscriptions: list[Subscription] = []
+        self.subscriptions: list[Subscription[Any]] = []
         """One a topic that is published; each says what its publishers offer as `topic.qos`"""
 
     def look(self) -> None:
@@ -76,7 +80,8 @@ class Listener:
             return
         offered = common_qos([endpoint.qos for endpoint in known], name)
         topic = Topic(name, known[0].type_name, offered)
-        self.subscriptions.append(self._session.node.subscribe(topic, replace(offered, depth=_DEPTH)))
+        subscription = self._session.node.subscribe(topic, replace(offered, depth=_DEPTH), read=self._read(topic))
+        self.subscriptions.append(subscription)
 
 
 def common_qos(offers: Sequence[Qos], name: str) -> Qos:

@@ -1,14 +1,14 @@
 """The viewer as a follower: it draws the robot where the messages say, and sends commands and pushes as messages."""
 
 import time
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.joints import JointReader, Joints
-from quadruped_env.live.node import Node
+from quadruped_env.live.node import Node, Refused, message_reader
 from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
@@ -23,6 +23,10 @@ _ODOMETRY_LASTS: Final = 1.0
 _STOP: Final = 1.0
 """s for which a zero command is repeated; then others may steer"""
 _COMMAND_PERIOD: Final = 0.1
+_FARTHEST: Final = 1e6
+"""m, m/s or rad/s; nothing is drawn beyond"""
+_SHORTEST: Final = 1e-3
+"""Length of a quaternion that still says where to"""
 
 
 class Mirror:
@@ -30,16 +34,16 @@ class Mirror:
 
     Args:
         node: that listens, and publishes the viewer's command.
+        refused: is called with the reason for each message that cannot be drawn.
     """
 
     name = NAME
     action_mode = "position"
 
-    def __init__(self, node: Node) -> None:
-        self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
-        self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS)
+    def __init__(self, node: Node, refused: Refused = lambda reason: None) -> None:
+        self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
+        self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
-        self._read = JointReader(JOINT_STATES.name)
         self._joints = Joints(0, STANCE, np.zeros(8), None)
         self._pose = resting_pose(STANCE)
         self._twist = np.zeros(6)
@@ -47,8 +51,7 @@ class Mirror:
         self._odometry_at = -_ODOMETRY_LASTS
         self._moved_at = -_STOP
         self._sent_at = 0.0
-        self.refused = ""
-        """What is wrong with what comes, or empty"""
+        self._refused = refused
 
     def step(self, task: Task, observation: NDArray[np.float32]) -> Transition:
         """Take the newest state from the topics in place of a step of physics."""
@@ -79,30 +82,13 @@ class Mirror:
         return self._states.count > 0
 
     def _listen(self, now: float) -> None:
-        for received in self._states.take():
-            try:
-                joints = self._read(received.data)
-                if joints.positions is None:
-                    raise QuadrupedError(f"{JOINT_STATES.name}: has no positions; send one a joint")
-            except QuadrupedError as error:
-                self.refused = str(error)
-                continue
-            self._joints = joints
-        newest = self._odometry.latest()
-        if newest is None:
-            return
-        odometry = self._odometry.decode(newest)
-        place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
-        pose = np.array([place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z])
-        linear, angular = odometry.twist.twist.linear, odometry.twist.twist.angular
-        velocity = np.array([linear.x, linear.y, linear.z])
-        rate = np.array([angular.x, angular.y, angular.z])
-        if not (np.isfinite(np.concatenate([pose, velocity, rate])).all() and pose[3:].any()):
-            self.refused = f"{ODOMETRY.name}: a value is not finite, or the orientation is zero"
-            return
-        self._odometry_at = now
-        self._pose = pose
-        self._twist = np.concatenate([_in_world(pose[3:], velocity), rate])
+        state = self._states.newest(self._refused)
+        if state is not None:
+            self._joints = state[1]
+        newest = self._odometry.newest(self._refused)
+        if newest is not None:
+            self._odometry_at = now
+            self._pose, self._twist = newest[1]
 
     def _pass_push_on(self, velocity: NDArray[np.float64]) -> None:
         """Send what somebody added to the base's velocity (3,) since it was put where it is: a push in the viewer."""
@@ -127,10 +113,31 @@ def mirror_source(mirror: Mirror) -> Source:
     return Source(NAME, lambda: (mirror, TaskConfig()))
 
 
+def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Pose (7,) and velocities (6,) of the base, as MuJoCo has them, of a message of `/odom`.
+
+    Raises:
+        QuadrupedError: if a value is not finite or too large, or the orientation has no length.
+    """
+    place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
+    linear, angular = odometry.twist.twist.linear, odometry.twist.twist.angular
+    pose = np.array([place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z])
+    velocity = np.array([linear.x, linear.y, linear.z])
+    rate = np.array([angular.x, angular.y, angular.z])
+    length = float(np.linalg.norm(pose[3:]))
+    if not (np.abs(np.concatenate([pose, velocity, rate])) <= _FARTHEST).all() or length < _SHORTEST:
+        raise QuadrupedError(
+            f"{ODOMETRY.name}: a value is not finite or over {_FARTHEST:g}, or the orientation is zero; send finite "
+            f"numbers and a unit quaternion"
+        )
+    pose[3:] /= length
+    return pose, np.concatenate([_in_world(pose[3:], velocity), rate])
+
+
 def _in_world(orientation: NDArray[np.float64], vector: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A vector (3,) of a base's axes in the world's."""
+    """A vector (3,) of the axes of a base, whose attitude is a unit quaternion, in the world's."""
     import mujoco
 
     turned = np.empty(3)
-    mujoco.mju_rotVecQuat(turned, vector, orientation / np.linalg.norm(orientation))
+    mujoco.mju_rotVecQuat(turned, vector, orientation)
     return turned

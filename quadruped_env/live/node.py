@@ -4,16 +4,18 @@ node = Node("listener", Network.from_environment())
 states = node.subscribe(JOINT_STATES)
 while True:
     node.wait(1.0)
-    for one in states.take():
-        print(states.decode(one))
+    for received, message in states.messages(refused=print):
+        print(received.sent, message)
 """
 
 import statistics
 import time
 from collections import deque
-from typing import Any, Final, NamedTuple
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.dds import Network, open_participant
 from quadruped_env.live.graph import Graph
 from quadruped_env.live.profiles import dds_qos
@@ -26,6 +28,13 @@ from quadruped_env.ros import Qos, cdr
 _TAKEN: Final = 256
 _LATENCIES: Final = 1000
 
+T = TypeVar("T")
+"""Of what the messages of a subscription are read as"""
+Read = Callable[[bytes], T]
+"""Reads CDR bytes; raises a QuadrupedError, or anything, if they do not hold what is expected"""
+Refused = Callable[[str], object]
+"""Called with the reason for each message that cannot be read"""
+
 
 class Received(NamedTuple):
     """One message as it came."""
@@ -36,6 +45,8 @@ class Received(NamedTuple):
     """ns of the sender's clock"""
     writer: int
     """Who sent it: `Endpoint.handle`"""
+    taken: float = 0.0
+    """s of `time.monotonic` when it was taken, before anything was read"""
 
 
 class Publisher:
@@ -92,10 +103,10 @@ class Publisher:
             return False
 
 
-class Subscription:
+class Subscription(Generic[T]):
     """Receives messages on a topic. Made by `Node.subscribe`."""
 
-    def __init__(self, participant: Any, topic: Topic, qos: Qos, ignore_own: bool = False) -> None:
+    def __init__(self, participant: Any, topic: Topic, qos: Qos, read: Read[T], ignore_own: bool = False) -> None:
         from cyclonedds.core import InstanceState, ReadCondition, SampleState, ViewState
         from cyclonedds.sub import DataReader
 
@@ -104,19 +115,21 @@ class Subscription:
         """Messages received"""
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
         """s from sending to taking, of the last ones; across machines as true as their clocks are"""
+        self._read = read
         self._reader = DataReader(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type, ignore_own))
         self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
 
     def take(self) -> list[Received]:
         """All that has come since the last call, in the order of its coming."""
         taken: list[Received] = []
-        now = time.time_ns()
         while samples := self._reader.take(_TAKEN):
+            # After the call, which may have been held up: a message cannot be older than this says.
+            now, at = time.time_ns(), time.monotonic()
             for sample in samples:
                 # A sample without data says only that a publisher went.
                 if sample.sample_info.valid_data:
                     sent = sample.sample_info.source_timestamp
-                    taken.append(Received(sample.data, sent, sample.sample_info.publication_handle))
+                    taken.append(Received(sample.data, sent, sample.sample_info.publication_handle, at))
                     self.latencies.append((now - sent) / NANOSECONDS)
             if len(samples) < _TAKEN:
                 break
@@ -128,16 +141,45 @@ class Subscription:
         taken = self.take()
         return taken[-1] if taken else None
 
-    def decode(self, received: Received) -> Any:
-        """The message of `quadruped_env.ros.cdr` that was received.
+    def messages(self, refused: Refused) -> Iterator[tuple[Received, T]]:
+        """All messages since the last call that can be read, in the order of their coming.
+
+        The one way in which nodes read what others send: no message of any size or content raises here.
+
+        Args:
+            refused: is called with the reason for every message that cannot be read.
+        """
+        for received in self.take():
+            try:
+                message = self.decode(received)
+            except QuadrupedError as error:
+                refused(str(error))
+            else:
+                yield received, message
+
+    def newest(self, refused: Refused) -> tuple[Received, T] | None:
+        """The last message since the last call that can be read; arguments as of `messages`."""
+        messages = list(self.messages(refused))
+        return messages[-1] if messages else None
+
+    def decode(self, received: Received) -> T:
+        """What a message that was received is read as: a message of `quadruped_env.ros.cdr`, or the result of `read`.
 
         Raises:
-            QuadrupedError: if its bytes are damaged.
+            QuadrupedError: if it cannot be read; the message names the topic.
+            MissingExtraError: if rosbags is not installed.
         """
         try:
-            return cdr.deserialize(received.data, self.topic.type_name)
+            return self._read(received.data)
+        except MissingExtraError:
+            raise
         except QuadrupedError as error:
-            raise QuadrupedError(f"{self.topic.name}: {error}") from error
+            reason = str(error)
+        # Bytes come from outside, and a reader may fail on them in ways that nobody has thought of.
+        except Exception as error:
+            reason = f"{len(received.data)} bytes cannot be read: {type(error).__name__}: {error}"
+        prefix = f"{self.topic.name}: "
+        raise QuadrupedError(reason if reason.startswith(prefix) else f"{prefix}{reason}")
 
     @property
     def writers(self) -> int:
@@ -170,24 +212,43 @@ class Node:
 
         self.graph = Graph(self._participant)
         self.publishers: list[Publisher] = []
-        self.subscriptions: list[Subscription] = []
+        self.subscriptions: list[Subscription[Any]] = []
         self._waitset = WaitSet(self._participant)
 
     def publish(self, topic: Topic, qos: Qos | None = None) -> Publisher:
         """A publisher of a topic, which offers the topic's quality of service or another one."""
+        _prepare(topic.type_name, None)
         publisher = Publisher(self._participant, topic, qos or topic.qos)
         self.publishers.append(publisher)
         return publisher
 
-    def subscribe(self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False) -> Subscription:
+    @overload
+    def subscribe(self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False) -> Subscription[Any]: ...
+
+    @overload
+    def subscribe(
+        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, read: Read[T]
+    ) -> Subscription[T]: ...
+
+    def subscribe(
+        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, read: Read[Any] | None = None
+    ) -> Subscription[Any]:
         """A subscription to a topic, which asks for the topic's quality of service or another one.
+
+        One message of the type is read beforehand: the first reading takes up to a second, and messages would be late.
 
         Args:
             topic: what to hear.
             qos: what to ask for.
             ignore_own: hear only others, not what this node itself publishes.
+            read: reads the CDR bytes; without it they become messages of `quadruped_env.ros.cdr`. Where it is `bytes`,
+                they stay bytes.
         """
-        subscription = Subscription(self._participant, topic, qos or topic.qos, ignore_own)
+        if read is None:
+            read = message_reader(topic, lambda message: message)
+        if read is not bytes:
+            _prepare(topic.type_name, read)
+        subscription = Subscription(self._participant, topic, qos or topic.qos, read, ignore_own)
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
         return subscription
@@ -206,6 +267,28 @@ class Node:
         participant, self._participant = self._participant, None
         if participant is not None:
             participant._delete(participant._ref)
+
+
+def message_reader(topic: Topic, convert: Callable[[Any], T]) -> Read[T]:
+    """Reads a topic's CDR bytes as what a function makes of the message; it may raise a QuadrupedError."""
+    return lambda data: convert(cdr.deserialize(data, topic.type_name))
+
+
+@cache
+def _example(type_name: str) -> bytes:
+    """The CDR bytes of a message whose fields are all 0 or empty."""
+    return cdr.serialize(cdr.message(type_name))
+
+
+def _prepare(type_name: str, read: Read[Any] | None) -> None:
+    """Write and read one message of a type: rosbags compiles its code at the first of each."""
+    try:
+        example = _example(type_name)
+        if read is not None:
+            read(example)
+    except (QuadrupedError, MissingExtraError):
+        # No joint states without names for this robot's reader. Who needs rosbags is told when it is needed.
+        pass
 
 
 def _dds_topic(participant: Any, topic: Topic) -> Any:

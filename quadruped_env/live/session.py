@@ -4,13 +4,14 @@ import argparse
 import signal
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from types import FrameType, TracebackType
 from typing import Any, Final, Self, TextIO
 
 from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.node import Node, Publisher, Subscription
 from quadruped_env.live.pace import Pace, Rate, claim_processor
+from quadruped_env.live.refusals import Refusals
 
 LOOK: Final = 0.1
 """s; the longest wait between two looks at whether to end"""
@@ -22,6 +23,10 @@ PROBLEMS_PERIOD: Final = 1.0
 """s between looks at who is on the domain"""
 _SAME_SIGNAL: Final = 0.5
 """s"""
+_ARRIVING: Final = 0.05
+"""s after the end in which a message that was acknowledged becomes one that can be taken"""
+_REMEMBERED: Final = 256
+"""Lines that `say_once` keeps"""
 
 
 def add_common_arguments(parser: argparse.ArgumentParser) -> None:
@@ -73,7 +78,9 @@ class Session:
         self._end = None if arguments.seconds is None else self._start + arguments.seconds
         self._waiting_for = ""
         self._waiting_since = self._start
-        self._said: set[str] = set()
+        self._said: dict[str, None] = {}
+        self.refuse = Refusals(self.say)
+        """Counts a refused message, and logs the reason once a second"""
         self._rates: dict[Any, Rate] = {}
         self._status_pace = Pace(STATUS_PERIOD if self._log.isatty() else STATUS_PERIOD_LOG)
         self._problems_pace = Pace(PROBLEMS_PERIOD)
@@ -98,6 +105,7 @@ class Session:
     ) -> None:
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
+        self.refuse.report(last=True)
         if kind is None:
             counts = [
                 f"{one.count} {verb} {one.topic.name}"
@@ -126,14 +134,31 @@ class Session:
         """Wait for a message, or for a time, but no longer than until the next look; whether there is a message."""
         return self.node.wait(min(seconds, LOOK))
 
+    def turns(self, seconds: float = LOOK) -> Iterator[None]:
+        """The turns of a node's loop: each begins by waiting for a message, or for a time, and ends by taking all.
+
+        One more turn follows the end of the session. Without it, messages would be lost that were received, and
+        acknowledged to their publisher, between the last taking and the signal.
+
+        Args:
+            seconds: to wait for a message, at most `LOOK`.
+        """
+        while self.running:
+            self.wait(seconds)
+            yield
+        self.wait(_ARRIVING)
+        yield
+
     def say(self, text: str) -> None:
         """Write a line to the log."""
         self._write(f"[{self.node.name}] {text}\n")
 
     def say_once(self, text: str) -> None:
-        """Write a line unless it was written before."""
+        """Write a line unless it was written before; only the last ones are remembered."""
         if text not in self._said:
-            self._said.add(text)
+            if len(self._said) >= _REMEMBERED:
+                del self._said[next(iter(self._said))]
+            self._said[text] = None
             self.say(text)
 
     def wait_for(self, what: str) -> None:
@@ -149,6 +174,7 @@ class Session:
 
     def report(self, *details: str) -> None:
         """Keep the status line, and say what keeps nodes apart. To be called often: it looks at the time itself."""
+        self.refuse.report()
         if self._problems_pace.tick():
             for problem in self.node.graph.problems():
                 self.say_once(problem)
@@ -157,7 +183,7 @@ class Session:
 
     def _ends(self, details: Iterable[str]) -> str:
         parts = [f"{self.elapsed:.0f} s", *(detail for detail in details if detail)]
-        ends: list[Publisher | Subscription] = [*self.node.publishers, *self.node.subscriptions]
+        ends: list[Publisher | Subscription[Any]] = [*self.node.publishers, *self.node.subscriptions]
         for one in ends:
             rate = self._rates.setdefault(one, Rate(since=self._start)).per_second(one.count)
             parts.append(_rate_text(one, rate))
@@ -191,7 +217,7 @@ class Session:
             self.stop()
 
 
-def _rate_text(one: Publisher | Subscription, rate: float) -> str:
+def _rate_text(one: Publisher | Subscription[Any], rate: float) -> str:
     if isinstance(one, Publisher):
         return f"{one.topic.name} {rate:.1f} Hz to {one.readers}"
     latency = one.latency

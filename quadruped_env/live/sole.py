@@ -25,7 +25,7 @@ class SolePublisher:
     def __init__(self, session: Session, topic: Topic = JOINT_STATES) -> None:
         self._session = session
         self._topic = topic
-        self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True)
+        self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True, read=bytes)
         self._contest_until = 0.0
 
     def check(self) -> None:

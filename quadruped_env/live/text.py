@@ -44,6 +44,29 @@ def field_at(values: Any, path: str) -> Any:
     return values
 
 
+def check_field(type_name: str, path: str) -> None:
+    """Check that messages of a type have a field; whether its lists are long enough only a message can tell.
+
+    Args:
+        type_name: `package/msg/Type`.
+        path: as of `field_at`.
+
+    Raises:
+        QuadrupedError: if there is no such field.
+    """
+    one_of_each = ["0" if name.isdecimal() else name for name in path.split(".")]
+    field_at(_shape(type_name), ".".join(one_of_each))
+
+
+def _shape(type_name: str) -> dict[str, Any]:
+    """A message of a type as `plain` makes it, with one item in each list, and without values."""
+    values: dict[str, Any] = {}
+    for field in message_type(type_name).fields:
+        value = _shape(field.base) if field.is_message else None
+        values[field.name] = [value] if field.many else value
+    return values
+
+
 def as_yaml(values: Any) -> str:
     """YAML, a list item a line, with the line that ends a message.
 

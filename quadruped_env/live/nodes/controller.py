@@ -14,13 +14,13 @@ the state that it answers.
 
 import argparse
 import time
-from typing import Final
+from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.commands import LIMP, CommandWriter, positions_message
 from quadruped_env.live.imu import Imu, read_imu
 from quadruped_env.live.joints import JointReader, Joints
-from quadruped_env.live.node import Subscription
+from quadruped_env.live.node import Subscription, message_reader
 from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.stamps import NANOSECONDS
@@ -30,6 +30,7 @@ from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.viewer.sources import asked_source
 
 SUMMARY: Final = "a policy drives the robot: states and /cmd_vel in, joint commands out"
+_NEEDED: Final = ("positions", "velocities")
 _LOOK: Final = 0.01
 """s; how often silence is looked for"""
 _IMU_AGE: Final = 0.02
@@ -61,20 +62,21 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     node = session.node
     outbox = _Outbox(session, arguments.arrays)
     # Drivers of real robots may offer best effort only.
-    states, attitudes = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS), node.subscribe(IMU, SENSOR_DATA_QOS)
+    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, _NEEDED))
+    attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
     velocities = node.subscribe(CMD_VEL)
     inbox = _Inbox(session, states, attitudes)
     while session.running:
         session.wait(_LOOK)
-        now = time.monotonic()
-        _take_command(session, pilot, velocities, now)
-        measurement = inbox.measurement()
+        _take_command(session, pilot, velocities)
+        received = inbox.measurement()
         answer = None
-        if measurement is not None:
+        if received is not None:
             try:
-                answer = pilot.measured(measurement, now)
+                answer = pilot.measured(*received)
             except QuadrupedError as error:
-                session.say_once(f"refused: {error}")
+                session.refuse(str(error))
+        now = time.monotonic()
         outbox.send(answer or pilot.silent(now))
         session.wait_for(_missing(pilot, states, attitudes))
         session.report("" if pilot.mode is not Mode.WALKING or pilot.moving(now) else "standing: no /cmd_vel")
@@ -85,56 +87,42 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 class _Inbox:
     """Makes measurements of joint states and attitudes."""
 
-    def __init__(self, session: Session, states: Subscription, attitudes: Subscription) -> None:
+    def __init__(self, session: Session, states: Subscription[Joints], attitudes: Subscription[Imu]) -> None:
         self._session = session
         self._states = states
         self._attitudes = attitudes
-        self._read = JointReader(JOINT_STATES.name)
         self._imu: Imu | None = None
 
-    def measurement(self) -> Measurement | None:
-        """The newest one, if there is a new one that can be used."""
+    def measurement(self) -> tuple[Measurement, float] | None:
+        """The newest one, and when it was taken (s of `time.monotonic`), if there is a new one that can be used."""
         # States first: an attitude that was sent before a state is there by then.
-        states = self._states.take()
-        attitude = self._attitudes.latest()
+        states = list(self._states.messages(self._session.refuse))
+        attitude = self._attitudes.newest(self._session.refuse)
         if attitude is not None:
-            try:
-                self._imu = read_imu(self._attitudes.decode(attitude))
-            except QuadrupedError as error:
-                self._session.say_once(f"refused: {error}")
-        usable = [joints for received in states if (joints := self._joints(received.data)) is not None]
-        if not usable or self._imu is None:
+            self._imu = attitude[1]
+        if not states or self._imu is None:
             return None
-        newest = max(usable, key=lambda joints: joints.stamp)
+        received, newest = max(states, key=lambda state: state[1].stamp)
         if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NANOSECONDS:
-            self._session.say_once(f"refused: {IMU.name} and {JOINT_STATES.name} are over {_IMU_AGE:g} s apart")
+            self._session.refuse(f"{IMU.name} and {JOINT_STATES.name} are over {_IMU_AGE:g} s apart")
             return None
         assert newest.positions is not None
         assert newest.velocities is not None
-        return Measurement(
+        measurement = Measurement(
             newest.stamp, newest.positions, newest.velocities, self._imu.orientation, self._imu.angular_velocity
         )
-
-    def _joints(self, data: bytes) -> Joints | None:
-        try:
-            joints = self._read(data)
-            if joints.positions is None or joints.velocities is None:
-                raise QuadrupedError(f"{JOINT_STATES.name}: needs positions and velocities; send one of each a joint")
-        except QuadrupedError as error:
-            self._session.say_once(f"refused: {error}")
-            return None
-        return joints
+        return measurement, received.taken
 
 
-def _take_command(session: Session, pilot: Pilot, velocities: Subscription, now: float) -> None:
-    received = velocities.latest()
-    if received is None:
+def _take_command(session: Session, pilot: Pilot, velocities: Subscription[Any]) -> None:
+    newest = velocities.newest(session.refuse)
+    if newest is None:
         return
+    received, twist = newest
     try:
-        twist = velocities.decode(received)
-        pilot.command(twist.linear.x, twist.angular.z, now)
+        pilot.command(twist.linear.x, twist.angular.z, received.taken)
     except QuadrupedError as error:
-        session.say_once(f"refused: {error}")
+        session.refuse(str(error))
 
 
 class _Outbox:
@@ -168,7 +156,7 @@ class _Outbox:
             self._commands.wait_until_read(0.5)
 
 
-def _missing(pilot: Pilot, states: Subscription, attitudes: Subscription) -> str:
+def _missing(pilot: Pilot, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
     if pilot.mode is not Mode.WAITING:
         return ""
     silent = [one.topic.name for one in (states, attitudes) if not one.writers]

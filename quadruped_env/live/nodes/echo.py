@@ -5,15 +5,20 @@
     python -m quadruped_env.live echo /cmd_vel --field linear.x
     python -m quadruped_env.live echo /joint_states --csv --seconds 10 > recording.csv
 
-Asks for the quality of service that all publishers of the topic offer. Joint states that were printed, as YAML or CSV,
+Asks for the quality of service that all publishers of the topic offer. Messages that cannot be read, or do not have the
+field, are counted in the log. Joint states that were printed, as YAML or CSV,
 can be read back: `python evaluate/replay.py recording.csv`.
 """
 
 import argparse
+import io
+import sys
 
 from quadruped_env.live.listener import Listener
+from quadruped_env.live.node import Read, message_reader
 from quadruped_env.live.session import Session
-from quadruped_env.live.text import as_csv, as_yaml, field_at, plain
+from quadruped_env.live.text import as_csv, as_yaml, check_field, field_at, plain
+from quadruped_env.live.topics import Topic
 
 SUMMARY = "print the messages of a topic"
 
@@ -30,14 +35,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Print until the session ends."""
-    listener = Listener(session, [arguments.topic])
     write = as_csv if arguments.csv else as_yaml
-    while session.running:
-        session.wait()
+
+    def text_reader(topic: Topic) -> Read[str]:
+        check_field(topic.type_name, arguments.field)
+        return message_reader(topic, lambda message: write(field_at(plain(message), arguments.field)))
+
+    listener = Listener(session, [arguments.topic], text_reader)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A text that the terminal's encoding cannot show is printed escaped.
+        sys.stdout.reconfigure(errors="backslashreplace")
+    for _ in session.turns():
         listener.look()
         for subscription in listener.subscriptions:
-            for received in subscription.take():
-                print(write(field_at(plain(subscription.decode(received)), arguments.field)), end="", flush=True)
+            for _, text in subscription.messages(session.refuse):
+                print(text, end="", flush=True)
                 if arguments.once:
                     return 0
         session.wait_for(listener.missing)

@@ -80,17 +80,17 @@ def _send_states(session: Session, gait: SinusoidalGait, period: float) -> None:
 
 
 def _send_commands(session: Session, gait: SinusoidalGait, period: float) -> None:
-    commands, states = session.node.publish(JOINT_COMMANDS), session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
-    write, read = CommandWriter(), JointReader(JOINT_STATES.name)
+    commands = session.node.publish(JOINT_COMMANDS)
+    reader = JointReader(JOINT_STATES.name, ["positions"])
+    states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
+    write = CommandWriter()
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
         session.wait_for(JOINT_STATES.name)
         session.wait()
-        for received in states.take():
-            try:
-                first = read(received.data).positions
-            except QuadrupedError as error:
-                session.say_once(f"refused: {error}")
+        newest = states.newest(session.refuse)
+        if newest is not None:
+            first = newest[1].positions
         session.report()
     if first is None:
         return

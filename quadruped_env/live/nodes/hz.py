@@ -3,11 +3,11 @@
     python -m quadruped_env.live hz /joint_states
     python -m quadruped_env.live hz                 all topics that are published
 
-Periods are those between the last messages (--window), at the time of their coming.
+Periods are those between the last messages (--window), at the time of their coming. What came since the last line is
+reported at the end.
 """
 
 import argparse
-import time
 from collections import deque
 
 import numpy as np
@@ -18,6 +18,8 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 
 SUMMARY = "measure how often messages come"
+PERIOD = 1.0
+"""s between lines"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -29,24 +31,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Measure until the session ends."""
     listener = Listener(session, arguments.topics)
-    arrivals: dict[Subscription, deque[float]] = {}
-    pace = Pace(1.0)
+    arrivals: dict[Subscription[bytes], deque[float]] = {}
+    pace, printed = Pace(PERIOD), 0
     pace.tick()
-    while session.running:
-        session.wait()
+    for _ in session.turns():
         listener.look()
         for subscription in listener.subscriptions:
             times = arrivals.setdefault(subscription, deque(maxlen=max(2, arguments.window)))
-            times.extend(time.monotonic() for _ in subscription.take())
+            times.extend(received.taken for received in subscription.take())
         session.wait_for(listener.missing)
         if pace.tick():
             _print(arrivals)
-    if pace.ticks == 1:
+            printed = _count(arrivals)
+    if pace.ticks == 1 or _count(arrivals) > printed:
         _print(arrivals)
     return 0
 
 
-def _print(arrivals: dict[Subscription, deque[float]]) -> None:
+def _count(arrivals: dict[Subscription[bytes], deque[float]]) -> int:
+    return sum(subscription.count for subscription in arrivals)
+
+
+def _print(arrivals: dict[Subscription[bytes], deque[float]]) -> None:
     for subscription, times in arrivals.items():
         print(f"{subscription.topic.name}: {rate_text(times)}", flush=True)
 

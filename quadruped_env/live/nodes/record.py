@@ -42,8 +42,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     listener = Listener(session, arguments.topics)
     path = arguments.out or free_path(Path("results") / "recording")
     with Recorder(path, arguments.storage) as recorder:
-        while session.running:
-            session.wait()
+        for _ in session.turns():
             listener.look()
             for subscription in listener.subscriptions:
                 for received in subscription.take():

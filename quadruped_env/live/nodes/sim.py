@@ -15,14 +15,15 @@ publishes /joint_states already it refuses to start.
 import argparse
 import gc
 import time
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.commands import Target, read_positions, read_target
-from quadruped_env.live.joints import JointReader
-from quadruped_env.live.node import Received, Subscription
+from quadruped_env.live.joints import JointReader, Joints
+from quadruped_env.live.node import Received, message_reader
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
@@ -67,7 +68,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     sole.check()
     sensors = Sensors(session.node)
     commands = _Commands(session, robot)
-    pushes = session.node.subscribe(PUSH)
+    pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
     # What is there now stays: the collector need not look at it again while time matters.
     gc.collect()
     gc.freeze()
@@ -78,8 +79,9 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     while session.running:
         session.wait(pace.remaining)
         commands.take()
-        for received in pushes.take():
-            _push(session, robot, pushes, received)
+        for _, velocity in pushes.messages(session.refuse):
+            session.say(f"pushed by {velocity.tolist()} m/s")
+            robot.push(velocity)
         while pace.tick():
             if robot.step():
                 session.say("limp: no command for 1 s")
@@ -108,46 +110,50 @@ class _Commands:
     def __init__(self, session: Session, robot: SimulatedRobot) -> None:
         self._session = session
         self._robot = robot
-        self._commands = session.node.subscribe(JOINT_COMMANDS)
-        self._positions = session.node.subscribe(JOINT_POSITIONS)
-        self._read = JointReader(JOINT_COMMANDS.name)
+        node, joints = session.node, JointReader(JOINT_COMMANDS.name)
+        self._subscriptions = (
+            node.subscribe(JOINT_COMMANDS, read=lambda data: _command(joints(data))),
+            node.subscribe(JOINT_POSITIONS, read=message_reader(JOINT_POSITIONS, lambda one: (0, read_positions(one)))),
+        )
         self._writer = 0
         self._stamp = 0
         self._obeyed = -_OBEYS
 
     def take(self) -> None:
         """Hand on what has come."""
-        for subscription in (self._commands, self._positions):
-            for received in subscription.take():
-                try:
-                    self._hand_on(received, *self._target(subscription, received))
-                except QuadrupedError as error:
-                    self._session.say_once(f"refused: {error}")
+        for subscription in self._subscriptions:
+            for received, (stamp, target) in subscription.messages(self._session.refuse):
+                refusal = self._refusal(received, stamp)
+                if refusal:
+                    self._session.refuse(f"{subscription.topic.name}: {refusal}")
+                    continue
+                self._writer, self._stamp, self._obeyed = received.writer, stamp, received.taken
+                self._robot.command(target)
 
-    def _target(self, subscription: Subscription, received: Received) -> tuple[str, int, Target]:
-        """The topic, the stamp in ns, or 0 where there is none, and what is asked for."""
-        if subscription is self._positions:
-            return JOINT_POSITIONS.name, 0, read_positions(subscription.decode(received))
-        joints = self._read(received.data)
-        return JOINT_COMMANDS.name, joints.stamp, read_target(joints)
-
-    def _hand_on(self, received: Received, topic: str, stamp: int, target: Target) -> None:
-        now = time.monotonic()
-        if now - self._obeyed <= _OBEYS:
+    def _refusal(self, received: Received, stamp: int) -> str:
+        """Why not to obey a command; empty if it is obeyed."""
+        if received.taken - self._obeyed <= _OBEYS:
             if received.writer != self._writer:
-                raise QuadrupedError(f"{topic}: from a second publisher; end one of the two")
+                return "from a second publisher; end one of the two"
             # A stamp of 0 is what `ros2 topic pub` sends.
             if 0 < stamp < self._stamp:
-                raise QuadrupedError(f"{topic}: older than the one before; such messages are left out")
-        self._writer, self._stamp, self._obeyed = received.writer, stamp, now
-        self._robot.command(target)
+                return "older than the one before; such messages are left out"
+        return ""
 
 
-def _push(session: Session, robot: SimulatedRobot, pushes: Subscription, received: Received) -> None:
-    vector = pushes.decode(received)
+def _command(joints: Joints) -> tuple[int, Target]:
+    """The stamp in ns, and what is asked for."""
+    return joints.stamp, read_target(joints)
+
+
+def _push(vector: Any) -> NDArray[np.float64]:
+    """The velocity (3,) in m/s of a message of `/push`.
+
+    Raises:
+        QuadrupedError: if it is not finite or too large.
+    """
     velocity = np.array([vector.x, vector.y, vector.z])
-    if not np.linalg.norm(velocity) <= _HARDEST:
-        session.say(f"refused: {PUSH.name}: {velocity.tolist()} is not a velocity of at most {_HARDEST:g} m/s")
-        return
-    session.say(f"pushed by {velocity.tolist()} m/s")
-    robot.push(velocity)
+    # Not of the norm: squares of large numbers overflow.
+    if not np.abs(velocity).max() <= _HARDEST or np.linalg.norm(velocity) > _HARDEST:
+        raise QuadrupedError(f"{PUSH.name}: {velocity.tolist()} is not a velocity of at most {_HARDEST:g} m/s")
+    return velocity

@@ -9,7 +9,6 @@ import argparse
 import time
 from typing import Final
 
-from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
@@ -28,20 +27,13 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     node = session.node
     description, fixed = node.publish(ROBOT_DESCRIPTION), node.publish(TF_STATIC)
     transforms = node.publish(TF)
-    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS)
-    read, write = JointReader(JOINT_STATES.name), TransformWriter()
+    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
+    write = TransformWriter()
     description.send(description_message())
     fixed.send_bytes(fixed_message(time.time_ns()))
-    while session.running:
-        session.wait()
-        for received in states.take():
-            try:
-                joints = read(received.data)
-                if joints.positions is None:
-                    raise QuadrupedError(f"{JOINT_STATES.name}: has no positions; send one a joint")
-            except QuadrupedError as error:
-                session.say_once(f"refused: {error}")
-                continue
+    for _ in session.turns():
+        for _, joints in states.messages(session.refuse):
+            assert joints.positions is not None
             transforms.send_bytes(write(joints.stamp, joints.positions))
         session.wait_for("" if states.count else JOINT_STATES.name)
         session.report()

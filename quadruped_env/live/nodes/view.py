@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
-    mirror = Mirror(session.node)
+    mirror = Mirror(session.node, session.refuse)
     source = mirror_source(mirror)
     controller = ViewController({source.name: source}, [NAME], RESULTS)
     controller.restart_after_fall = False
@@ -36,8 +36,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             began = time.monotonic()
             show.run(LOOK)
             session.wait_for("" if mirror.hears else JOINT_STATES.name)
-            if mirror.refused:
-                session.say_once(f"refused: {mirror.refused}")
             for message in controller.messages():
                 session.say(message)
             session.report("" if time.monotonic() - began < 2 * LOOK else "slow")

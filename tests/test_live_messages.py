@@ -1,0 +1,195 @@
+"""Nodes and what others send them: nothing that was received is lost, and no message of any content ends a node."""
+
+import argparse
+import io
+import re
+import time
+
+import numpy as np
+import pytest
+from live_nodes import joint_state
+from waiting import wait_until
+
+from quadruped_env import JOINT_NAMES, QuadrupedError
+from quadruped_env.live import Node
+from quadruped_env.live.__main__ import make_parser
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.nodes import node_module
+from quadruped_env.live.refusals import MOST_REASONS, PERIOD, Refusals
+from quadruped_env.live.session import Session
+from quadruped_env.live.text import check_field
+from quadruped_env.live.topics import (
+    CMD_VEL,
+    IMU,
+    JOINT_COMMANDS,
+    JOINT_POSITIONS,
+    JOINT_STATES,
+    ODOMETRY,
+    PUSH,
+    TOPICS,
+)
+from quadruped_env.robot import STANCE
+from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+SENT = 12
+"""Messages that arrive between a node's last taking and the signal"""
+
+
+class InterruptedSession(Session):
+    """Ends at the one moment at which messages could be lost: they are there, and the node has just taken others."""
+
+    publisher = None
+
+    def wait_for(self, what):
+        super().wait_for(what)
+        if self.publisher.readers and not self.publisher.count:
+            for i in range(SENT):
+                self.publisher.send(joint_state(i, position=[i] * 8))
+            wait_until(lambda: self.publisher.wait_until_read(1.0))
+            self._interrupted(2, None)
+
+
+def run_interrupted(node, *arguments):
+    args = make_parser().parse_args(arguments)
+    with InterruptedSession(arguments[0], args, io.StringIO()) as session:
+        session.publisher = node.publish(JOINT_STATES, Qos(100))
+        return node_module(arguments[0]).run(session, args)
+
+
+def test_echo_interrupted_prints_what_was_received(nodes, capsys):
+    assert run_interrupted(nodes(), "echo", "/joint_states", "--field", "position.0") == 0
+    assert re.findall(r"\d+\.\d", capsys.readouterr().out) == [f"{i}.0" for i in range(SENT)]
+
+
+def test_hz_interrupted_counts_what_was_received(nodes, capsys):
+    assert run_interrupted(nodes(), "hz", "/joint_states") == 0
+    assert capsys.readouterr().out.splitlines()[-1].endswith(f"{SENT} messages")
+
+
+def test_hz_interrupted_after_a_line_prints_what_came_since(nodes, capsys, monkeypatch):
+    """The line of the first second says 0 messages; what came after it is printed all the same."""
+    monkeypatch.setattr("quadruped_env.live.nodes.hz.PERIOD", 1e-3)
+    assert run_interrupted(nodes(), "hz", "/joint_states") == 0
+    assert capsys.readouterr().out.splitlines()[-1].endswith(f"{SENT} messages")
+
+
+def test_record_interrupted_writes_what_was_received(nodes, capsys, tmp_path):
+    assert run_interrupted(nodes(), "record", "/joint_states", "-o", str(tmp_path / "bag")) == 0
+    assert f"{SENT} messages of 1 topics" in capsys.readouterr().out
+
+
+def test_state_interrupted_answers_what_was_received(nodes):
+    node = nodes()
+    transforms = node.subscribe(TOPICS["/tf"])
+    assert run_interrupted(node, "state") == 0
+    received = []
+    wait_until(lambda: received.extend(transforms.take()) or len(received) >= 5)  # best effort keeps the last 5
+
+
+# --- reading
+
+
+@pytest.mark.parametrize("topic", TOPICS.values(), ids=str)
+def test_subscribe_has_read_a_message_before_the_first_comes(topic, nodes, monkeypatch):
+    """What the first reading costs, it costs before the subscription exists."""
+    order = []
+    monkeypatch.setattr("quadruped_env.live.node.Subscription", lambda *_, **__: order.append("subscribed") or Made())
+
+    class Made:
+        condition = None
+
+    node = nodes()
+    monkeypatch.setattr(node, "_waitset", type("Waitset", (), {"attach": lambda self, condition: None})())
+    node.subscribe(topic, read=lambda data: order.append(cdr.deserialize(data, topic.type_name).__msgtype__))
+    assert order == [topic.type_name, "subscribed"]
+    node.subscriptions.clear()
+
+
+def test_a_message_is_timed_when_it_is_taken_not_when_it_was_read(nodes):
+    node = nodes()
+    publisher = node.publish(CMD_VEL)
+    taken = []
+
+    def slow(data):
+        if taken:
+            # Not a wait: a reader that costs time, as the first reading of a type does.
+            time.sleep(0.02)
+        return cdr.deserialize(data, CMD_VEL.type_name)
+
+    velocities = node.subscribe(CMD_VEL, read=slow)
+    wait_until(lambda: publisher.readers)
+    publisher.send(cdr.message(CMD_VEL.type_name))
+    wait_until(lambda: node.wait(0.1))
+    taken.append(time.monotonic())
+    for received, _ in velocities.messages(pytest.fail):
+        read = time.monotonic()
+        assert taken[0] <= received.taken <= read - 0.02
+
+
+def test_reader_that_fails_in_any_way_refuses_the_message(nodes):
+    node = nodes()
+    publisher = node.publish(CMD_VEL, Qos(100))
+
+    # The example that subscribing reads is let pass.
+    subscription = node.subscribe(CMD_VEL, Qos(100), read=lambda data: 1 // 0 if publisher.count else None)
+    wait_until(lambda: publisher.readers)
+    for _ in range(3):
+        publisher.send(cdr.message(CMD_VEL.type_name))
+    refused = []
+    wait_until(lambda: list(subscription.messages(refused.append)) or len(refused) == 3)
+    assert refused == ["/cmd_vel: 52 bytes cannot be read: ZeroDivisionError: integer division or modulo by zero"] * 3
+
+
+def test_check_field_knows_a_types_fields():
+    check_field(JOINT_STATES.type_name, "position.7")
+    check_field(JOINT_STATES.type_name, "header.stamp.sec")
+    check_field("tf2_msgs/msg/TFMessage", "transforms.3.transform.rotation.w")
+    with pytest.raises(QuadrupedError, match="--field position.x: there is no 'x'"):
+        check_field(JOINT_STATES.type_name, "position.x")
+    with pytest.raises(QuadrupedError, match="--field speed: there is no 'speed'; there is header, name, position"):
+        check_field(JOINT_STATES.type_name, "speed")
+
+
+# --- the log of refusals
+
+
+class Hands:
+    now = 100.0
+
+    def __call__(self):
+        return self.now
+
+
+def test_refusals_are_logged_once_a_second_with_a_count():
+    said, clock = [], Hands()
+    refuse = Refusals(said.append, clock)
+    for _ in range(1000):
+        refuse("/push: too hard")
+        clock.now += PERIOD / 100
+    assert said[0] == "refused: /push: too hard"
+    assert len(said) == 10
+    assert all(re.fullmatch(r"refused: /push: too hard \(\d+ messages in 1\.0 s\)", line) for line in said[1:])
+    refuse.report(last=True)
+    counted = sum(int(re.search(r"\((\d+) message", line)[1]) for line in said[1:])
+    assert counted + 1 == refuse.count == 1000
+    clock.now += 2 * PERIOD
+    refuse.report()
+    refuse.report()
+    refuse("/push: too hard")
+    assert said[-1] == "refused: /push: too hard"
+
+
+def test_refusals_of_endless_different_reasons_stay_few_and_short():
+    said, clock = [], Hands()
+    refuse = Refusals(said.append, clock)
+    for i in range(10_000):
+        refuse(f"{i}: \x1b[2J\n" + "x" * 10_000)
+        clock.now += PERIOD / 1000
+    assert len(said) <= 11 * (2 * MOST_REASONS + 1)
+    assert max(map(len, said)) < 500
+    assert "".join(said).isprintable()
+    assert any(re.fullmatch(r"refused: \d+ messages for other reasons in 1\.0 s", line) for line in said)
+    assert len(refuse._counts) <= MOST_REASONS
