@@ -23,10 +23,11 @@ from typing import Any, Final, Self
 
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.documents import read_toml
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.delimited import Layout, StampParser, blocks, lines, opened
-from quadruped_env.trajectory.joint_map import check_keys, read_toml, table_of
-from quadruped_env.trajectory.reading import Block, Reading, short
+from quadruped_env.trajectory.joint_map import check_keys, table_of
+from quadruped_env.trajectory.reading import Block, Reading
 
 STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
 """Unit of time -> power of ten of its ns"""

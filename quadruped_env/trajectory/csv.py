@@ -18,10 +18,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.delimited import Layout, blocks, lines, opened, parse_whole
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.reading import KINDS, Block, Progress, Reading, short
+from quadruped_env.trajectory.reading import KINDS, Block, Progress, Reading
 
 STAMP_COLUMN: Final = "stamp_ns"
 

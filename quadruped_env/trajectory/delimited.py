@@ -9,8 +9,9 @@ from typing import Final, TextIO
 
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory.reading import KINDS, Block, Reading, short
+from quadruped_env.documents import check_regular
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.trajectory.reading import KINDS, Block, Reading
 
 _ROWS_A_BLOCK: Final = 4096
 
@@ -41,14 +42,13 @@ class Layout:
 @contextmanager
 def opened(reading: Reading) -> Iterator[TextIO]:
     """The file as text, whatever goes wrong with it being this package's error."""
+    check_regular(reading.path, "name a file of joint states")
     try:
         # A byte-order mark is what spreadsheets put in front of UTF-8.
         with reading.path.open(encoding="utf-8-sig") as file:
             yield file
     except UnicodeDecodeError as error:
         raise reading.error(None, f"not a text file ({error.reason}); expected text of joint states") from error
-    except FileNotFoundError as error:
-        raise reading.error(None, "there is no such file; check its name") from error
     except OSError as error:
         raise reading.error(None, f"cannot be read ({error.strerror}); name a file of joint states") from error
 

@@ -1,5 +1,6 @@
 """From a file of any known format to checked rows: recognised by what is in it, not by its name."""
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import replace
@@ -9,7 +10,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.documents import check_regular
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory import bag, column_map, csv, echo, salvage
 from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.joint_map import JointMap
@@ -23,7 +25,6 @@ from quadruped_env.trajectory.reading import (
     assemble,
     joined,
     salvaged,
-    short,
     without_ignored,
 )
 from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC
@@ -34,8 +35,9 @@ SUSPICIOUS: Final = 4.0 * np.pi
 
 _AS_IT_IS: Final = ReadOptions()
 _MIN_ROWS: Final = 1024
-_MAX_EXPECTED: Final = 1 << 22
+_MAX_FIX: Final = 1 << 22
 """Rows: room for no more is made in advance, since damage may claim any number"""
+_FIX: Final = "name a file of joint states, or the directory of a bag"
 _HEAD: Final = 65536
 """Bytes that are enough to recognise a format"""
 _KNOWN: Final = (
@@ -139,7 +141,7 @@ class _Column:
     """Collects rows in one array, which grows if there are more than expected: no block of memory is held twice."""
 
     def __init__(self, expected: int) -> None:
-        self._expected = min(max(expected, _MIN_ROWS), _MAX_EXPECTED)
+        self._expected = min(max(expected, _MIN_ROWS), _MAX_FIX)
         self._array: NDArray[Any] | None = None
         self._rows = 0
 
@@ -183,12 +185,14 @@ def _blocks(reading: Reading, stack: ExitStack) -> Iterator[Block]:
 def _head(reading: Reading) -> bytes:
     """The first bytes of a file, or b"" for a directory."""
     try:
-        if reading.path.is_dir():
+        if os.path.isdir(reading.path):
+            for path in reading.path.iterdir():
+                if not path.is_dir():
+                    check_regular(path, _FIX)
             return b""
+        check_regular(reading.path, _FIX)
         with reading.path.open("rb") as file:
             head = file.read(_HEAD)
-    except FileNotFoundError as error:
-        raise reading.error(None, "there is no such file; check its name") from error
     except OSError as error:
         raise reading.error(None, f"cannot be read ({error.strerror}); name a file of joint states") from error
     if not head:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, cut, short
 from quadruped_env.ros.joint_state import RawJointState
 from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
@@ -26,8 +26,6 @@ STAMPS: Final = ("header", "log")
 """Whose time a message's stamp is: the header's, or that of its recording"""
 
 _ROWS_A_BLOCK: Final = 4096
-_MAX_SHOWN: Final = 40
-"""Characters of a file that a message shows"""
 
 Progress = Callable[[float], None]
 """Is told the share that is done, in [0, 1]"""
@@ -103,6 +101,7 @@ class Reading:
 
     def note(self, text: str) -> None:
         """Remember something that a reader of the numbers should know, once."""
+        text = cut(text)
         if text not in self.notes:
             self.notes.append(text)
 
@@ -279,11 +278,6 @@ def without_ignored(blocks: Iterator[Block], reading: Reading) -> Iterator[Block
     """The blocks without what the options say to ignore."""
     for block in blocks:
         yield replace(block, values={k: v for k, v in block.values.items() if k not in reading.options.ignore})
-
-
-def short(text: str) -> str:
-    """Text from a file as a message may show it."""
-    return repr(text if len(text) <= _MAX_SHOWN else text[:_MAX_SHOWN] + "...")
 
 
 def joined(blocks: Sequence[Block]) -> Block:
