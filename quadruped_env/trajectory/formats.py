@@ -17,6 +17,7 @@ from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import (
+    TORQUE_ONLY,
     Block,
     Progress,
     Reading,
@@ -245,6 +246,10 @@ def _checked(blocks: Iterator[Block], reading: Reading) -> Iterator[JointTraject
     """The rows as trajectories in rad, each beginning later than the one before ends."""
     last: int | None = None
     for found in blocks:
+        torque_only = _torque_only(found)
+        if torque_only.any() and not reading.options.drop:
+            row = int(found.rows[torque_only.argmax()])
+            raise reading.error(row, f"{TORQUE_ONLY}, or leave such {reading.row_name}s out (--drop)")
         block = _without_bad_rows(found, last, reading) if reading.options.drop else found
         if not len(block.rows):
             continue
@@ -256,6 +261,9 @@ def _checked(blocks: Iterator[Block], reading: Reading) -> Iterator[JointTraject
 
 def _without_bad_rows(block: Block, last: int | None, reading: Reading) -> Block:
     """The rows that a trajectory may have: known positions and velocities, rising stamps."""
+    torque_only = _torque_only(block)
+    reading.leave_out(TORQUE_ONLY, int(torque_only.sum()))
+    block = block.take(~torque_only)
     known = np.ones(len(block.rows), dtype=bool)
     for kind, values in block.values.items():
         bad = np.isinf(values) if kind == "effort" else ~np.isfinite(values)
@@ -267,6 +275,16 @@ def _without_bad_rows(block: Block, last: int | None, reading: Reading) -> Block
     rising = block.stamps > latest
     reading.leave_out("the stamp is not later than those before", int((~rising).sum()))
     return block.take(rising)
+
+
+def _torque_only(block: Block) -> NDArray[np.bool_]:
+    """Which rows (n,) have efforts and no position at all."""
+    efforts = block.values.get("effort")
+    if efforts is None:
+        return np.zeros(len(block.rows), dtype=np.bool_)
+    return np.logical_and(
+        np.isnan(block.values["position"]).all(axis=1), np.isfinite(efforts).any(axis=1), dtype=np.bool_
+    )
 
 
 def _in_rad(trajectory: JointTrajectory, options: ReadOptions) -> JointTrajectory:
