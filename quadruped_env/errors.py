@@ -1,8 +1,26 @@
 """The errors this package raises for bad input."""
 
+import reprlib
+from typing import Final
+
+MAX_MESSAGE: Final = 700
+"""Characters of an error message: a file may hold megabytes, and no reader wants them back"""
+
+_MAX_END: Final = 250
+"""Characters at the end of a message that is cut: the fix stands there"""
+_MAX_SHOWN: Final = 40
+"""Characters of a value from a file that a message shows"""
+_MORE: Final = "..."
+
 
 class QuadrupedError(ValueError):
-    """Bad input: the message names what was wrong, where, and how to mend it."""
+    """Bad input: the message names what was wrong, where, and how to mend it.
+
+    A message of over `MAX_MESSAGE` characters is cut in the middle, where values from a file stand.
+    """
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(cut(message))
 
 
 class MissingExtraError(ImportError):
@@ -14,3 +32,25 @@ class MissingExtraError(ImportError):
 
 class QuadrupedWarning(UserWarning):
     """Input that can be used, though something about it may not be as meant."""
+
+
+def cut(message: str) -> str:
+    """A message of at most `MAX_MESSAGE` characters: its beginning, and its end."""
+    if len(message) <= MAX_MESSAGE:
+        return message
+    return f"{message[: MAX_MESSAGE - _MAX_END - len(_MORE) - 2]} {_MORE} {message[-_MAX_END:]}"
+
+
+def short(value: object) -> str:
+    """A value from a file or a caller as a message may show it, however large it is."""
+    if isinstance(value, str):
+        return repr(value if len(value) <= _MAX_SHOWN else value[:_MAX_SHOWN] + _MORE)
+    try:
+        text = _REPR.repr(value)
+    except ValueError:  # Python refuses to write out whole numbers of over 4300 digits
+        return f"a {type(value).__name__} too large to be shown"
+    return text if len(text) <= 2 * _MAX_SHOWN else text[: 2 * _MAX_SHOWN] + _MORE
+
+
+_REPR: Final = reprlib.Repr()
+_REPR.maxstring = _REPR.maxother = _MAX_SHOWN

@@ -94,6 +94,14 @@ class TestYaml:
         with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
             load(path, text)
 
+    def test_load_message_of_efforts_alone_is_called_torque_only(self, tmp_path):
+        torques = FLOW.replace("[0.3, -0.4]", "[]").replace(".inf", "2")
+        with pytest.raises(QuadrupedError, match=r"message 0: torque-only: efforts and no positions.*\(--drop\)"):
+            load(tmp_path / "a", torques)
+        loaded = load(tmp_path / "a", BLOCK + torques, drop=True)
+        assert len(loaded) == 1
+        assert loaded.source.notes[0].startswith("left out 1 of 2: torque-only: ")
+
     def test_damage_at_the_end_is_salvaged(self, tmp_path):
         loaded = load(tmp_path / "a", BLOCK + FLOW[:40], salvage=True)
         assert len(loaded) == 1
@@ -198,6 +206,76 @@ class TestColumns:
             load(path, text, columns=tmp_path / "map.toml")
 
     @pytest.mark.parametrize(
+        "given",
+        [
+            'stamp = "t"\npositions = ["q0", "q1"]\nheader = ["t", "mode", "q0", "q1"]',
+            "stamp = 1\npositions = { q0 = 3, q1 = 4 }",
+            'stamp = 1\npositions = { q0 = "x", q1 = 4 }\nheader = ["t", "mode", "x", "y"]',
+            "stamp = 1\npositions = { q0 = 3, q1 = 4 }\nheader = false",
+        ],
+    )
+    def test_load_without_a_header_line_reads_the_first_line_as_a_row(self, tmp_path, given):
+        (tmp_path / "map.toml").write_text(f"[columns]\n{given}\n")
+        loaded = load(tmp_path / "a.csv", "0.5,walk,1,2\n0.6,walk,3,4\n", columns=tmp_path / "map.toml")
+        assert loaded.stamps.tolist() == [500_000_000, 600_000_000]
+        assert (loaded.names, loaded.positions.tolist()) == (("q0", "q1"), [[1, 2], [3, 4]])
+        assert loaded.source.row(0).endswith("line 1")
+
+    def test_load_column_numbers_with_a_header_line_skip_it(self, tmp_path):
+        (tmp_path / "map.toml").write_text("[columns]\nstamp = 1\npositions.q = 2\nheader = true\n")
+        assert load(tmp_path / "a.csv", "t,x\n1,2\n", columns=tmp_path / "map.toml").positions.tolist() == [[2]]
+
+    @pytest.mark.parametrize(
+        ("given", "text", "message"),
+        [
+            ("stamp = 1\npositions.q = 3", "0,1\n", r"line 1: no column 3, which .* positions asks for; found 2"),
+            ("stamp = 1\npositions.q = 2", "t,x\n0,1\n", r"line 1, column 1: 't' is not a time in s"),
+            ("stamp = 1\npositions.q = 2", "0,1\n0.1\n", r"line 2: expected 2 columns"),
+            ("stamp = 1\npositions.q = 2", "", r"the file is empty"),
+            ("stamp = 't'\npositions = ['q']\nheader = ['t', 'q']", "0,1,2\n", r"line 1: expected 2 columns.*found 3"),
+            ("stamp = 't'\npositions = ['q']", "0,1\n", r"line 1: no column 't'.*header = \[\.\.\.\]"),
+        ],
+    )
+    def test_load_with_a_wrong_header_names_the_place(self, tmp_path, given, text, message):
+        (tmp_path / "map.toml").write_text(f"[columns]\n{given}\n")
+        path = tmp_path / "a.csv"
+        with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
+            load(path, text, columns=tmp_path / "map.toml")
+
+    MARKED = """
+    [columns]
+    stamp = "t"
+    positions = { a = "qa", b = "qb" }
+    efforts = { a = "ta", b = "tb" }
+    missing = [2.146e9, "-"]
+    """
+
+    def test_load_values_marked_as_missing_are_not_recorded(self, tmp_path):
+        (tmp_path / "map.toml").write_text(self.MARKED)
+        text = "t,qa,qb,ta,tb\n0,0.1,0.2,2146000000.0,1\n1,0.3,0.4, - ,2\n2,2.146e+09,0.5,3,4\n3,-2.146e9,0.5,3,4\n"
+        path = tmp_path / "a.csv"
+        with pytest.raises(
+            QuadrupedError, match=r"line 4, position\.a: nan is not finite; leave the row out \(--drop\)"
+        ):
+            load(path, text, columns=tmp_path / "map.toml")
+        loaded = load(path, text, columns=tmp_path / "map.toml", drop=True, degrees=False)
+        assert loaded.positions.tolist() == [[0.1, 0.2], [0.3, 0.4], [-2.146e9, 0.5]]
+        np.testing.assert_array_equal(loaded.efforts, [[np.nan, 1], [np.nan, 2], [3, 4]])
+        assert loaded.source.notes == (
+            "3 values that the column map marks as missing: read as not recorded (NaN)",
+            "left out 1 of 4: a number is not finite, or a stamp negative",
+        )
+
+    def test_load_rows_without_any_position_are_torque_only(self, tmp_path):
+        (tmp_path / "map.toml").write_text(self.MARKED)
+        text = "t,qa,qb,ta,tb\n0,0.1,0.2,3,1\n1,2.146e9,2.146e9,3,2\n"
+        with pytest.raises(QuadrupedError, match=r"line 3: torque-only: .*\(--drop\)"):
+            load(tmp_path / "a.csv", text, columns=tmp_path / "map.toml")
+        loaded = load(tmp_path / "a.csv", text, columns=tmp_path / "map.toml", drop=True)
+        assert len(loaded) == 1
+        assert loaded.source.notes[-1].startswith("left out 1 of 2: torque-only: ")
+
+    @pytest.mark.parametrize(
         ("text", "message"),
         [
             ("[columns]\n", r"\[columns\]: stamp is missing; add it"),
@@ -205,7 +283,10 @@ class TestColumns:
             ("[columns]\nstamp = 'a'\npositions = []\n", r"positions: name one column or more"),
             ("[columns]\nstamp = 'a'\npositions = ['b', 'b']\n", r"positions: expected each joint once"),
             ("[columns]\nstamp = 'a'\npositions = ['b', 3]\n", r"positions: expected column names"),
-            ("[columns]\nstamp = 3\npositions = ['b']\n", r"stamp: expected a text; found 3"),
+            (
+                "[columns]\nstamp = 0\npositions = ['b']\n",
+                r"stamp: expected a column, name or number from 1 on; found 0",
+            ),
             (
                 "[columns]\nstamp = 'a'\npositions = ['b']\nvelocities = ['c']\n",
                 r"velocities: expected each joint once",

@@ -275,7 +275,7 @@ class TestMotorsFile:
     @pytest.mark.parametrize(
         ("text", "message"),
         [
-            ("{", "not JSON"),
+            ("{", "not valid JSON"),
             ("[]", r'expected \{"motor"'),
             ('{"motor": {"hip": {"kp": -1}}}', r"motors\.json: motor: kp must be"),
             ('{"motor": {"hip": {"kq": 1}}}', "unknown field 'kq'"),
@@ -286,7 +286,7 @@ class TestMotorsFile:
         path.write_text(text)
         with pytest.raises(QuadrupedError, match=message):
             read_motors(path)
-        with pytest.raises(QuadrupedError, match="cannot be read"):
+        with pytest.raises(QuadrupedError, match="there is no such file"):
             read_motors(tmp_path / "none.json")
 
 

@@ -209,6 +209,7 @@ class TestCsv:
             (["0,0.1,0.2\n"], r"text that begins with '0,0\.1,0\.2'; if it is a CSV of other columns"),
             (["stamp_ns_,position.a\n"], r"line 1, .*must be 'stamp_ns'; found 'stamp_ns_'"),
             (["stamp_ns\n", "0\n"], r"line 1, .*no position column"),
+            (["stamp_ns,effort.a\n", "0,1\n"], r"line 1, .*torque-only: efforts and no positions"),
             (["stamp_ns,LF_hip_joint\n", "0,0\n"], r"line 1, .*column 'LF_hip_joint' is unknown; rename"),
             (["stamp_ns,position.a,position.\n"], r"line 1, .*column 'position\.' is unknown"),
             (["stamp_ns,position.a,stamp_ns\n"], r"line 1, .*column 'stamp_ns' is unknown"),

@@ -1,8 +1,8 @@
 """Motors as a file: the part `motor` of the environment's config, as JSON."""
 
-import json
 from pathlib import Path
 
+from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MotorConfig
 from quadruped_env.task import TaskConfig
@@ -14,12 +14,7 @@ def read_motors(path: Path) -> MotorConfig:
     Raises:
         QuadrupedError: if there is no such file, or it is not one.
     """
-    try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be read ({error.strerror}); name a file of motors") from error
-    except ValueError as error:
-        raise QuadrupedError(f"{path}: not JSON: {error}; name a file of motors") from error
+    document = read_json(path, "name a file of motors")
     if not isinstance(document, dict) or set(document) != {"motor"}:
         raise QuadrupedError(f'{path}: expected {{"motor": ...}}, as evaluate/identify.py writes it')
     try:

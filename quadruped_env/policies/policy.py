@@ -1,6 +1,7 @@
 """A trained policy as data: tensors and JSON, run on NumPy alone."""
 
 import json
+import os
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -11,7 +12,8 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.documents import check_regular, read_json
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.gait import CommandedGait
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_LAYOUT, OBSERVATION_WIDTH, TaskConfig
 
@@ -120,22 +122,23 @@ def load_policy(source: str | Path) -> Policy:
     """
     directory = shipped_directory(str(source)) if str(source) in SHIPPED else Path(source)
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
-    if not directory.is_dir():
+    # Not Path.is_dir, which raises for names that are too long and for directories without rights.
+    if not os.path.isdir(directory):
         raise QuadrupedError(
-            f"load_policy: {str(source)!r} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
+            f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
             f"train one with 'python train/ppo.py'"
         )
     for path in (card_path, tensors_path):
-        if not path.is_file():
+        if not os.path.exists(path):
             raise QuadrupedError(
                 f"{path}: missing, so the run is incomplete; name a finished run, or one of its checkpoints"
             )
+    document = read_json(card_path, "the file is damaged, train again")
+    check_regular(tensors_path, "name the directory of a finished run")
     try:
-        document = json.loads(card_path.read_text())
         tensors = load_file(tensors_path)
-    except (json.JSONDecodeError, UnicodeDecodeError) as error:
-        raise QuadrupedError(f"{card_path}: not valid JSON ({error}); the file is damaged, train again") from error
-    except SafetensorError as error:
+    # Types of numbers that NumPy lacks give whatever NumPy says about them.
+    except (SafetensorError, OSError, TypeError, AttributeError, ValueError) as error:
         raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
     return _from_document(document, tensors, card_path, tensors_path)
 
@@ -144,7 +147,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
     version = document.get("format_version") if isinstance(document, dict) else None
     if version != FORMAT_VERSION:
         raise QuadrupedError(
-            f"{card_path}: format_version is {version!r}, and this version of the package reads {FORMAT_VERSION}; "
+            f"{card_path}: format_version is {short(version)}, and this version of the package reads {FORMAT_VERSION}; "
             f"train again, or install the version that made it"
         )
     for key in ("activation", "layers", "observation_layout", "config", "card"):
@@ -157,12 +160,17 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
         )
     if document["activation"] not in tuple(ACTIVATIONS):
         raise QuadrupedError(
-            f"{card_path}: activation {document['activation']!r} is not one of {', '.join(ACTIVATIONS)}; "
+            f"{card_path}: activation {short(document['activation'])} is not one of {', '.join(ACTIVATIONS)}; "
             f"the file is damaged, train again"
+        )
+    if not isinstance(document["card"], dict):
+        raise QuadrupedError(
+            f"{card_path}: card must be a table of facts; found {short(document['card'])}; the file is damaged, train "
+            f"again"
         )
     if not isinstance(document["layers"], int) or document["layers"] < 1:
         raise QuadrupedError(
-            f"{card_path}: layers must be a whole number, 1 or more; found {document['layers']!r}; "
+            f"{card_path}: layers must be a whole number, 1 or more; found {short(document['layers'])}; "
             f"the file is damaged, train again"
         )
     try:

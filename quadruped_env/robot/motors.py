@@ -1,6 +1,7 @@
 """The motors in numbers: those of the model file, or those that were identified on a robot."""
 
 import math
+import sys
 from dataclasses import dataclass, field, fields
 from typing import Any, Final
 
@@ -8,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.facts import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
 
 VOLTAGE: Final = 24.0
@@ -111,7 +112,7 @@ def fill_command_history(
 
 
 def _check(name: str, value: Any, positive: bool = False) -> None:
-    number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
     if not number or value < 0 or (positive and value == 0):
         rule = "positive" if positive else "0 or more"
-        raise QuadrupedError(f"motor: {name} must be a finite number, {rule}; found {value!r}")
+        raise QuadrupedError(f"motor: {name} must be a finite number, {rule}; found {short(value)}")

@@ -3,6 +3,7 @@
 import dataclasses
 import functools
 import math
+import sys
 import types
 import typing
 from dataclasses import dataclass, field
@@ -11,7 +12,7 @@ from typing import Any, Final, Literal, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import MotorConfig
 
 ACTION_MODES: Final = ("position", "residual")
@@ -43,7 +44,7 @@ REWARD_WEIGHTS: Final = types.MappingProxyType(
 
 def _check(condition: bool, name: str, value: object, rule: str) -> None:
     if not condition:
-        raise QuadrupedError(f"config: {name} must be {rule}; found {value!r}")
+        raise QuadrupedError(f"config: {name} must be {rule}; found {short(value)}")
 
 
 def _check_range(name: str, value: Range) -> None:
@@ -63,7 +64,9 @@ class ActionConfig:
 
     def __post_init__(self) -> None:
         if self.mode not in ACTION_MODES:
-            raise QuadrupedError(f"action_mode: {self.mode!r} is unknown; valid modes are {', '.join(ACTION_MODES)}")
+            raise QuadrupedError(
+                f"action_mode: {short(self.mode)} is unknown; valid modes are {', '.join(ACTION_MODES)}"
+            )
         _check(self.position_scale > 0, "action.position_scale", self.position_scale, "positive (rad)")
         _check(self.residual_scale > 0, "action.residual_scale", self.residual_scale, "positive (rad)")
 
@@ -230,11 +233,11 @@ class TaskConfig:
 def _build(kind: type, values: Any, path: str) -> Any:
     """An instance of a config dataclass from nested plain values; `path` names it in errors."""
     if not isinstance(values, dict):
-        raise QuadrupedError(f"{path}: expected a mapping of fields; found {values!r}")
+        raise QuadrupedError(f"{path}: expected a mapping of fields; found {short(values)}")
     hints = typing.get_type_hints(kind)
     unknown = sorted(set(values) - set(hints))
     if unknown:
-        raise QuadrupedError(f"{path}: unknown field {unknown[0]!r}; valid fields are {', '.join(hints)}")
+        raise QuadrupedError(f"{path}: unknown field {short(unknown[0])}; valid fields are {', '.join(hints)}")
     return kind(**{name: _convert(hints[name], value, f"{path}.{name}") for name, value in values.items()})
 
 
@@ -249,15 +252,15 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
         return _convert(typing.get_args(hint)[0], value, path)
     if origin is tuple:
         if not isinstance(value, (list, tuple)) or len(value) != 2:
-            raise QuadrupedError(f"{path}: expected a pair (low, high); found {value!r}")
+            raise QuadrupedError(f"{path}: expected a pair (low, high); found {short(value)}")
         return tuple(_convert(float, item, path) for item in value)
     if origin is dict:
         if not isinstance(value, dict):
-            raise QuadrupedError(f"{path}: expected a mapping of terms to weights; found {value!r}")
+            raise QuadrupedError(f"{path}: expected a mapping of terms to weights; found {short(value)}")
         unknown = sorted(set(value) - set(REWARD_WEIGHTS))
         if unknown:
             raise QuadrupedError(
-                f"{path}: unknown reward term {unknown[0]!r}; valid terms are {', '.join(REWARD_WEIGHTS)}"
+                f"{path}: unknown reward term {short(unknown[0])}; valid terms are {', '.join(REWARD_WEIGHTS)}"
             )
         return dict(REWARD_WEIGHTS) | {
             name: _convert(float, weight, f"{path}[{name!r}]") for name, weight in value.items()
@@ -265,7 +268,10 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
     if origin is Literal:
         return value
     if isinstance(value, bool) or not isinstance(value, (int, float)) or (hint is int and not isinstance(value, int)):
-        raise QuadrupedError(f"{path}: expected {'a whole number' if hint is int else 'a number'}; found {value!r}")
-    if not math.isfinite(value):
-        raise QuadrupedError(f"{path}: expected a finite number; found {value!r}")
+        raise QuadrupedError(
+            f"{path}: expected {'a whole number' if hint is int else 'a number'}; found {short(value)}"
+        )
+    # Not math.isfinite, which raises for whole numbers that no float holds.
+    if not abs(value) <= sys.float_info.max:
+        raise QuadrupedError(f"{path}: expected a finite number; found {short(value)}")
     return hint(value)

@@ -11,8 +11,9 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.errors import QuadrupedError
-from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.documents import read_json
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.config import TrainConfig
 
@@ -74,15 +75,26 @@ def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
                 f"or train anew"
             )
     path = directory / CONFIG_FILE
-    try:
-        document = json.loads(path.read_text())
-    except (json.JSONDecodeError, UnicodeDecodeError) as error:
-        raise QuadrupedError(f"{path}: not valid JSON ({error}); train anew") from error
+    document = read_json(path, "train anew")
     for section, fields in _RESUMED_FIELDS.items():
+        part = document.get(section) if isinstance(document, dict) else None
         for field in fields:
-            if not isinstance(document, dict) or field not in (document.get(section) or {}):
+            if not isinstance(part, dict) or field not in part:
                 raise QuadrupedError(f"{path}: field '{section}.{field}' is missing; train anew")
-    training, task = document["training"], TaskConfig.from_dict(document["task"])
+    training = document["training"]
+    for field, valid, rule in (
+        ("hidden", _is_hidden(training["hidden"]), "a list of whole numbers, 1 or more each"),
+        ("activation", training["activation"] in tuple(ACTIVATIONS), f"one of {', '.join(ACTIVATIONS)}"),
+        ("symmetric", isinstance(training["symmetric"], bool), "true or false"),
+    ):
+        if not valid:
+            raise QuadrupedError(
+                f"{path}: training.{field}: expected {rule}; found {short(training[field])}; train anew"
+            )
+    try:
+        task = TaskConfig.from_dict(document["task"])
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{path}: task: {error}; train anew") from error
     return replace(
         config,
         task=task.to_dict(),
@@ -91,6 +103,11 @@ def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
         activation=training["activation"],
         symmetric=training["symmetric"],
     )
+
+
+def _is_hidden(value: Any) -> bool:
+    """Whether a value is the widths of a network's hidden layers."""
+    return isinstance(value, list) and all(type(width) is int and width >= 1 for width in value)
 
 
 def _new_directory(parent: Path, name: str) -> Path:

@@ -18,6 +18,9 @@ from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC, zstd
 
 ROS1_DIGEST: Final = "3066dcd76a6cfaef579bd0f34173e9fd"
 """md5 of ROS 1's definition of the message"""
+METADATA_FILE: Final = "metadata.yaml"
+_MAX_METADATA: Final = 1_000_000
+"""Bytes: of thousands of files or topics"""
 _MESSAGES_A_STEP: Final = 1000
 
 
@@ -112,10 +115,25 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
     except ImportError as error:
         raise MissingExtraError("reading bags", "ros") from error
     # By what the file is, not by its name, as rosbags would.
+    if storage == DIRECTORY:
+        _check_metadata(path / METADATA_FILE)
     reader = Reader1(path) if storage == ROS1 else Reader2.STORAGE_PLUGINS[storage](path)
     reader.open()
     stack.callback(reader.close)
     return reader
+
+
+def _check_metadata(path: Path) -> None:
+    """Raise a QuadrupedError if rosbags' parser would need very long for a bag's metadata, or run out of stack."""
+    try:
+        size = path.stat().st_size
+    except FileNotFoundError:
+        return  # rosbags says so
+    if size > _MAX_METADATA:
+        raise QuadrupedError(
+            f"{path}: {size} bytes are no bag's metadata, {_MAX_METADATA} at most; name the storage file itself, or "
+            f"keep what can be read (--salvage)"
+        )
 
 
 def _check_connection(connection: Any, reading: Reading) -> None:

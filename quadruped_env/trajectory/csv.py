@@ -18,10 +18,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.delimited import Layout, blocks, lines, opened, parse_whole
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.reading import KINDS, Block, Progress, Reading, short
+from quadruped_env.trajectory.reading import KINDS, TORQUE_ONLY, Block, Progress, Reading
 
 STAMP_COLUMN: Final = "stamp_ns"
 
@@ -140,7 +140,8 @@ def _read_header(line: str, path: Path) -> list[tuple[str, str]]:
         columns.append((kind, joint))
     joints = {kind: {joint for found, joint in columns if found == kind} for kind in KINDS}
     if not joints["position"]:
-        raise QuadrupedError(f"{path}: line 1, the header: no position column; expected {_HEADER}")
+        problem = f"{TORQUE_ONLY};" if joints["effort"] else "no position column;"
+        raise QuadrupedError(f"{path}: line 1, the header: {problem} expected {_HEADER}")
     for kind in KINDS[1:]:
         unpaired = sorted(joints[kind] ^ joints["position"])
         if joints[kind] and unpaired:

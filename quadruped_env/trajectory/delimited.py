@@ -1,5 +1,6 @@
 """Text with a row of numbers a line: what the project's own CSV and mapped CSV share."""
 
+import math
 import os
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -9,9 +10,11 @@ from typing import Final, TextIO
 
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory.reading import KINDS, Block, Reading, short
+from quadruped_env.documents import check_regular
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.trajectory.reading import KINDS, Block, Reading
 
+MISSING: Final = "values that the column map marks as missing: read as not recorded (NaN)"
 _ROWS_A_BLOCK: Final = 4096
 
 StampParser = Callable[[str], int]
@@ -33,6 +36,10 @@ class Layout:
     """Kind -> columns, a column a joint"""
     names: tuple[str, ...]
     """Joints"""
+    missing: tuple[float, ...] = ()
+    """Numbers that stand for no value"""
+    blanks: tuple[str, ...] = ()
+    """Texts that stand for no value"""
 
     def __post_init__(self) -> None:
         assert all(len(columns) == len(self.names) for columns in self.columns.values())
@@ -41,14 +48,13 @@ class Layout:
 @contextmanager
 def opened(reading: Reading) -> Iterator[TextIO]:
     """The file as text, whatever goes wrong with it being this package's error."""
+    check_regular(reading.path, "name a file of joint states")
     try:
         # A byte-order mark is what spreadsheets put in front of UTF-8.
         with reading.path.open(encoding="utf-8-sig") as file:
             yield file
     except UnicodeDecodeError as error:
         raise reading.error(None, f"not a text file ({error.reason}); expected text of joint states") from error
-    except FileNotFoundError as error:
-        raise reading.error(None, "there is no such file; check its name") from error
     except OSError as error:
         raise reading.error(None, f"cannot be read ({error.strerror}); name a file of joint states") from error
 
@@ -89,8 +95,14 @@ def blocks(table: Iterable[tuple[int, list[str]]], layout: Layout, reading: Read
     width = len(layout.names)
     rows, stamps, numbers = array("q"), array("q"), array("d")
 
+    parse = _parser(layout, reading)
+
     def block() -> Block:
         values = np.frombuffer(numbers).reshape(len(rows), len(picks))
+        if layout.missing:
+            marked = np.isin(values, layout.missing)
+            values = np.where(marked, np.nan, values)
+            reading.count(MISSING, int(np.count_nonzero(marked)))
         kinds = [kind for kind in KINDS if kind in layout.columns]
         return Block(
             np.frombuffer(rows, np.int64),
@@ -109,7 +121,7 @@ def blocks(table: Iterable[tuple[int, list[str]]], layout: Layout, reading: Read
         reading.rows += 1
         try:
             stamps.append(layout.parse_stamp(cells[layout.stamp]))
-            numbers.extend(map(parse_number, [cells[column] for column in picks]))
+            numbers.extend(map(parse, [cells[column] for column in picks]))
         except (ValueError, OverflowError):
             raise _bad_cell(cells, layout, picks, number, reading) from None
         rows.append(number)
@@ -120,6 +132,20 @@ def blocks(table: Iterable[tuple[int, list[str]]], layout: Layout, reading: Read
         yield block()
     elif not reading.rows:
         raise reading.error(None, "there is a header and no row; the recording is empty, record again")
+
+
+def _parser(layout: Layout, reading: Reading) -> Callable[[str], float]:
+    """From the text of a cell to a number; NaN for texts that stand for no value."""
+    if not layout.blanks:
+        return parse_number
+
+    def parse(text: str) -> float:
+        if text.strip() in layout.blanks:
+            reading.count(MISSING)
+            return math.nan
+        return parse_number(text)
+
+    return parse
 
 
 def parse_number(text: str) -> float:
@@ -151,7 +177,7 @@ def _bad_cell(cells: list[str], layout: Layout, picks: Iterable[int], number: in
     for column in sorted({layout.stamp, *picks}):
         is_stamp = column == layout.stamp
         try:
-            _ = layout.parse_stamp(cells[column]) if is_stamp else parse_number(cells[column])
+            _ = layout.parse_stamp(cells[column]) if is_stamp else _parser(layout, reading)(cells[column])
         except (ValueError, OverflowError):
             form = layout.stamp_form if is_stamp else "a number"
             found = short(cells[column].strip("\n"))

@@ -15,10 +15,10 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import Any, Final
 
-from quadruped_env.errors import MissingExtraError
+from quadruped_env.errors import MissingExtraError, short
 from quadruped_env.ros.joint_state import NANOSECONDS, RawJointState
 from quadruped_env.trajectory.delimited import lines, opened, parse_number
-from quadruped_env.trajectory.reading import KINDS, Reading, Sample, short
+from quadruped_env.trajectory.reading import KINDS, Reading, Sample
 
 LOST: Final = "A message was lost!!!"
 """How a notice of lost messages begins"""
@@ -31,6 +31,12 @@ _FORM: Final = "expected what ros2 topic echo prints of a sensor_msgs/msg/JointS
 _SPECIAL: Final = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 """How YAML writes what is not finite"""
 _INTEGER: Final = re.compile(r"-?\d{1,18}$", re.ASCII)
+_MAX_KEYS_SHOWN: Final = 8
+_MAX_DEPTH: Final = 8
+"""Levels of nesting; a joint state has three"""
+
+Node = str | list[Any] | tuple[Any, ...]
+"""What YAML says, as text: a scalar, a sequence, or the pairs of a mapping"""
 
 
 def read_yaml(reading: Reading) -> Iterator[Sample]:
@@ -49,8 +55,8 @@ def read_yaml(reading: Reading) -> Iterator[Sample]:
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                yield Sample(number, _state(yaml.compose(text, yaml.CSafeLoader)))
-            except (yaml.YAMLError, RecursionError, ValueError, OverflowError) as error:
+                yield Sample(number, _state(_document(yaml, text)))
+            except (yaml.YAMLError, ValueError) as error:
                 reason = " ".join(str(error).split())
                 raise reading.error(number, f"{reason}; {_FORM}; mend it or delete it") from error
             number += 1
@@ -104,7 +110,40 @@ def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
         yield "".join(parts)
 
 
-def _state(node: Any) -> RawJointState:
+def _document(yaml: Any, text: str) -> Node | None:
+    """The one document in YAML text; None if it is empty.
+
+    Made from PyYAML's events, since its own composer recurses in C: 30,000 brackets end the process.
+
+    Raises:
+        yaml.YAMLError: if it is not YAML.
+        ValueError: if it holds several documents or anchors, or is nested too deeply.
+    """
+    root: list[Any] = []
+    """The node, once it begins"""
+    levels: list[list[Any]] = []
+    """The children of the nodes that have begun: of a mapping, key and value by turns"""
+    for event in yaml.parse(text, yaml.CSafeLoader):
+        children = levels[-1] if levels else root
+        if getattr(event, "anchor", None) is not None:
+            raise ValueError(f"there is an anchor or alias, {short(event.anchor)}")
+        if isinstance(event, yaml.ScalarEvent):
+            children.append(event.value)
+        elif isinstance(event, yaml.CollectionStartEvent):
+            if len(levels) == _MAX_DEPTH:
+                raise ValueError(f"it is nested deeper than {_MAX_DEPTH} levels")
+            levels.append([])
+            children.append(levels[-1])
+        elif isinstance(event, yaml.CollectionEndEvent):
+            pairs = levels.pop()
+            if isinstance(event, yaml.MappingEndEvent):
+                (levels[-1] if levels else root)[-1] = tuple(zip(pairs[::2], pairs[1::2], strict=True))
+        elif isinstance(event, yaml.DocumentStartEvent) and root:
+            raise ValueError("there are two documents")
+    return root[0] if root else None
+
+
+def _state(node: Node | None) -> RawJointState:
     """A message of a YAML node; ValueError if it is none."""
     fields = _mapping(node, ("header", "name", *KINDS), "the message")
     header = _mapping(fields["header"], ("stamp", "frame_id"), "header")
@@ -114,30 +153,32 @@ def _state(node: Any) -> RawJointState:
     return RawJointState(_stamp(_scalar(stamp["sec"], "sec"), _scalar(stamp["nanosec"], "nanosec")), names, *numbers)
 
 
-def _mapping(node: Any, keys: tuple[str, ...], what: str) -> dict[str, Any]:
+def _mapping(node: Node | None, keys: tuple[str, ...], what: str) -> dict[str, Any]:
     """Key -> node. YAML's own mappings would keep the last of two equal keys, and say nothing."""
-    pairs = node.value if node is not None and node.id == "mapping" else []
-    found = [key.value for key, _ in pairs if key.id == "scalar"]
+    pairs = node if isinstance(node, tuple) else ()
+    found = [key for key, _ in pairs if isinstance(key, str)]
     if sorted(found) != sorted(keys) or len(found) != len(pairs):
-        raise ValueError(f"{what} must have {', '.join(keys)}, each once; found {', '.join(found) or 'none'}")
-    return {key.value: value for key, value in pairs}
+        some = ", ".join(short(key)[1:-1] for key in found[:_MAX_KEYS_SHOWN])
+        more = f" and {len(found) - _MAX_KEYS_SHOWN} more" if len(found) > _MAX_KEYS_SHOWN else ""
+        raise ValueError(f"{what} must have {', '.join(keys)}, each once; found {some or 'none'}{more}")
+    return dict(pairs)
 
 
-def _sequence(node: Any, what: str) -> list[Any]:
-    if node.id != "sequence":
-        raise ValueError(f"{what} must be a list; found {short(str(node.value))}")
-    return list(node.value)
+def _sequence(node: Node, what: str) -> list[Any]:
+    if not isinstance(node, list):
+        raise ValueError(f"{what} must be a list; found {short(node)}")
+    return node
 
 
-def _scalar(node: Any, what: str) -> str:
-    if node.id != "scalar":
+def _scalar(node: Node, what: str) -> str:
+    if not isinstance(node, str):
         raise ValueError(f"{what} must hold single values")
-    if node.value == "...":
+    if node == "...":
         raise ValueError(_SHORTENED)
-    return str(node.value)
+    return node
 
 
-def _number(node: Any, what: str) -> float:
+def _number(node: Node, what: str) -> float:
     """A number; YAML would take 1e-05 for a text."""
     text = _scalar(node, what)
     return _cell_number(_SPECIAL.get(text, text), what)

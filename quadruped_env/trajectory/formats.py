@@ -1,5 +1,6 @@
 """From a file of any known format to checked rows: recognised by what is in it, not by its name."""
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import replace
@@ -9,12 +10,14 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.documents import check_regular
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory import bag, column_map, csv, echo, salvage
 from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import (
+    TORQUE_ONLY,
     Block,
     Progress,
     Reading,
@@ -23,7 +26,6 @@ from quadruped_env.trajectory.reading import (
     assemble,
     joined,
     salvaged,
-    short,
     without_ignored,
 )
 from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC
@@ -34,8 +36,9 @@ SUSPICIOUS: Final = 4.0 * np.pi
 
 _AS_IT_IS: Final = ReadOptions()
 _MIN_ROWS: Final = 1024
-_MAX_EXPECTED: Final = 1 << 22
+_MAX_FIX: Final = 1 << 22
 """Rows: room for no more is made in advance, since damage may claim any number"""
+_FIX: Final = "name a file of joint states, or the directory of a bag"
 _HEAD: Final = 65536
 """Bytes that are enough to recognise a format"""
 _KNOWN: Final = (
@@ -139,7 +142,7 @@ class _Column:
     """Collects rows in one array, which grows if there are more than expected: no block of memory is held twice."""
 
     def __init__(self, expected: int) -> None:
-        self._expected = min(max(expected, _MIN_ROWS), _MAX_EXPECTED)
+        self._expected = min(max(expected, _MIN_ROWS), _MAX_FIX)
         self._array: NDArray[Any] | None = None
         self._rows = 0
 
@@ -183,12 +186,14 @@ def _blocks(reading: Reading, stack: ExitStack) -> Iterator[Block]:
 def _head(reading: Reading) -> bytes:
     """The first bytes of a file, or b"" for a directory."""
     try:
-        if reading.path.is_dir():
+        if os.path.isdir(reading.path):
+            for path in reading.path.iterdir():
+                if not path.is_dir():
+                    check_regular(path, _FIX)
             return b""
+        check_regular(reading.path, _FIX)
         with reading.path.open("rb") as file:
             head = file.read(_HEAD)
-    except FileNotFoundError as error:
-        raise reading.error(None, "there is no such file; check its name") from error
     except OSError as error:
         raise reading.error(None, f"cannot be read ({error.strerror}); name a file of joint states") from error
     if not head:
@@ -241,6 +246,10 @@ def _checked(blocks: Iterator[Block], reading: Reading) -> Iterator[JointTraject
     """The rows as trajectories in rad, each beginning later than the one before ends."""
     last: int | None = None
     for found in blocks:
+        torque_only = _torque_only(found)
+        if torque_only.any() and not reading.options.drop:
+            row = int(found.rows[torque_only.argmax()])
+            raise reading.error(row, f"{TORQUE_ONLY}, or leave such {reading.row_name}s out (--drop)")
         block = _without_bad_rows(found, last, reading) if reading.options.drop else found
         if not len(block.rows):
             continue
@@ -252,6 +261,9 @@ def _checked(blocks: Iterator[Block], reading: Reading) -> Iterator[JointTraject
 
 def _without_bad_rows(block: Block, last: int | None, reading: Reading) -> Block:
     """The rows that a trajectory may have: known positions and velocities, rising stamps."""
+    torque_only = _torque_only(block)
+    reading.leave_out(TORQUE_ONLY, int(torque_only.sum()))
+    block = block.take(~torque_only)
     known = np.ones(len(block.rows), dtype=bool)
     for kind, values in block.values.items():
         bad = np.isinf(values) if kind == "effort" else ~np.isfinite(values)
@@ -263,6 +275,16 @@ def _without_bad_rows(block: Block, last: int | None, reading: Reading) -> Block
     rising = block.stamps > latest
     reading.leave_out("the stamp is not later than those before", int((~rising).sum()))
     return block.take(rising)
+
+
+def _torque_only(block: Block) -> NDArray[np.bool_]:
+    """Which rows (n,) have efforts and no position at all."""
+    efforts = block.values.get("effort")
+    if efforts is None:
+        return np.zeros(len(block.rows), dtype=np.bool_)
+    return np.logical_and(
+        np.isnan(block.values["position"]).all(axis=1), np.isfinite(efforts).any(axis=1), dtype=np.bool_
+    )
 
 
 def _in_rad(trajectory: JointTrajectory, options: ReadOptions) -> JointTrajectory:

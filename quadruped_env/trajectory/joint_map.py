@@ -14,13 +14,14 @@ Velocities are multiplied likewise. Efforts are divided by `sign * scale`, which
 """
 
 import math
-import tomllib
+import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Final, Self
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.documents import read_toml
+from quadruped_env.errors import QuadrupedError, short
 
 UNITS: Final = {"rad": 1.0, "deg": math.pi / 180.0}
 """Unit of an angle -> rad"""
@@ -102,22 +103,6 @@ class JointMap:
         return tuple(dict.fromkeys(rule.source for rule in self.rules.values() if rule.source is not None))
 
 
-def read_toml(path: Path) -> dict[str, Any]:
-    """A TOML file.
-
-    Raises:
-        QuadrupedError: if it cannot be read.
-    """
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError as error:
-        raise QuadrupedError(f"{path}: there is no such file; check its name") from error
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be read ({error.strerror}); name a TOML file") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise QuadrupedError(f"{path}: not TOML: {error}; mend it") from error
-
-
 def table_of(document: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
     """A table of a TOML document.
 
@@ -126,7 +111,7 @@ def table_of(document: Mapping[str, Any], key: str, where: str) -> dict[str, Any
     """
     table = document.get(key)
     if not isinstance(table, dict):
-        raise QuadrupedError(f"{where}: expected a table [{key}]; found {'none' if table is None else repr(table)}")
+        raise QuadrupedError(f"{where}: expected a table [{key}]; found {'none' if table is None else short(table)}")
     return table
 
 
@@ -134,10 +119,10 @@ def check_keys(table: Any, known: Iterable[str], where: str) -> None:
     """Raise a QuadrupedError unless it is a table with none but the known keys."""
     names = tuple(known)
     if not isinstance(table, dict):
-        raise QuadrupedError(f"{where}: expected a table; found {table!r}")
+        raise QuadrupedError(f"{where}: expected a table; found {short(table)}")
     for key in table:
         if key not in names:
-            raise QuadrupedError(f"{where}: unknown key {key!r}; known are {', '.join(names)}")
+            raise QuadrupedError(f"{where}: unknown key {short(key)}; known are {', '.join(names)}")
 
 
 def _check_rule(where: str, rule: JointRule) -> None:
@@ -155,8 +140,8 @@ def _check_rule(where: str, rule: JointRule) -> None:
     }
     for key, (wanted, holds) in expected.items():
         if not holds:
-            raise QuadrupedError(f"{where} {key}: expected {wanted}; found {getattr(rule, key)!r}")
+            raise QuadrupedError(f"{where} {key}: expected {wanted}; found {short(getattr(rule, key))}")
 
 
 def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

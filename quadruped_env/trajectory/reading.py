@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, cut, short
 from quadruped_env.ros.joint_state import RawJointState
 from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
@@ -25,9 +25,12 @@ KINDS: Final = ("position", "velocity", "effort")
 STAMPS: Final = ("header", "log")
 """Whose time a message's stamp is: the header's, or that of its recording"""
 
+TORQUE_ONLY: Final = (
+    "torque-only: efforts and no positions, and a joint state needs the position of every joint; record them too"
+)
+"""What is wrong with commands of torques and the like"""
+
 _ROWS_A_BLOCK: Final = 4096
-_MAX_SHOWN: Final = 40
-"""Characters of a file that a message shows"""
 
 Progress = Callable[[float], None]
 """Is told the share that is done, in [0, 1]"""
@@ -78,6 +81,8 @@ class Reading:
     """In all; 0 where that is not known"""
     left_out: Counter[str] = field(default_factory=Counter)
     """Why rows were left out -> how many"""
+    counted: Counter[str] = field(default_factory=Counter)
+    """What a reader of the numbers should know -> how often it was found"""
     notes: list[str] = field(default_factory=list)
     """What a reader of the numbers should know about them"""
 
@@ -103,8 +108,14 @@ class Reading:
 
     def note(self, text: str) -> None:
         """Remember something that a reader of the numbers should know, once."""
+        text = cut(text)
         if text not in self.notes:
             self.notes.append(text)
+
+    def count(self, what: str, number: int = 1) -> None:
+        """Count something that a reader of the numbers should know."""
+        if number:
+            self.counted[what] += number
 
     def leave_out(self, why: str, count: int = 1) -> None:
         """Count rows that are not kept."""
@@ -113,7 +124,12 @@ class Reading:
 
     def remarks(self) -> tuple[str, ...]:
         """The notes, and what was left out."""
-        return (*self.notes, *(f"left out {count} of {self.rows}: {why}" for why, count in self.left_out.items()))
+        counted = (f"{count} {what}" for what, count in self.counted.items())
+        return (
+            *self.notes,
+            *counted,
+            *(f"left out {count} of {self.rows}: {why}" for why, count in self.left_out.items()),
+        )
 
 
 class Sample(NamedTuple):
@@ -197,6 +213,8 @@ class _Builder:
         """Take a message, or say what is wrong with it."""
         state = sample.state
         names = state.names
+        if not state.position and state.effort:
+            return TORQUE_ONLY
         if names not in self._orders:
             problem = self._learn(names, len(state.position))
             if problem is not None:
@@ -279,11 +297,6 @@ def without_ignored(blocks: Iterator[Block], reading: Reading) -> Iterator[Block
     """The blocks without what the options say to ignore."""
     for block in blocks:
         yield replace(block, values={k: v for k, v in block.values.items() if k not in reading.options.ignore})
-
-
-def short(text: str) -> str:
-    """Text from a file as a message may show it."""
-    return repr(text if len(text) <= _MAX_SHOWN else text[:_MAX_SHOWN] + "...")
 
 
 def joined(blocks: Sequence[Block]) -> Block:

@@ -1,0 +1,161 @@
+"""The one reader of small structured files (JSON, TOML): whatever is wrong with one is this package's error.
+
+Python's own parsers raise errors of many types: for numbers of thousands of digits, for deep nesting, for bytes that
+are no text. To open a pipe waits forever, and a TOML key of ten thousand parts takes very long. Every such file that a
+user may hand over is read here.
+"""
+
+import json
+import math
+import re
+import stat
+import tomllib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError, short
+
+MAX_BYTES: Final = 16_000_000
+"""Of a document: far more than this package writes into one"""
+MAX_DEPTH: Final = 32
+"""Levels of nesting: far more than any document here has"""
+
+_KINDS: Final = (
+    (stat.S_ISDIR, "a directory"),
+    (stat.S_ISFIFO, "a pipe"),
+    (stat.S_ISCHR, "a device"),
+    (stat.S_ISBLK, "a device"),
+    (stat.S_ISSOCK, "a socket"),
+)
+_TOML_TOKEN: Final = re.compile(
+    r"""(?P<key>"(?:[^"\\\n]|\\.)*"|'[^'\n]*'|[A-Za-z0-9_-]+)|(?P<dot>\.)|[^\s]""", re.ASCII
+)
+
+
+def check_regular(path: Path, fix: str) -> None:
+    """Raise a QuadrupedError unless a path is a regular file.
+
+    To open a pipe waits until somebody writes into it, and some devices never end.
+
+    Args:
+        path: of the file.
+        fix: what errors advise, as in "name a TOML file".
+    """
+    try:
+        mode = path.stat().st_mode
+    except FileNotFoundError as error:
+        raise QuadrupedError(f"{path}: there is no such file; check its name") from error
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, error, fix) from error
+    if not stat.S_ISREG(mode):
+        found = next((name for holds, name in _KINDS if holds(mode)), "no regular file")
+        hint = " (save what it gives in a file first)" if stat.S_ISFIFO(mode) else ""
+        raise QuadrupedError(f"{path}: is {found}; {fix}{hint}")
+
+
+def read_json(path: Path, fix: str = "name a JSON file") -> Any:
+    """The document in a JSON file.
+
+    Args:
+        path: of the file.
+        fix: what errors advise.
+
+    Raises:
+        QuadrupedError: if it cannot be read, is not JSON, or is nested too deeply; if it holds a number that no float64
+            holds. The message names the file and the place.
+    """
+    return parse_json(_text(path, "JSON", fix), str(path), fix)
+
+
+def parse_json(text: str, where: str, fix: str = "mend it") -> Any:
+    """The document in JSON text; `where` names it in errors. As `read_json`."""
+    return _parsed(json.loads, text, where, "JSON", fix)
+
+
+def read_toml(path: Path, fix: str = "mend it, or name another file") -> dict[str, Any]:
+    """The document in a TOML file; as `read_json`."""
+    text = _text(path, "TOML", fix)
+    # The parser's time grows with the square of the parts of a dotted key.
+    if any(depth > MAX_DEPTH for depth in _key_lengths(text)):
+        raise QuadrupedError(f"{path}: a key of over {MAX_DEPTH} parts; {fix}")
+    document: dict[str, Any] = _parsed(tomllib.loads, text, str(path), "TOML", fix)
+    return document
+
+
+def _text(path: Path, language: str, fix: str) -> str:
+    check_regular(path, fix)
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise _unreadable(path, error, fix) from error
+    if len(data) > MAX_BYTES:
+        raise QuadrupedError(f"{path}: over {MAX_BYTES} bytes are too many; {fix}")
+    try:
+        # Editors on Windows put a byte-order mark in front.
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise QuadrupedError(
+            f"{path}: not valid {language}: byte {error.start} is not UTF-8 ({error.reason}); {fix}"
+        ) from error
+
+
+def _unreadable(path: Path, error: Exception, fix: str) -> QuadrupedError:
+    reason = getattr(error, "strerror", None) or str(error)
+    return QuadrupedError(f"{path}: cannot be read ({reason}); {fix}")
+
+
+def _parsed(parse: Callable[[str], Any], text: str, where: str, language: str, fix: str) -> Any:
+    try:
+        document = parse(text)
+    except RecursionError as error:
+        raise QuadrupedError(f"{where}: nested deeper than {MAX_DEPTH} levels; {fix}") from error
+    # The parsers' own errors are ValueErrors, and so is Python's about whole numbers of over 4300 digits.
+    except ValueError as error:
+        raise QuadrupedError(f"{where}: not valid {language}: {error}; {fix}") from error
+    _check_values(document, where, fix)
+    return document
+
+
+def _check_values(document: Any, where: str, fix: str) -> None:
+    """Raise a QuadrupedError at the first value that others could stumble over."""
+    pending: list[tuple[Any, tuple[object, ...]]] = [(document, ())]
+    while pending:
+        value, place = pending.pop()
+        problem = _problem(value, len(place))
+        if problem is not None:
+            at = f"{short('.'.join(map(str, place)))}: " if place else ""
+            raise QuadrupedError(f"{where}: {at}{problem}; {fix}")
+        if isinstance(value, dict):
+            pending += ((key, (*place, "a key")) for key in value)
+            pending += ((part, (*place, key)) for key, part in value.items())
+        elif isinstance(value, list):
+            pending += ((part, (*place, i)) for i, part in enumerate(value))
+
+
+def _problem(value: Any, depth: int) -> str | None:
+    """What is wrong with a value itself."""
+    if depth > MAX_DEPTH:
+        return f"nested deeper than {MAX_DEPTH} levels"
+    if isinstance(value, int):
+        try:
+            math.isfinite(value)
+        except OverflowError:
+            return f"a whole number of {int(value.bit_length() * math.log10(2)) + 1} digits is too large"
+    # What "\ud800" stands for is no character, and can be neither printed nor written.
+    if isinstance(value, str) and any("\ud800" <= character <= "\udfff" for character in value):
+        return f"{short(value)} holds half a character"
+    return None
+
+
+def _key_lengths(text: str) -> Iterator[int]:
+    """How many parts the dotted keys of TOML text have, as far as they go."""
+    dots, after_key = 0, False
+    for token in _TOML_TOKEN.finditer(text):
+        if token["dot"] and after_key:
+            dots += 1
+            yield dots + 1
+        elif not token["key"] or after_key:
+            dots = 0
+        after_key = token["key"] is not None
