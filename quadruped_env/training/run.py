@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.policies.policy import CARD_FILE, CHECKPOINTS, TENSORS_FILE
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.config import TrainConfig
 
@@ -91,6 +91,13 @@ def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
         activation=training["activation"],
         symmetric=training["symmetric"],
     )
+
+
+def run_name(directory: Path) -> str:
+    """What a run is called where it is named: its directory, or `<run>/checkpoints/<checkpoint>`."""
+    directory = directory.resolve()
+    # A checkpoint's own name does not say whose it is.
+    return "/".join(directory.parts[-3 if directory.parent.name == CHECKPOINTS else -1 :])
 
 
 def _new_directory(parent: Path, name: str) -> Path:
