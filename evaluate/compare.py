@@ -12,7 +12,7 @@ from pathlib import Path
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import compare_policies
 from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.options import add_evaluation_options, tell_results
+from quadruped_env.evaluation.options import add_evaluation_options, plain_warnings, tell_results
 from quadruped_env.evaluation.pages.page import summary_table
 from quadruped_env.evaluation.pages.run_comparison import films, find_subjects, headline, write_comparison
 from quadruped_env.evaluation.progress import ProgressLine
@@ -28,7 +28,8 @@ def main() -> None:
     args = parser.parse_args()
     output = args.output or free_path(Path("results", "comparison"))
     try:
-        subjects = find_subjects(args.runs, output)
+        with plain_warnings("compare.py"):
+            subjects = find_subjects(args.runs, output)
         prepare_video(args.video, args.overwrite)
         prepare(output)
         policies = {name: subject.policy for name, subject in subjects.items()}

@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks.format_speed import measure_formats
 from quadruped_env.benchmarks.throughput import write
 from quadruped_env.training.run import machine, versions
@@ -22,8 +23,12 @@ def main() -> int:
         "--output", type=Path, default=Path("results/format_speed.json"), help="where to write the JSON"
     )
     args = parser.parse_args()
-    measures = measure_formats(args.messages, lambda line: print(line, flush=True))
-    write(measures, machine(), versions(), args.output)
+    try:
+        measures = measure_formats(args.messages, lambda line: print(line, flush=True))
+        write(measures, machine(), versions(), args.output)
+    except (QuadrupedError, MissingExtraError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
     print(f"\nmeasured on one core of {machine()}; written to {args.output}")
     return 0 if all(measure.reached for measure in measures) else 1
 

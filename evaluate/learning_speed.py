@@ -5,6 +5,7 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
+from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.training.run import machine, versions
 
@@ -38,19 +39,23 @@ def main() -> int:
         print(line, flush=True)
 
     results = []
-    for mode in args.action_modes:
-        for seed in args.seeds:
-            say(f"{mode}, seed {seed}")
-            training = {"timesteps": args.timesteps, "symmetric": args.symmetric}
-            results.append(time_to_walk(mode, seed, args.limit, args.interval, say, **training))
-    say(f"\n{summary(results)}")
-    document = {
-        "machine": machine(),
-        "versions": versions(),
-        "symmetric": args.symmetric,
-        "results": [asdict(result) for result in results],
-    }
-    write_json(args.output, document)
+    try:
+        for mode in args.action_modes:
+            for seed in args.seeds:
+                say(f"{mode}, seed {seed}")
+                training = {"timesteps": args.timesteps, "symmetric": args.symmetric}
+                results.append(time_to_walk(mode, seed, args.limit, args.interval, say, **training))
+        say(f"\n{summary(results)}")
+        document = {
+            "machine": machine(),
+            "versions": versions(),
+            "symmetric": args.symmetric,
+            "results": [asdict(result) for result in results],
+        }
+        write_json(args.output, document)
+    except (QuadrupedError, MissingExtraError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
     say(f"\nmeasured on {machine()}; written to {args.output}")
     return 0
 

@@ -31,11 +31,11 @@ def main() -> int:
             args.realtime,
             lambda line: print(line, file=sys.stderr, flush=True),
         )
+        print(walk)
+        benchmark.write(walk, machine(), versions(), args.output)
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
-    print(walk)
-    benchmark.write(walk, machine(), versions(), args.output)
     print(f"\nmeasured on {machine()}; written to {args.output}")
     return 0 if walk.reached else 1
 

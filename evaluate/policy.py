@@ -1,7 +1,7 @@
 """Evaluate a trained policy against the scripted gaits, and write its report.
 
 python evaluate/policy.py                    the latest run in runs/, or the shipped policy
-python evaluate/policy.py runs/<name>        a run
+python evaluate/policy.py runs/<name>        a run; of one that was killed, its last checkpoint
 python evaluate/policy.py flat               the shipped policy
 """
 
@@ -11,7 +11,7 @@ import sys
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.options import add_evaluation_options, tell_results
+from quadruped_env.evaluation.options import add_evaluation_options, plain_warnings, tell_results
 from quadruped_env.evaluation.pages.page import summary_table
 from quadruped_env.evaluation.pages.pictures import filmed
 from quadruped_env.evaluation.pages.report import write_report
@@ -27,7 +27,8 @@ def main(arguments: list[str] | None = None) -> None:
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
     args = parser.parse_args(arguments)
     try:
-        subject = find_subject(args.run, args.output)
+        with plain_warnings("policy.py"):
+            subject = find_subject(args.run, args.output)
         prepare(subject.output)
         prepare_video(args.video, args.overwrite)
         print(f"evaluating {subject.name}")

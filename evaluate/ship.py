@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.shipping import ship
 from quadruped_env.policies.policy import SHIPPED
@@ -21,7 +22,8 @@ def main() -> int:
     parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="what load_policy calls it (%(default)s)")
     args = parser.parse_args()
     try:
-        directory, card = ship(args.run, args.name, ProgressLine("measuring"))
+        with plain_warnings("ship.py"):
+            directory, card = ship(args.run, args.name, ProgressLine("measuring"))
     except QuadrupedError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

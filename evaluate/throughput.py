@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks import throughput
 from quadruped_env.training.run import machine, versions
 
@@ -28,8 +29,12 @@ def main() -> int:
     )
     args = parser.parse_args()
     print(throughput.HEADER, flush=True)
-    measures = throughput.run_all(args.memory_steps, lambda line: print(line, flush=True), args.only)
-    throughput.write(measures, machine(), versions(), args.output)
+    try:
+        measures = throughput.run_all(args.memory_steps, lambda line: print(line, flush=True), args.only)
+        throughput.write(measures, machine(), versions(), args.output)
+    except (QuadrupedError, MissingExtraError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
     print(f"\nmeasured on {machine()}; written to {args.output}")
     return 0 if all(measure.reached for measure in measures) else 1
 

@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 
@@ -43,7 +44,8 @@ def main() -> int:
     )
     args = parser.parse_args()
     try:
-        show = open_show(args.sources, tuple(args.command), args.host, args.port, args.results)
+        with plain_warnings("view.py"):
+            show = open_show(args.sources, tuple(args.command), args.host, args.port, args.results)
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

@@ -167,6 +167,19 @@ class TestSalvage:
         (gap,) = loaded.gaps()
         assert gap.seconds > 1.0
 
+    @pytest.mark.parametrize("kind", ["mcap zstd", "sqlite3 zstd"])
+    def test_a_changed_byte_in_a_compressed_bag_is_never_read_as_other_numbers(self, tmp_path, kind):
+        trajectory = random_trajectory(rows=12)
+        path = save(trajectory, tmp_path, kind)
+        (file,) = (entry for entry in path.iterdir() if entry.suffix != ".yaml")
+        data = file.read_bytes()
+        for at in range(len(data) // 2, len(data), len(data) // 60):
+            file.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :])
+            try:
+                assert_same(JointTrajectory.load(path), trajectory)
+            except QuadrupedError:
+                continue
+
     @pytest.mark.parametrize("compress", [False, True])
     def test_what_stands_behind_a_damaged_record_is_found(self, tmp_path, compress):
         trajectory = random_trajectory(rows=20_000)

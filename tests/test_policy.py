@@ -1,21 +1,24 @@
 """A trained policy is data: saved, loaded without pickle or torch, the same numbers as torch's, and checked."""
 
 import dataclasses
+import errno
 import itertools
 import json
+import os
 import pickletools
 import subprocess
 import sys
+from hashlib import sha256
 
 import numpy as np
 import pytest
 from gymnasium import make_vec
-from safetensors.numpy import load_file, save_file
+from safetensors.numpy import load_file, save
 
-from quadruped_env import QuadrupedError
+from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, SHIPPED, TENSORS_FILE
+from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, SHIPPED, TENSORS_FILE
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, TaskConfig
 
 TASK = TaskConfig.from_dict({"action": {"mode": "residual"}, "decimation": 5})
@@ -47,16 +50,24 @@ def run_directory(tmp_path):
 
 
 def edit_card(directory, **changes):
-    """Change fields of the saved card; a field of None is removed."""
+    """Change fields of the saved card; a field of None is removed. A changed config gets the hash that it has."""
     document = json.loads((directory / CARD_FILE).read_text()) | changes
+    if "config" in changes:
+        document["config_sha256"] = sha256(json.dumps(changes["config"], sort_keys=True).encode()).hexdigest()
     document = {key: value for key, value in document.items() if value is not None}
     (directory / CARD_FILE).write_text(json.dumps(document))
+
+
+def put_tensors(directory, content):
+    """Replace the saved tensors by bytes whose hash is in the card."""
+    (directory / TENSORS_FILE).write_bytes(content)
+    edit_card(directory, weights_sha256=sha256(content).hexdigest())
 
 
 def edit_tensors(directory, **changes):
     """Change saved tensors, `__` in their names standing for a dot; a tensor of None is removed."""
     tensors = load_file(directory / TENSORS_FILE) | {key.replace("__", "."): value for key, value in changes.items()}
-    save_file({key: value for key, value in tensors.items() if value is not None}, directory / TENSORS_FILE)
+    put_tensors(directory, save({key: value for key, value in tensors.items() if value is not None}))
 
 
 # --- saving and loading ---
@@ -190,6 +201,17 @@ def damage(path, keep=100):
     path.write_bytes(path.read_bytes()[:keep])
 
 
+def other_policy(directory):
+    make_policy(seed=1).save(directory / "other")
+    (directory / "other" / TENSORS_FILE).replace(directory / TENSORS_FILE)
+
+
+def change_setting(directory, old, new):
+    text = (directory / CARD_FILE).read_text()
+    assert text.count(old) == 1
+    (directory / CARD_FILE).write_text(text.replace(old, new))
+
+
 NARROW = np.zeros((3, 16), dtype=np.float32)
 DAMAGES = {
     "no card": (lambda d: (d / CARD_FILE).unlink(), r"policy.json: missing, so the run is incomplete.*finished run"),
@@ -198,9 +220,19 @@ DAMAGES = {
     "binary card": (lambda d: (d / CARD_FILE).write_bytes(b"\xff\xfe\x00\x80"), r"policy.json: not valid JSON"),
     "empty card": (lambda d: (d / CARD_FILE).write_text(""), r"policy.json: not valid JSON"),
     "card is a list": (lambda d: (d / CARD_FILE).write_text("[]"), r"policy.json: format_version is None"),
-    "cut tensors": (lambda d: damage(d / TENSORS_FILE), r"policy.safetensors: not a safetensors file.*train again"),
-    "empty tensors": (lambda d: damage(d / TENSORS_FILE, 0), r"policy.safetensors: not a safetensors file"),
-    "text tensors": (lambda d: (d / TENSORS_FILE).write_text("hello " * 9), r"policy.safetensors: not a safetensors"),
+    "cut tensors": (
+        lambda d: damage(d / TENSORS_FILE),
+        r"policy.safetensors: its SHA-256 differs from weights_sha256 in policy.json; the file is damaged.*train again",
+    ),
+    "empty tensors": (lambda d: damage(d / TENSORS_FILE, 0), r"policy.safetensors: its SHA-256 differs"),
+    "another policy's tensors": (other_policy, r"policy.safetensors: its SHA-256 differs from .* or of another policy"),
+    "text tensors": (lambda d: put_tensors(d, b"hello " * 9), r"policy.safetensors: not a safetensors.*train again"),
+    "no hash": (lambda d: edit_card(d, weights_sha256=None), r"policy.json: field 'weights_sha256' is missing"),
+    "no hash of the config": (lambda d: edit_card(d, config_sha256=None), r"policy.json: field 'config_sha256' is mis"),
+    "other setting": (
+        lambda d: change_setting(d, '"decimation": 5', '"decimation": 7'),
+        r"policy.json: its SHA-256 differs from config_sha256 in policy.json",
+    ),
     "no version": (lambda d: edit_card(d, format_version=None), r"policy.json: format_version is None"),
     "other version": (
         lambda d: edit_card(d, format_version=99),
@@ -276,6 +308,61 @@ def test_a_damaged_run_is_refused_with_the_file_the_field_and_the_cure(run_direc
     with pytest.raises(QuadrupedError, match=message) as caught:
         load_policy(run_directory)
     assert str(run_directory) in str(caught.value)
+
+
+@pytest.mark.parametrize("name", [TENSORS_FILE, CARD_FILE])
+def test_a_damaged_policy_never_loads_with_other_weights_or_settings(run_directory, name):
+    path, policy = run_directory / name, make_policy()
+    data, rng = path.read_bytes(), np.random.default_rng(0)
+    for _ in range(300):
+        damaged = bytearray(data)
+        for at in rng.integers(0, len(data), rng.integers(1, 4)):
+            damaged[at] ^= 1 << int(rng.integers(0, 8))
+        path.write_bytes(damaged)
+        try:
+            loaded = load_policy(run_directory)
+        except QuadrupedError:
+            continue
+        assert loaded.config == policy.config
+        assert loaded.activation == policy.activation
+        for one, other in zip(loaded.weights + loaded.biases, policy.weights + policy.biases, strict=True):
+            np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("field", ["weights", "biases"])
+def test_a_policy_with_weights_that_are_not_finite_is_not_saved(tmp_path, field):
+    policy = make_policy()
+    getattr(policy, field)[1][-1] = np.nan
+    with pytest.raises(QuadrupedError, match=r"layer1 holds NaN or infinity, so it is not saved.*lower"):
+        policy.save(tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
+def test_the_files_of_a_policy_have_the_same_rights(tmp_path):
+    make_policy().save(tmp_path)
+    (tmp_path / "neighbour").touch()
+    assert len({path.stat().st_mode for path in tmp_path.iterdir()}) == 1
+
+
+def test_a_full_disk_keeps_the_policy_that_was_there(run_directory, monkeypatch):
+    def fsync(descriptor):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    with pytest.raises(QuadrupedError, match=r"cannot be written \(No space left on device\); make room"):
+        make_policy(seed=1).save(run_directory)
+    np.testing.assert_array_equal(load_policy(run_directory).weights[0], make_policy().weights[0])
+
+
+def test_of_a_killed_run_the_last_checkpoint_is_loaded_with_a_warning(tmp_path):
+    for seed, name in enumerate(["00060s", "99980s", "100000s"]):
+        make_policy(seed=seed).save(tmp_path / "run" / CHECKPOINTS / name)
+    (tmp_path / "run" / CHECKPOINTS / "100020s").mkdir()
+    with pytest.warns(QuadrupedWarning, match=r"run: the training was killed .*: checkpoints/100000s$"):
+        policy = load_policy(tmp_path / "run")
+    np.testing.assert_array_equal(policy.weights[0], make_policy(seed=2).weights[0])
+    make_policy(seed=5).save(tmp_path / "run")
+    np.testing.assert_array_equal(load_policy(tmp_path / "run").weights[0], make_policy(seed=5).weights[0])
 
 
 def test_an_unknown_policy_names_the_shipped_ones_and_how_to_train(tmp_path):

@@ -2,10 +2,11 @@
 
 import argparse
 import math
+import sys
 from dataclasses import asdict
 from pathlib import Path
 
-from quadruped_env import CommandedGait
+from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
 
@@ -39,7 +40,11 @@ def main() -> None:
     )
     say(f"\n{achieved_table(gait)}\n")
     presets = tune_presets(args.generations, say)
-    write_json(args.output, {"tuned": asdict(gait), "presets": presets})
+    try:
+        write_json(args.output, {"tuned": asdict(gait), "presets": presets})
+    except QuadrupedError as error:
+        print(f"error: {error}", file=sys.stderr)
+        sys.exit(2)
     say(f"written to {args.output}")
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.files import write_whole
 
 
 def free_path(path: Path) -> Path:
@@ -26,13 +27,9 @@ def check_free(paths: Iterable[Path], overwrite: bool) -> None:
 
 
 def write_json(path: Path, document: dict[str, Any]) -> None:
-    """Write a document, making the directories on the way.
+    """Write a document in full or not at all, making the directories on the way.
 
     Raises:
         QuadrupedError: if it cannot be written.
     """
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(document, indent=2, allow_nan=False) + "\n")
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+    write_whole({path: (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()})

@@ -1,6 +1,5 @@
 """Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
 
-import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -11,8 +10,9 @@ from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import measure
 from quadruped_env.evaluation.pages.verdict import verdict
 from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
+from quadruped_env.files import write_whole
 from quadruped_env.policies import Policy, PolicyController, load_policy
-from quadruped_env.policies.policy import shipped_directory
+from quadruped_env.policies.policy import finished_directory, shipped_directory
 from quadruped_env.training.run import PROGRESS_FILE
 
 ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
@@ -54,6 +54,7 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
     Returns:
         Where it lies, and the card.
     """
+    run = finished_directory(run)
     policy = load_policy(run)
     comparison = compare(policy, progress=progress)
     metrics = {
@@ -65,11 +66,12 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
         "acceptance": acceptance(policy),
         "verdict": verdict(comparison).text(),
     }
-    directory = shipped_directory(name)
-    replace(policy, card=card).save(directory)
-    if (run / PROGRESS_FILE).is_file():
-        shutil.copyfile(run / PROGRESS_FILE, directory / PROGRESS_FILE)
-    else:
+    directory, curve = shipped_directory(name), run / PROGRESS_FILE
+    files = replace(policy, card=card).files()
+    if curve.is_file():
+        files = {PROGRESS_FILE: curve.read_bytes(), **files}
+    write_whole({directory / file: content for file, content in files.items()})
+    if not curve.is_file():
         # The curve of the policy that was here before is not this one's.
         (directory / PROGRESS_FILE).unlink(missing_ok=True)
     return directory, card

@@ -7,8 +7,8 @@ from typing import Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.policy import SHIPPED, shipped_directory
-from quadruped_env.training.run import PROGRESS_FILE
+from quadruped_env.policies.policy import SHIPPED, finished_directory, shipped_directory
+from quadruped_env.training.run import PROGRESS_FILE, run_name
 
 LATEST_RUN: Final = Path("runs", "latest")
 
@@ -37,7 +37,7 @@ class Subject:
 
 
 def find_subject(run: str | None, output: Path | None = None) -> Subject:
-    """The policy that a person names.
+    """The policy that a person names; of a run that was killed, that of its last checkpoint.
 
     Args:
         run: a run's directory or a shipped policy's name; None takes the latest run, or else the shipped policy.
@@ -45,16 +45,16 @@ def find_subject(run: str | None, output: Path | None = None) -> Subject:
 
     Raises:
         QuadrupedError: if there is no such policy, or it is damaged.
+
+    Warns:
+        QuadrupedWarning: if the policy is a checkpoint's, though the run was named.
     """
     if run is None:
         run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]
-    policy = load_policy(run)
     if run in SHIPPED:
-        return Subject(run, policy, shipped_directory(run), output or Path("results", run))
-    directory = Path(run).resolve()
-    # A checkpoint's own name does not say whose it is.
-    name = "/".join(directory.parts[-3 if directory.parent.name == "checkpoints" else -1 :])
-    return Subject(name, policy, directory, output or Path(run) / "evaluation")
+        return Subject(run, load_policy(run), shipped_directory(run), output or Path("results", run))
+    directory = finished_directory(Path(run)).resolve()
+    return Subject(run_name(directory), load_policy(directory), directory, output or Path(run) / "evaluation")
 
 
 def prepare(output: Path) -> None:

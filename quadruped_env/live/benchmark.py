@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.files import write_whole
 from quadruped_env.live.commands import LIMP, read_target
 from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.joints import JointReader
@@ -308,6 +309,10 @@ def _memory(process_id: int) -> float:
 
 
 def write(walk: Walk, machine: str, versions: dict[str, str], path: Path) -> None:
-    """Write what was seen as JSON."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps({"machine": machine, "versions": versions, **asdict(walk)}, indent=2) + "\n")
+    """Write what was seen as JSON.
+
+    Raises:
+        QuadrupedError: if it cannot be written.
+    """
+    document = {"machine": machine, "versions": versions, **asdict(walk)}
+    write_whole({path: (json.dumps(document, indent=2) + "\n").encode()})

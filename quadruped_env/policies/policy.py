@@ -1,7 +1,9 @@
 """A trained policy as data: tensors and JSON, run on NumPy alone."""
 
+import hashlib
 import json
 import os
+import warnings
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -10,16 +12,19 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 from safetensors import SafetensorError
-from safetensors.numpy import load_file, save_file
+from safetensors.numpy import load, save
 
 from quadruped_env.documents import check_regular, read_json
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
+from quadruped_env.files import write_whole
 from quadruped_env.gait import CommandedGait
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_LAYOUT, OBSERVATION_WIDTH, TaskConfig
 
 FORMAT_VERSION: Final = 1
 TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
+CHECKPOINTS: Final = "checkpoints"
+"""Directory of a run's checkpoints, each with the files of a policy."""
 SHIPPED: Final = ("flat",)
 
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
@@ -74,24 +79,48 @@ class Policy:
         return np.minimum(np.maximum(x, -1.0), 1.0)
 
     def save(self, directory: Path) -> None:
-        """Write the policy's two files into a directory."""
-        directory.mkdir(parents=True, exist_ok=True)
+        """Write the policy's two files into a directory.
+
+        Raises:
+            QuadrupedError: if a weight is not finite, or the files cannot be written; then none is.
+        """
+        write_whole({directory / name: content for name, content in self.files().items()})
+
+    def files(self) -> dict[str, bytes]:
+        """What `save` writes: name -> content, the card last.
+
+        Raises:
+            QuadrupedError: if a weight is not finite.
+        """
         tensors = {}
         for i, (weight, bias) in enumerate(zip(self.weights, self.biases, strict=True)):
+            if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
+                raise QuadrupedError(
+                    f"policy: layer{i} holds NaN or infinity, so it is not saved: the training diverged; train again "
+                    f"with a lower --learning-rate, or go on from an earlier checkpoint"
+                )
             tensors[f"layer{i}.weight"], tensors[f"layer{i}.bias"] = np.ascontiguousarray(weight), bias
-        save_file(tensors, directory / TENSORS_FILE)
+        content = save(tensors)
+        config = self.config.to_dict()
         document = {
             "format_version": FORMAT_VERSION,
+            "weights_sha256": hashlib.sha256(content).hexdigest(),
+            "config_sha256": _config_hash(config),
             "activation": self.activation,
             "layers": len(self.weights),
             "observation_layout": _layout_document(),
             "action_mode": self.action_mode,
             "scripted_gait": _gait_document(self.action_mode),
             "control_rate_hz": 1.0 / self.config.control_timestep,
-            "config": self.config.to_dict(),
+            "config": config,
             "card": self.card,
         }
-        (directory / CARD_FILE).write_text(json.dumps(document, indent=2) + "\n")
+        return {TENSORS_FILE: content, CARD_FILE: (json.dumps(document, indent=2) + "\n").encode()}
+
+
+def _config_hash(config: Any) -> str:
+    """SHA-256 of a task's config, however its JSON is laid out."""
+    return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
 def _layout_document() -> list[dict[str, Any]]:
@@ -111,16 +140,42 @@ def shipped_directory(name: str) -> Path:
     return _SHIPPED_DIRECTORY / name
 
 
+def finished_directory(run: Path) -> Path:
+    """The directory of a run's policy: its own, or that of its last checkpoint if it was killed or still trains.
+
+    Warns:
+        QuadrupedWarning: if it is a checkpoint's.
+    """
+    # Not Path's methods, which raise for names that are too long and for directories without rights.
+    if os.path.exists(run / CARD_FILE) or not os.path.isdir(run / CHECKPOINTS):
+        return run
+    checkpoints = [path for path in (run / CHECKPOINTS).iterdir() if (path / CARD_FILE).is_file()]
+    if not checkpoints:
+        return run
+    # Their names are seconds, which may have a digit more in the end.
+    last = max(checkpoints, key=lambda path: (len(path.name), path.name))
+    warnings.warn(
+        f"{run}: the training was killed or is still running; its last checkpoint is used: {last.relative_to(run)}",
+        QuadrupedWarning,
+        stacklevel=3,
+    )
+    return last
+
+
 def load_policy(source: str | Path) -> Policy:
     """A shipped policy by name (`flat`), or the policy of a training run's directory.
 
-    Nothing is unpickled and neither torch nor stable-baselines3 is needed.
+    Of a run that was killed, it is that of the last checkpoint. Nothing is unpickled and neither torch nor
+    stable-baselines3 is needed.
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
             observation layout or scripted gait; the message names the file and the cure.
+
+    Warns:
+        QuadrupedWarning: if the policy is a checkpoint's, though the run was named.
     """
-    directory = shipped_directory(str(source)) if str(source) in SHIPPED else Path(source)
+    directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
     # Not Path.is_dir, which raises for names that are too long and for directories without rights.
     if not os.path.isdir(directory):
@@ -136,11 +191,26 @@ def load_policy(source: str | Path) -> Policy:
     document = read_json(card_path, "the file is damaged, train again")
     check_regular(tensors_path, "name the directory of a finished run")
     try:
-        tensors = load_file(tensors_path)
+        content = tensors_path.read_bytes()
+    except OSError as error:
+        raise QuadrupedError(f"{tensors_path}: cannot be read ({error.strerror})") from error
+    _check_hash(document, "weights_sha256", hashlib.sha256(content).hexdigest(), card_path, tensors_path)
+    try:
+        tensors = load(content)
     # Types of numbers that NumPy lacks give whatever NumPy says about them.
-    except (SafetensorError, OSError, TypeError, AttributeError, ValueError) as error:
+    except (SafetensorError, TypeError, AttributeError, ValueError) as error:
         raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
     return _from_document(document, tensors, card_path, tensors_path)
+
+
+def _check_hash(document: Any, field: str, found: str, card_path: Path, path: Path) -> None:
+    """Refuse a file whose SHA-256 is not the one in the card."""
+    expected = document.get(field, found) if isinstance(document, dict) else found
+    if expected != found:
+        raise QuadrupedError(
+            f"{path}: its SHA-256 differs from {field} in {card_path.name}; the file is damaged or of another policy: "
+            f"train again, or use another checkpoint"
+        )
 
 
 def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: Path, tensors_path: Path) -> Policy:
@@ -150,7 +220,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
             f"{card_path}: format_version is {short(version)}, and this version of the package reads {FORMAT_VERSION}; "
             f"train again, or install the version that made it"
         )
-    for key in ("activation", "layers", "observation_layout", "config", "card"):
+    for key in ("weights_sha256", "config_sha256", "activation", "layers", "observation_layout", "config", "card"):
         if key not in document:
             raise QuadrupedError(f"{card_path}: field {key!r} is missing; the file is damaged, train again")
     if document["observation_layout"] != _layout_document():
@@ -177,6 +247,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], card_path: P
         config = TaskConfig.from_dict(document["config"])
     except QuadrupedError as error:
         raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error
+    _check_hash(document, "config_sha256", _config_hash(document["config"]), card_path, card_path)
     if document.get("scripted_gait") != _gait_document(config.action.mode):
         raise QuadrupedError(
             f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "

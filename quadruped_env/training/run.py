@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE
+from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, TENSORS_FILE
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.config import TrainConfig
 
@@ -108,6 +108,13 @@ def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
 def _is_hidden(value: Any) -> bool:
     """Whether a value is the widths of a network's hidden layers."""
     return isinstance(value, list) and all(type(width) is int and width >= 1 for width in value)
+
+
+def run_name(directory: Path) -> str:
+    """What a run is called where it is named: its directory, or `<run>/checkpoints/<checkpoint>`."""
+    directory = directory.resolve()
+    # A checkpoint's own name does not say whose it is.
+    return "/".join(directory.parts[-3 if directory.parent.name == CHECKPOINTS else -1 :])
 
 
 def _new_directory(parent: Path, name: str) -> Path:

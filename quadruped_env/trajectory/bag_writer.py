@@ -10,7 +10,7 @@ qualities of service (https://github.com/ros2/rosbag2/issues/2013). Messages sta
 """
 
 import shutil
-import tempfile
+import sqlite3
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -22,12 +22,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.files import unwritable, whole
 from quadruped_env.robot import JOINT_NAMES, asset_path, fixed_transforms, joint_transforms
 from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
 from quadruped_env.ros.joint_state import NANOSECONDS, Encoder
 from quadruped_env.ros.tf import TfEncoder
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+from quadruped_env.trajectory.salvage.found import zstd
 from quadruped_env.trajectory.signals import interpolate
 
 STORAGES: Final = {"mcap": ".mcap", "sqlite3": ".db3"}
@@ -70,17 +72,15 @@ def write(pieces: Iterable[Piece], path: Path, options: BagOptions, overwrite: b
     """
     check_target(path, overwrite)
     bare = path.suffix == STORAGES[options.storage]
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as directory:
-            bag = Path(directory) / (path.stem if bare else path.name)
+    with whole(path) as part:
+        bag = part.with_suffix("") if bare else part
+        try:
             with open_bag(bag, options) as writer:
                 _write_messages(pieces, writer, options)
-            if path.is_dir():
-                shutil.rmtree(path)
-            (bag / f"{bag.name}{path.suffix}" if bare else bag).replace(path)
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+        except sqlite3.Error as error:
+            raise unwritable(path, error) from error
+        if bare:
+            (bag / f"{bag.name}{path.suffix}").replace(part)
 
 
 def check_target(path: Path, overwrite: bool) -> None:
@@ -98,7 +98,7 @@ def check_target(path: Path, overwrite: bool) -> None:
 def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
     """A writer of rosbags for a new bag, which `connect` gives topics.
 
-    Its chunks of MCAP have checksums: without one, damage would be read as numbers.
+    Chunks of MCAP and compressed files have checksums: without one, damage would be read as numbers.
 
     Raises:
         MissingExtraError: if rosbags is not installed.
@@ -121,6 +121,12 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
     class ChecksummedWriter(Writer):
         STORAGE_PLUGINS = Writer.STORAGE_PLUGINS | {StoragePlugin.MCAP: ChecksummedMcapWriter}
 
+        def close(self) -> None:
+            super().close()
+            if self.compression_mode is CompressionMode.FILE:
+                for file in self.path.glob("*.zstd"):
+                    _compress_with_checksum(file)
+
     plugin = StoragePlugin[options.storage.upper()]
     writer = ChecksummedWriter(bag, version=METADATA_VERSION, storage_plugin=plugin)
     if options.compress:
@@ -128,6 +134,14 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
         writer.set_compression(mode, CompressionFormat.ZSTD)
     with writer:
         yield writer
+
+
+def _compress_with_checksum(file: Path) -> None:
+    """Compress a zstd file again, with the checksum of its content that rosbags leaves out."""
+    module = zstd()
+    options = {module.CompressionParameter.checksum_flag: 1}
+    with whole(file) as part, module.open(file) as source, module.open(part, "wb", options=options) as target:
+        shutil.copyfileobj(source, target)
 
 
 def _write_messages(pieces: Iterable[Piece], writer: Any, options: BagOptions) -> None:

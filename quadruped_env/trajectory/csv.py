@@ -9,7 +9,6 @@ written in the shortest form that reads back to the same bits. Nothing is quoted
 too: that is how a file that was cut off is known.
 """
 
-import os
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from pathlib import Path
@@ -19,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.files import whole
 from quadruped_env.trajectory.delimited import Layout, blocks, lines, opened, parse_whole
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import KINDS, TORQUE_ONLY, Block, Progress, Reading
@@ -100,21 +100,12 @@ def _write_rows(
     overwrite: bool,
 ) -> None:
     check_target(path, overwrite)
-    partial = path.with_name(path.name + ".partial")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            with partial.open("w", encoding="utf-8", newline="\n") as file:
-                file.write(",".join([STAMP_COLUMN, *titles]) + "\n")
-                # In blocks: as Python objects, a long recording would not fit into memory.
-                for stamps, table in rows:
-                    for stamp, row in zip(stamps.tolist(), table.tolist(), strict=True):
-                        file.write(f"{stamp},{','.join(map(repr, row))}\n")
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+    with whole(path) as part, part.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(",".join([STAMP_COLUMN, *titles]) + "\n")
+        # In blocks: as Python objects, a long recording would not fit into memory.
+        for stamps, table in rows:
+            for stamp, row in zip(stamps.tolist(), table.tolist(), strict=True):
+                file.write(f"{stamp},{','.join(map(repr, row))}\n")
 
 
 def _read_header(line: str, path: Path) -> list[tuple[str, str]]:

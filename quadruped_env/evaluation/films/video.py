@@ -12,6 +12,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.films.film import FRAME_RATE, Camera, Motion, Picture
 from quadruped_env.evaluation.results import check_free
 from quadruped_env.evaluation.rollout import Progress
+from quadruped_env.files import write_whole
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
 STILLS: Final = 4
@@ -63,12 +64,7 @@ def save_video(path: Path, pictures: Iterable[Picture]) -> None:
         QuadrupedError: if there is no picture, the file cannot be written, or PyAV was built without the encoder.
     """
     encoders = {".mp4": encode_mp4, ".gif": _encode_gif, ".webp": _encode_moving_webp, ".png": _encode_stills}
-    content = encoders[path.suffix](pictures)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+    write_whole({path: encoders[path.suffix](pictures)})
 
 
 def encode_mp4(pictures: Iterable[Picture]) -> bytes:

@@ -9,12 +9,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
 from quadruped_env.evaluation.plots.canvas import label
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.evaluation.statistics import Estimate
+from quadruped_env.files import write_whole
 from quadruped_env.training.run import git_commit, machine, versions
 
 REPORT_FILE: Final = "report.html"
@@ -170,11 +171,7 @@ def write_html(path: Path, template: str, context: dict[str, Any]) -> None:
     environment.filters["glued"] = _glued
     environment.filters["json"] = lambda value: json.dumps(value, indent=2)
     html = environment.get_template(template).render(**context)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(html, encoding="utf-8")
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be written ({error.strerror}); name another place") from error
+    write_whole({path: html.encode()})
 
 
 def _glued(text: str) -> str:

@@ -27,6 +27,8 @@ DEFAULT_TOPIC: Final = "/joint_states"
 
 _SCANNERS: Final = {MCAP: mcap.scan, SQLITE3: sqlite3.scan, ROS1: ros1.scan}
 _STEP: Final = 1 << 16
+_PAGE: Final = 4096
+"""Bytes that SQLite writes at once."""
 
 
 def messages(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
@@ -100,10 +102,11 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
     with path.open("rb") as source, plain.open("wb") as target:
         decompressor = zstd().ZstdDecompressor()
         while not decompressor.eof:
-            part = source.read(_STEP)
+            part = source.read(_STEP) if decompressor.needs_input else None
             try:
-                target.write(decompressor.decompress(part))
-                problem = None if part else "it ends too early"
+                # In small amounts: a call that fails gives nothing back.
+                target.write(decompressor.decompress(part or b"", _PAGE))
+                problem = "it ends too early" if part == b"" else None
             except zstd().ZstdError as error:
                 problem = str(error)
             if problem is not None:

@@ -1,0 +1,112 @@
+"""Files and directories that appear under their name only when they are whole.
+
+They are written in a hidden directory next to their place, `.<name>.<random>.part`, flushed to the disk, and renamed. A
+full disk or an error leaves what was there before; so does a kill, which also leaves the hidden directory behind.
+"""
+
+import errno
+import os
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Final
+
+from quadruped_env.errors import QuadrupedError
+
+PART: Final = ".part"
+"""Suffix of what is not whole yet."""
+
+_NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+_NO_RIGHT: Final = (errno.EACCES, errno.EPERM, errno.EROFS)
+_DEVICE_DIRECTORIES: Final = (Path("/dev"), Path("/dev/fd"))
+_NAME_SHOWN: Final = 50
+"""Characters of a name in that of its hidden directory: names have at most 255 bytes."""
+
+
+@contextmanager
+def whole(path: Path) -> Iterator[Path]:
+    """A path to create a file or a directory at, which becomes `path` when the context ends without an error.
+
+    It has the last name of `path`, lies on the same file system and does not exist yet. Missing parents of `path` are
+    made. A file replaces a file in one step; a directory replaces whatever is at `path`. A symbolic link stays, and
+    what it points to is replaced. A device or a pipe receives the whole file's bytes.
+
+    Raises:
+        QuadrupedError: if the system refuses to write, also within the context.
+    """
+    try:
+        device = path.exists() and not path.is_dir() and (not path.is_file() or path.parent in _DEVICE_DIRECTORIES)
+        target = Path(os.path.realpath(path))
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with TemporaryDirectory(
+            prefix=f".{target.name[:_NAME_SHOWN]}.",
+            suffix=PART,
+            dir=None if device else target.parent,
+            ignore_cleanup_errors=True,
+        ) as directory:
+            part = Path(directory) / (target.name or "root")
+            yield part
+            if device:
+                with part.open("rb") as source, path.open("wb") as sink:
+                    shutil.copyfileobj(source, sink)
+            else:
+                _flush(part)
+                _replace(part, target)
+    except OSError as error:
+        raise unwritable(path, error) from error
+
+
+def write_whole(files: Mapping[Path, bytes]) -> None:
+    """Write files that belong together: all of them are on the disk before the first appears, in the given order.
+
+    Raises:
+        QuadrupedError: if one of them cannot be written; then none of them appears.
+    """
+    with ExitStack() as stack:
+        # A stack ends its contexts in reverse, and their ends make the files appear.
+        for path, content in reversed(list(files.items())):
+            part = stack.enter_context(whole(path))
+            part.write_bytes(content)
+            _flush(part)
+
+
+def unwritable(path: Path, error: Exception) -> QuadrupedError:
+    """The error for a path that the system refuses to write: its cause and a fix."""
+    number = getattr(error, "errno", None)
+    # SQLite has errors of its own.
+    if number in _NO_ROOM or not isinstance(error, OSError):
+        fix = "make room, or name another place"
+    elif number in _NO_RIGHT:
+        fix = "get the right to write there, or name another place"
+    else:
+        fix = "name another place"
+    return QuadrupedError(f"{path}: cannot be written ({getattr(error, 'strerror', None) or error}); {fix}")
+
+
+def _flush(path: Path) -> None:
+    """Make the system write a file, or every file of a directory, to the disk."""
+    files = (file for file in path.rglob("*") if file.is_file()) if path.is_dir() else (path,)
+    for file in files:
+        descriptor = os.open(file, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+
+def _replace(part: Path, target: Path) -> None:
+    if not part.is_dir():
+        part.replace(target)
+        return
+    # A directory cannot replace one that holds files: the old one is moved away, and back if the new one cannot come.
+    old = part.with_name(f".{part.name[:_NAME_SHOWN]}.old")
+    if target.exists():
+        target.rename(old)
+    try:
+        part.rename(target)
+    except OSError:
+        if old.exists():
+            old.rename(target)
+        raise

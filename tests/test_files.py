@@ -1,0 +1,192 @@
+"""Files that appear under their name only when they are whole, whatever keeps them from being written."""
+
+import errno
+import os
+import stat
+import subprocess
+from pathlib import Path
+
+import pytest
+from waiting import output_of
+
+from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.results import write_json
+from quadruped_env.files import PART, whole, write_whole
+
+
+def names(directory):
+    return sorted(path.name for path in directory.iterdir())
+
+
+def full(*_, **__):
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+# --- one file ---
+
+
+def test_whole_file_appears_at_the_end_with_its_parents(tmp_path):
+    path = tmp_path / "a" / "b.txt"
+    with whole(path) as part:
+        part.write_text("one")
+        assert not path.exists()
+    assert path.read_text() == "one"
+    assert names(path.parent) == ["b.txt"]
+
+
+@pytest.mark.parametrize("before", [None, "old"])
+@pytest.mark.parametrize("error", [OSError(errno.ENOSPC, "full"), RuntimeError(), KeyboardInterrupt()])
+def test_whole_file_after_an_error_is_what_was_there_before(tmp_path, before, error):
+    path = tmp_path / "file"
+    if before:
+        path.write_text(before)
+
+    def write():
+        with whole(path) as part:
+            part.write_text("new")
+            raise error
+
+    with pytest.raises((QuadrupedError, RuntimeError, KeyboardInterrupt)):
+        write()
+    assert names(tmp_path) == (["file"] if before else [])
+    assert not before or path.read_text() == before
+
+
+@pytest.mark.parametrize("mask", [0o022, 0o077, 0o002])
+def test_whole_file_has_the_rights_that_the_umask_gives(tmp_path, mask):
+    old = os.umask(mask)
+    try:
+        write_whole({tmp_path / "file": b"1"})
+        with whole(tmp_path / "directory") as part:
+            part.mkdir()
+    finally:
+        os.umask(old)
+    assert stat.S_IMODE((tmp_path / "file").stat().st_mode) == 0o666 & ~mask
+    assert stat.S_IMODE((tmp_path / "directory").stat().st_mode) == 0o777 & ~mask
+
+
+def test_whole_directory_replaces_a_directory(tmp_path):
+    path = tmp_path / "bag"
+    for content in ("old", "new"):
+        with whole(path) as part:
+            part.mkdir()
+            (part / content).write_text(content)
+    assert names(path) == ["new"]
+    assert names(tmp_path) == ["bag"]
+
+
+def test_whole_directory_that_cannot_be_renamed_leaves_the_old_one(tmp_path, monkeypatch):
+    path = tmp_path / "bag"
+    path.mkdir()
+    (path / "old").touch()
+    rename = type(path).rename
+
+    def refuse(self, target):
+        if self.parent.name.endswith(PART) and self.name == "bag":
+            full()
+        return rename(self, target)
+
+    monkeypatch.setattr(type(path), "rename", refuse)
+    with pytest.raises(QuadrupedError, match="make room"), whole(path) as part:
+        part.mkdir()
+    assert names(path) == ["old"]
+    assert names(tmp_path) == ["bag"]
+
+
+def test_whole_file_behind_a_symbolic_link_is_replaced_and_the_link_stays(tmp_path):
+    (tmp_path / "real").mkdir()
+    link = tmp_path / "link"
+    link.symlink_to("real/file")
+    for content in (b"1", b"2"):
+        write_whole({link: content})
+        assert link.is_symlink()
+        assert (tmp_path / "real" / "file").read_bytes() == content
+    assert names(tmp_path / "real") == ["file"]
+
+
+def test_whole_file_in_a_pipe_is_its_bytes(tmp_path):
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    reader = subprocess.Popen(["cat", path], stdout=subprocess.PIPE)
+    write_whole({path: b"whole"})
+    assert output_of(reader)[0] == b"whole"
+    assert stat.S_ISFIFO(path.stat().st_mode)
+
+
+def test_whole_file_of_a_long_name_can_be_written(tmp_path):
+    path = tmp_path / ("\N{HIRAGANA LETTER A}" * 85)
+    write_whole({path: b"1"})
+    assert path.read_bytes() == b"1"
+    with whole(path.with_name("d" * 255)) as part:
+        part.mkdir()
+    assert (tmp_path / ("d" * 255)).is_dir()
+
+
+@pytest.mark.parametrize(
+    ("number", "fix"),
+    [
+        (errno.ENOSPC, "make room, or name another place"),
+        (errno.EFBIG, "make room, or name another place"),
+        (errno.EACCES, "get the right to write there, or name another place"),
+        (errno.EROFS, "get the right to write there, or name another place"),
+        (errno.ENOTDIR, "name another place"),
+    ],
+)
+def test_a_refusal_names_the_path_the_cause_and_the_fix(tmp_path, number, fix):
+    path = tmp_path / "file"
+    with pytest.raises(QuadrupedError) as caught, whole(path):
+        raise OSError(number, os.strerror(number))
+    assert str(caught.value) == f"{path}: cannot be written ({os.strerror(number)}); {fix}"
+
+
+def test_a_directory_without_rights_is_refused_and_kept(tmp_path, monkeypatch):
+    # Tests run as root, whom rights do not stop.
+    def mkdtemp(*_, **__):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    (tmp_path / "file").write_text("old")
+    monkeypatch.setattr("tempfile.mkdtemp", mkdtemp)
+    with pytest.raises(QuadrupedError, match=r"cannot be written \(Permission denied\); get the right"):
+        write_whole({tmp_path / "file": b"new"})
+    assert (tmp_path / "file").read_text() == "old"
+
+
+def test_a_file_in_the_place_of_a_directory_is_refused(tmp_path):
+    (tmp_path / "there").mkdir()
+    with pytest.raises(QuadrupedError, match=r"there: cannot be written \(Is a directory\)"):
+        write_whole({tmp_path / "there": b"1"})
+    assert names(tmp_path) == ["there"]
+
+
+def test_a_full_device_is_refused():
+    with pytest.raises(QuadrupedError, match=r"/dev/full: cannot be written \(No space left on device\); make room"):
+        write_json(Path("/dev/full"), {"a": 1})
+
+
+# --- files that belong together ---
+
+
+@pytest.mark.parametrize("at", range(3))
+def test_of_files_that_belong_together_none_changes_when_one_cannot_be_written(tmp_path, monkeypatch, at):
+    files = {tmp_path / name: b"new" for name in "abc"}
+    write_whole(dict.fromkeys(files, b"old"))
+    calls = []
+    fsync = os.fsync
+
+    def fail(descriptor):
+        calls.append(descriptor)
+        return full() if len(calls) == at + 1 else fsync(descriptor)
+
+    monkeypatch.setattr(os, "fsync", fail)
+    with pytest.raises(QuadrupedError, match=r"[abc]: cannot be written \(No space left"):
+        write_whole(files)
+    assert names(tmp_path) == ["a", "b", "c"]
+    assert {path.read_bytes() for path in files} == {b"old"}
+
+
+def test_files_that_belong_together_appear_in_their_order(tmp_path, monkeypatch):
+    order = []
+    replace = Path.replace
+    monkeypatch.setattr(Path, "replace", lambda self, target: order.append(self.name) or replace(self, target))
+    write_whole({tmp_path / name: b"" for name in "cab"})
+    assert order == ["c", "a", "b"]
