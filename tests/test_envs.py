@@ -244,7 +244,7 @@ def test_info_describes_the_state_that_the_step_ended_in():
     np.testing.assert_allclose(info["base_angular_velocity"], data.qvel[3:6], atol=1e-12)
     threshold = env.unwrapped.task.config.reward.contact_threshold
     np.testing.assert_array_equal(info["foot_contact"], info["foot_force"] > threshold)
-    assert info["diverged"] is False
+    assert not info["diverged"]
 
 
 def test_what_a_call_returned_does_not_change_later():
@@ -269,14 +269,14 @@ def test_a_state_that_blows_up_ends_the_episode_as_diverged(value):
     env.step(np.zeros(8))
     env.unwrapped.data.qvel[3] = value
     observation, reward, terminated, truncated, info = env.step(np.zeros(8))
-    assert info["diverged"] is True
+    assert info["diverged"]
     assert terminated
     assert not truncated
     assert observation in env.observation_space
     assert np.isfinite(reward)
     env.reset()
     *_, terminated, _, info = env.step(np.zeros(8))
-    assert info["diverged"] is False
+    assert not info["diverged"]
     assert not terminated
 
 
