@@ -35,8 +35,8 @@ def make_native(num_envs=ROWS, **kwargs):
     return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **kwargs)
 
 
-def make_sync(num_envs=ROWS, **kwargs):
-    vector_kwargs = {"autoreset_mode": AutoresetMode.SAME_STEP}
+def make_sync(num_envs=ROWS, autoreset_mode=AutoresetMode.SAME_STEP, **kwargs):
+    vector_kwargs = {"autoreset_mode": autoreset_mode}
     return gymnasium.make_vec(
         ENV_ID, num_envs=num_envs, vectorization_mode="sync", vector_kwargs=vector_kwargs, **kwargs
     )

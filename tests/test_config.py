@@ -4,9 +4,11 @@ import dataclasses
 import json
 import math
 
+import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError
+from quadruped_env.robot import JointMotor, MotorConfig
 from quadruped_env.task import (
     ActionConfig,
     CommandConfig,
@@ -35,6 +37,54 @@ def test_a_config_survives_json():
     assert again.to_dict() == CONFIG.to_dict()
     assert TaskConfig.from_dict({}) == TaskConfig()
     assert TaskConfig.from_dict(TaskConfig().to_dict()) == TaskConfig()
+
+
+def test_numpy_scalars_and_arrays_in_a_config_become_plain_values():
+    given = {
+        "decimation": np.int64(5),
+        "physics_timestep": np.float64(0.002),
+        "clock_frequency": np.array(1.5),
+        "command": {"forward_velocity": np.array([0.0, 1.0]), "yaw_rate": [np.float32(-0.5), np.float64(0.5)]},
+        "reward": {"weights": {"upright": np.float32(-3.0)}},
+        "randomization": {"friction": np.array([0.5, 1.0]), "push_velocity": np.float64(0.4)},
+        "motor": {"hip": {"kp": np.float32(41.0)}, "delay": np.float64(0.01)},
+    }
+    config = TaskConfig.from_dict(given)
+    document = json.loads(json.dumps(config.to_dict()))
+    assert TaskConfig.from_dict(document) == config
+    assert config.command.forward_velocity == (0.0, 1.0)
+    assert (type(config.decimation), config.decimation) == (int, 5)
+    assert (type(config.motor.hip.kp), config.motor.hip.kp) == (float, 41.0)
+    assert given["command"]["forward_velocity"].shape == (2,), "the caller's values are the caller's"
+
+
+def test_numpy_values_given_to_the_dataclasses_become_plain_values():
+    config = TaskConfig(
+        decimation=np.int64(5),
+        physics_timestep=np.float32(0.25),
+        command=CommandConfig(forward_velocity=np.array([0.0, 1.0])),
+        reward=RewardConfig(weights=RewardConfig().weights | {"upright": np.float64(-3.0)}),
+        randomization=RandomizationConfig(friction=np.array([0.5, 1.0])),
+        motor=MotorConfig(hip=JointMotor(kp=np.float32(41.0)), delay=np.array(0.01)),
+    )
+    json.dumps(config.to_dict())
+    assert config == TaskConfig(
+        decimation=5,
+        physics_timestep=0.25,
+        command=CommandConfig(forward_velocity=(0.0, 1.0)),
+        reward=RewardConfig(weights=RewardConfig().weights | {"upright": -3.0}),
+        randomization=RandomizationConfig(friction=(0.5, 1.0)),
+        motor=MotorConfig(hip=JointMotor(kp=41.0), delay=0.01),
+    )
+    assert hash(config.motor) == hash(MotorConfig(hip=JointMotor(kp=41.0), delay=0.01))
+
+
+@pytest.mark.parametrize(
+    "value", [np.array([1.0]), np.array([[0.0, 1.0]]), np.array(["a", "b"]), np.array([0.0, np.nan])]
+)
+def test_arrays_of_the_wrong_kind_in_a_config_are_refused(value):
+    with pytest.raises(QuadrupedError, match=r"config\.command\.forward_velocity"):
+        TaskConfig.from_dict({"command": {"forward_velocity": value}})
 
 
 def test_what_a_config_leaves_out_keeps_its_default():

@@ -18,8 +18,9 @@ from environments import (
     play,
 )
 from gymnasium.envs.registration import EnvSpec
+from gymnasium.vector import AutoresetMode
 
-from quadruped_env.envs import MiniQuadrupedVectorEnv
+from quadruped_env.envs import MiniQuadrupedVectorEnv, make_sb3_vec_env
 from quadruped_env.task import TaskConfig
 
 
@@ -46,6 +47,18 @@ def test_a_vector_spec_makes_the_same_environment_again(remake):
     again = gymnasium.make_vec(remake(env.spec))
     assert isinstance(again, MiniQuadrupedVectorEnv)
     assert_same(episodes(again, 60), episodes(env, 60))
+
+
+@pytest.mark.parametrize("maker", [make, make_native])
+def test_spec_of_an_env_made_with_objects_and_numpy_values_goes_through_json(maker):
+    config = TaskConfig.from_dict(ROUGH)
+    for value in (config, {"decimation": np.int64(4), "command": {"yaw_rate": np.array([-0.5, 0.5])}}):
+        env = maker(config=value, width=np.int64(32))
+        document = env.spec.to_json()
+        again = EnvSpec.from_json(document)
+        assert again == env.spec
+        made = gymnasium.make(again) if maker is make else gymnasium.make_vec(again)
+        assert made.unwrapped.task.config == env.unwrapped.task.config
 
 
 def test_a_config_object_is_taken_as_well_as_plain_values():
@@ -97,6 +110,67 @@ def test_a_restored_vector_environment_goes_on_identically():
     for other in (env, fresh):
         other.set_state(state)
         assert_same(go_on(other), expected)
+
+
+@pytest.mark.parametrize("mode", AutoresetMode, ids=lambda mode: mode.value)
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_copy_of_a_vector_environment_taken_within_episodes_goes_on_identically(duplicate, mode):
+    env = make_native(
+        action_mode="residual", config=ROUGH, max_episode_steps=EPISODE_STEPS, autoreset_mode=mode, num_threads=2
+    )
+    rng = np.random.default_rng(1)
+
+    def go_on(e, actions):
+        log = []
+        for action in actions:
+            log.append(e.step(action))
+            done = log[-1][2] | log[-1][3]
+            if mode is AutoresetMode.DISABLED and done.any():
+                log.append(e.reset(options={"reset_mask": done}))
+        return log
+
+    env.reset(seed=3)
+    go_on(env, rng.uniform(-1, 1, (33, *env.action_space.shape)))
+    copied = duplicate(env)
+    assert copied.spec == env.spec
+    assert copied.np_random_seed == env.np_random_seed
+    actions = rng.uniform(-1, 1, (100, *env.action_space.shape))
+    expected = go_on(env, actions)
+    assert sum((entry[2] | entry[3]).sum() for entry in expected if len(entry) == 5) > 5
+    assert_same(go_on(copied, actions), expected)
+    assert_same(copied.get_state(), env.get_state())
+    assert_same(copied.reset(), env.reset())
+
+
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_copy_of_a_vector_environment_that_was_never_reset_begins_identically(duplicate):
+    env = make_native(2, config=ROUGH)
+    assert_same(duplicate(env).reset(), env.reset())
+
+
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_copy_of_the_sb3_environment_taken_within_episodes_goes_on_identically(duplicate):
+    env = make_sb3_vec_env(ROWS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    env.reset()
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        env.step(rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32))
+    copied = duplicate(env)
+    assert copied.task is copied.env.task
+    assert copied.task is not env.task
+
+    def go_on(e, actions):
+        log = [e.step(action) for action in actions]
+        for *_, infos in log:
+            for info in infos:
+                info.get("episode", {}).pop("t", None)  # the clock's
+        return log
+
+    actions = rng.uniform(-1, 1, (60, ROWS, 8)).astype(np.float32)
+    expected = go_on(env, actions)
+    assert sum(done.sum() for _, _, done, _ in expected) > 5
+    assert_same(go_on(copied, actions), expected)
+    assert_same(copied.reset(), env.reset())
 
 
 def test_a_row_can_go_on_in_a_single_environment():

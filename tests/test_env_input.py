@@ -5,6 +5,7 @@ import pytest
 from environments import assert_same, make, make_native
 
 from quadruped_env import QuadrupedError
+from quadruped_env.envs import make_sb3_vec_env
 
 
 @pytest.mark.parametrize(
@@ -112,16 +113,94 @@ def test_a_bad_reset_mask_is_refused(mask):
 
 
 def test_a_list_of_seeds_must_have_one_a_row():
-    with pytest.raises(QuadrupedError, match="seed: expected one number, or 3, one a row; found 2"):
+    with pytest.raises(QuadrupedError, match="seed: expected one number, or 3, one per env; found 2"):
         make_native(3).reset(seed=[1, 2])
 
 
-@pytest.mark.parametrize("count", [0, -1])
-def test_there_must_be_a_robot(count):
-    with pytest.raises(QuadrupedError, match=f"num_envs: expected 1 or more; found {count}"):
-        make_native(count)
+def make_sb3(num_envs=2, **kwargs):
+    return make_sb3_vec_env(num_envs, **kwargs)
 
 
-def test_an_episode_must_last_a_step():
-    with pytest.raises(QuadrupedError, match="max_episode_steps: expected 1 or more, or None; found 0"):
-        make_native(1, max_episode_steps=0)
+@pytest.mark.parametrize("maker", [make_native, make_sb3])
+@pytest.mark.parametrize(
+    ("kwargs", "message"),
+    [
+        ({"num_envs": 0}, "num_envs: expected a whole number, 1 or more; found 0"),
+        ({"num_envs": -1}, "num_envs: expected a whole number, 1 or more; found -1"),
+        ({"num_envs": "2"}, "num_envs: expected a whole number, 1 or more; found '2'"),
+        ({"num_envs": 2.0}, r"num_envs: expected a whole number, 1 or more; found 2\.0"),
+        ({"num_envs": True}, "num_envs: expected a whole number, 1 or more; found True"),
+        ({"num_threads": -1}, "num_threads: expected a whole number, 0 or more; found -1"),
+        ({"num_threads": 1.5}, r"num_threads: expected a whole number, 0 or more; found 1\.5"),
+        ({"max_episode_steps": 0}, "max_episode_steps: expected a whole number, 1 or more, or None; found 0"),
+        ({"max_episode_steps": 10.5}, r"max_episode_steps: expected a whole number, 1 or more, or None; found 10\.5"),
+        ({"autoreset_mode": "same"}, "autoreset_mode: 'same' is unknown; valid modes are .*'SameStep'.*AutoresetMode"),
+        ({"autoreset_mode": 1}, "autoreset_mode: 1 is unknown; valid modes are 'NextStep', 'SameStep', 'Disabled'"),
+    ],
+)
+def test_vector_environment_with_invalid_argument_names_the_valid_ones(maker, kwargs, message):
+    with pytest.raises(QuadrupedError, match=message):
+        maker(**kwargs)
+
+
+@pytest.mark.parametrize("maker", [make, make_native])
+@pytest.mark.parametrize("name", ["width", "height"])
+@pytest.mark.parametrize("value", [0, -5, 64.0, "64", None])
+def test_picture_size_that_is_no_positive_whole_number_is_refused(maker, name, value):
+    with pytest.raises(QuadrupedError, match=f"{name}: expected a whole number, 1 or more; found {value!r}"):
+        maker(render_mode="rgb_array", **{name: value})
+
+
+@pytest.mark.parametrize("seed", [1.5, "1", -1, True, [0]])
+def test_reset_of_single_environment_with_invalid_seed_is_refused(seed):
+    with pytest.raises(QuadrupedError, match=r"seed: expected a whole number, 0 or more, or None; found"):
+        make().reset(seed=seed)
+
+
+@pytest.mark.parametrize("seed", [1.5, "1", -1, [0, 1, 2.5], [0, -1, 2], np.array([0.5, 1.0, 2.0])])
+def test_reset_of_vector_environment_with_invalid_seed_is_refused(seed):
+    env = make_native(3)
+    with pytest.raises(QuadrupedError, match=r"seed(\[\d\])?: expected a whole number, 0 or more, or None; found"):
+        env.reset(seed=seed)
+
+
+def test_make_sb3_vec_env_with_invalid_seed_is_refused():
+    with pytest.raises(QuadrupedError, match=r"seed: expected a whole number, 0 or more, or None; found 1\.5"):
+        make_sb3(seed=1.5)
+
+
+@pytest.mark.parametrize("maker", [make, make_native])
+def test_reset_options_that_are_no_dict_are_refused(maker):
+    with pytest.raises(QuadrupedError, match=r"options: expected a dict with 'command'.*, or None; found 5"):
+        maker().unwrapped.reset(options=5)
+
+
+def test_reset_options_of_vector_environment_name_the_mask():
+    with pytest.raises(QuadrupedError, match="unknown option 'mask'; valid options are 'command', 'reset_mask'"):
+        make_native(2).reset(options={"mask": np.ones(2, dtype=bool)})
+
+
+def test_numpy_integers_are_taken_as_whole_numbers():
+    env = make_native(np.int64(2), num_threads=np.int32(1), max_episode_steps=np.int64(5))
+    assert_same(env.reset(seed=np.int64(3)), env.reset(seed=3))
+    assert_same(env.reset(seed=np.array([3, 4])), env.reset(seed=3))
+    assert_same(make().reset(seed=np.int64(3)), make().reset(seed=3))
+
+
+def test_step_before_reset_is_refused_by_every_environment():
+    message = r"call reset\(\) first; env 0"
+    with pytest.raises(QuadrupedError, match=message):
+        make().unwrapped.step(np.zeros(8))
+    with pytest.raises(QuadrupedError, match=message):
+        make_native(2).step(np.zeros((2, 8)))
+    with pytest.raises(QuadrupedError, match=message):
+        make_sb3(2).step(np.zeros((2, 8)))
+
+
+def test_step_after_reset_of_some_environments_names_one_that_was_not_reset():
+    env = make_native(3)
+    env.reset(options={"reset_mask": np.array([True, False, True])})
+    with pytest.raises(QuadrupedError, match=r"call reset\(\) first; env 1 of 3 has no episode yet"):
+        env.step(np.zeros((3, 8)))
+    env.reset(options={"reset_mask": np.array([False, True, False])})
+    env.step(np.zeros((3, 8)))

@@ -244,7 +244,37 @@ def test_info_describes_the_state_that_the_step_ended_in():
     np.testing.assert_allclose(info["base_angular_velocity"], data.qvel[3:6], atol=1e-12)
     threshold = env.unwrapped.task.config.reward.contact_threshold
     np.testing.assert_array_equal(info["foot_contact"], info["foot_force"] > threshold)
-    assert info["diverged"] is False
+    assert not info["diverged"]
+
+
+@pytest.mark.parametrize("mode", ACTION_MODES)
+def test_info_values_are_numpy_of_the_vector_environments_dtype_and_shape(mode):
+    env, vector = make(action_mode=mode, config=ROUGH), make_native(2, action_mode=mode, config=ROUGH)
+    for single, many in (
+        (env.reset(seed=0), vector.reset(seed=0)),
+        (env.step(np.zeros(8)), vector.step(np.zeros((2, 8)))),
+    ):
+        info, infos = single[-1], many[-1]
+        assert {*info, *(f"_{name}" for name in info)} == set(infos)
+        for name, value in info.items():
+            assert isinstance(value, (np.ndarray, np.generic)), name
+            assert (value.dtype, value.shape) == (infos[name].dtype, infos[name].shape[1:]), name
+            assert value.dtype != object
+            assert isinstance(infos[f"_{name}"], np.ndarray)
+
+
+def test_np_random_seed_after_a_seeded_reset_is_the_seed_in_every_environment():
+    env, vector, sync = make(), make_native(3), make_sync(3)
+    env.reset(seed=7), vector.reset(seed=7), sync.reset(seed=7)
+    assert env.unwrapped.np_random_seed == 7
+    assert vector.np_random_seed == sync.np_random_seed == (7, 8, 9)
+    vector.reset(seed=[None, 3, 4], options={"reset_mask": np.array([True, True, False])})
+    assert vector.np_random_seed == (7, 3, 9)
+    vector.reset()
+    assert vector.np_random_seed == (7, 3, 9), "a generator that runs on keeps its seed"
+    restored = make().unwrapped
+    restored.set_state(env.unwrapped.get_state())
+    assert restored.np_random_seed == 7
 
 
 def test_what_a_call_returned_does_not_change_later():
@@ -269,14 +299,14 @@ def test_a_state_that_blows_up_ends_the_episode_as_diverged(value):
     env.step(np.zeros(8))
     env.unwrapped.data.qvel[3] = value
     observation, reward, terminated, truncated, info = env.step(np.zeros(8))
-    assert info["diverged"] is True
+    assert info["diverged"]
     assert terminated
     assert not truncated
     assert observation in env.observation_space
     assert np.isfinite(reward)
     env.reset()
     *_, terminated, _, info = env.step(np.zeros(8))
-    assert info["diverged"] is False
+    assert not info["diverged"]
     assert not terminated
 
 

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 import subprocess
 import sys
 
@@ -15,8 +16,10 @@ from environments import (
     make_sync,
 )
 from gymnasium.utils.passive_env_checker import env_render_passive_checker
+from waiting import output_of
 
 from quadruped_env import QuadrupedError, _opengl
+from quadruped_env.envs import rendering
 
 # --- pictures ---
 
@@ -42,6 +45,82 @@ def test_no_opengl_is_said_with_the_packages_that_bring_it(monkeypatch):
     env.reset(seed=0)
     with pytest.raises(QuadrupedError, match=r"no OpenGL.*apt-get install libegl1.*MUJOCO_GL.*eglQueryString"):
         env.render()
+    env.close()
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a display")
+def test_window_on_a_display_that_is_not_there_is_refused_and_the_process_goes_on():
+    code = """
+import gymnasium, quadruped_env
+try:
+    gymnasium.make("MiniQuadruped-v0", render_mode="human")
+except quadruped_env.QuadrupedError as error:
+    print("refused:", error)
+"""
+    environment = {**os.environ, "DISPLAY": ":4711", "MUJOCO_GL": "egl"}
+    environment.pop("WAYLAND_DISPLAY", None)
+    process = subprocess.Popen(
+        [sys.executable, "-c", code], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    out, _ = output_of(process)
+    assert "refused: render_mode 'human': no window can be opened on the display (DISPLAY=:4711)" in out
+
+
+def test_rendering_that_is_switched_off_is_said(monkeypatch):
+    def broken(*args, **kwargs):
+        raise AttributeError("module has no attribute 'GLContext'")
+
+    monkeypatch.setattr(mujoco, "Renderer", broken)
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    env = make_native(1, render_mode="rgb_array")
+    with pytest.raises(QuadrupedError, match="switched off: MUJOCO_GL is 'disable'; unset it"):
+        env.render()
+
+
+def test_backend_that_needs_a_display_where_there_is_none_is_said(monkeypatch):
+    def broken(*args, **kwargs):
+        raise mujoco.FatalError("an OpenGL platform library has not been loaded into this process")
+
+    monkeypatch.setattr(mujoco, "Renderer", broken)
+    monkeypatch.setattr(rendering, "has_display", lambda: False)
+    monkeypatch.setenv("MUJOCO_GL", "glfw")
+    env = make_native(1, render_mode="rgb_array")
+    with pytest.raises(QuadrupedError, match=r"MUJOCO_GL is 'glfw', which needs a display.*platform library"):
+        env.render()
+
+
+def test_environment_variable_that_keeps_opengl_from_starting_is_said(monkeypatch):
+    def broken(*args, **kwargs):
+        raise RuntimeError("The MUJOCO_EGL_DEVICE_ID environment variable must be an integer between 0 and 0, got 7.")
+
+    monkeypatch.setattr(mujoco, "Renderer", broken)
+    env = make_native(1, render_mode="rgb_array")
+    with pytest.raises(QuadrupedError, match=r"environment variable keeps OpenGL from.*MUJOCO_EGL_DEVICE_ID") as caught:
+        env.render()
+    assert "install" not in str(caught.value)
+
+
+@pytest.mark.usefixtures("opengl")
+@pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(1, **kwargs)], ids=["single", "native"])
+def test_offscreen_buffer_grows_with_the_size_asked_for(maker):
+    for width, height in ((1281, 16), (16, 961), (1300, 1000)):
+        env = maker(render_mode="rgb_array", width=width, height=height)
+        env.reset(seed=0)
+        pictures = env.render()
+        picture = pictures[0] if isinstance(pictures, tuple) else pictures
+        assert picture.shape == (height, width, 3)
+        assert picture.std() > 5
+        env.close()
+
+
+@pytest.mark.usefixtures("opengl")
+def test_picture_too_large_for_opengl_is_said_and_not_blamed_on_its_absence():
+    env = make(render_mode="rgb_array", width=10**6, height=8)
+    env.reset(seed=0)
+    with pytest.raises(QuadrupedError, match="not for pictures of 1000000 x 8 pixels; ask for a smaller") as caught:
+        env.render()
+    assert "install" not in str(caught.value)
+    assert env.unwrapped.model.vis.global_.offwidth < 10**6
     env.close()
 
 

@@ -6,6 +6,9 @@ import gymnasium
 import numpy as np
 import pytest
 from environments import EPISODE_STEPS, ROUGH, ROWS, assert_same, make_native
+from stable_baselines3.common.monitor import Monitor
+
+from quadruped_env import QuadrupedError
 
 
 @pytest.fixture
@@ -58,16 +61,21 @@ def test_stable_baselines3s_view_gives_the_native_numbers(sb3):
 def test_the_episodes_that_stable_baselines3_is_told_of_are_those_that_its_monitor_sees(sb3):
     from stable_baselines3.common.vec_env import VecMonitor
 
-    monitored, plain = VecMonitor(sb3.env), sb3.make(ROWS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    with pytest.warns(UserWarning, match="already wrapped with a `Monitor`"):
+        monitored = VecMonitor(sb3.env)
+    plain = sb3.make(ROWS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     monitored.reset(), plain.reset()
     rng = np.random.default_rng(0)
-    count = 0
+    count, times = 0, [0.0]
     for _ in range(100):
         action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
         seen, told = monitored.step(action)[3], plain.step(action)[3]
         for one, other in zip(seen, told, strict=True):
             if other:
+                assert set(one["episode"]) <= set(other["episode"])
                 assert other["episode"]["l"] == one["episode"]["l"]
+                assert 0.0 <= times[-1] <= other["episode"]["t"]
+                times.append(other["episode"]["t"])
                 assert other["episode"]["r"] == pytest.approx(one["episode"]["r"], rel=1e-5, abs=1e-4)
                 count += 1
     assert count > 0
@@ -94,10 +102,42 @@ def test_attributes_can_be_read_through_stable_baselines3_and_not_written(sb3):
     assert sb3.env.num_envs == ROWS
     assert sb3.env.get_attr("num_envs", indices=[0, 2]) == [ROWS, ROWS]
     assert len(sb3.env.get_attr("metadata")) == ROWS
+    assert sb3.env.get_attr("np_random_seed", indices=[0, 2]) == [sb3.env.task.seeds[0], sb3.env.task.seeds[2]]
+    assert not sb3.env.has_attr("gravity")
     assert sb3.env.env_is_wrapped(gymnasium.Wrapper, indices=0) == [False]
+    assert sb3.env.env_is_wrapped(Monitor) == [True] * ROWS, "the episodes are reported"
     assert sb3.env.render_mode is None
     with pytest.raises(NotImplementedError, match=r"set_attr.*'gravity'"):
         sb3.env.set_attr("gravity", 0)
     with pytest.raises(NotImplementedError, match=r"env_method.*'jump'"):
         sb3.env.env_method("jump")
     sb3.env.close()
+
+
+def test_infos_written_to_by_a_wrapper_do_not_leak_into_the_next_step(sb3):
+    sb3.env.reset()
+    action = np.zeros((ROWS, 8), dtype=np.float32)
+    first = sb3.env.step(action)[3]
+    for info in first:
+        info["mine"] = 1
+    second = sb3.env.step(action)[3]
+    assert not any("mine" in info for info in second)
+    assert not {id(info) for info in first} & {id(info) for info in second}
+
+
+def test_sb3_env_with_other_autoreset_mode_is_refused(sb3):
+    with pytest.raises(QuadrupedError, match=r"autoreset_mode: .*expected 'SameStep', found 'NextStep'"):
+        sb3.make(2, autoreset_mode="NextStep")
+
+
+def test_evaluate_policy_takes_the_reported_episodes(sb3):
+    from stable_baselines3.common.evaluation import evaluate_policy
+
+    class Zero:
+        def predict(self, observation, state=None, episode_start=None, deterministic=True):
+            return np.zeros((len(observation), 8), dtype=np.float32), state
+
+    # Without a Monitor, evaluate_policy warns.
+    returns, lengths = evaluate_policy(Zero(), sb3.env, n_eval_episodes=4, return_episode_rewards=True)
+    assert len(returns) == len(lengths) == 4
+    assert max(lengths) <= EPISODE_STEPS

@@ -63,7 +63,7 @@ def test_a_robot_that_tips_over_has_fallen():
         env.data.qpos[3:7] = [math.cos(angle / 2), math.sin(angle / 2), 0.0, 0.0]
         *_, terminated, _, info = env.step(np.zeros(8))
         assert terminated is fallen
-        assert (info["reward_fall"] != 0.0) is fallen
+        assert bool(info["reward_fall"] != 0.0) is fallen
 
 
 def test_an_episode_is_truncated_when_its_steps_are_used_up():

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import gymnasium
 
+from quadruped_env.envs import arguments
 from quadruped_env.envs.single import MiniQuadrupedEnv
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
 
@@ -38,13 +39,15 @@ def make_sb3_vec_env(
         num_envs: number of robots.
         seed: seed of row 0; row i gets seed + i.
         max_episode_steps: control steps after which an episode is truncated.
-        env_kwargs: as for `gymnasium.make("MiniQuadruped-v0", ...)`.
+        env_kwargs: as for `gymnasium.make_vec("MiniQuadruped-v0", ...)`.
 
     Raises:
         MissingExtraError: if stable-baselines3 is not installed.
+        QuadrupedError: if an argument is not valid, with what is.
     """
     from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 
+    seed = arguments.seed(seed)
     env = MiniQuadrupedSB3VecEnv(MiniQuadrupedVectorEnv(num_envs, max_episode_steps=max_episode_steps, **env_kwargs))
     env.seed(seed)
     return env

@@ -1,5 +1,10 @@
 """Pictures of the robot: off screen, or in a window."""
 
+import os
+import sys
+import warnings
+from typing import Final
+
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
@@ -7,24 +12,31 @@ from numpy.typing import NDArray
 from quadruped_env._opengl import has_display
 from quadruped_env.errors import QuadrupedError
 
-NO_OPENGL = (
+NO_OPENGL: Final = (
     "no OpenGL to render with: install a software renderer (Debian and Ubuntu: 'apt-get install libegl1 "
     "libgl1-mesa-dri', or 'libosmesa6'), or set MUJOCO_GL to a backend that works here"
 )
-_CAMERA = "track"
+_CAMERA: Final = "track"
+_PROBE_SIZE: Final = 8
+"""Pixels; a picture that is small enough wherever OpenGL works at all"""
+_OFF: Final = ("disable", "disabled", "off", "false", "0")
+"""Values of MUJOCO_GL with which MuJoCo renders nothing"""
+_SETTINGS: Final = ("PYOPENGL_PLATFORM", "MUJOCO_EGL_DEVICE_ID")
+"""Environment variables that MuJoCo's own errors explain"""
 
 
 class SceneRenderer:
     """Renders one model in one mode.
 
     Args:
-        model: the scene.
+        model: the scene; its offscreen buffer grows to the picture's size.
         data: what a window in `human` mode shows.
         render_mode: `rgb_array` or `human`.
         width, height: of a picture, in pixels.
 
     Raises:
-        QuadrupedError: if there is no OpenGL, or no display to open a window on.
+        QuadrupedError: if OpenGL cannot make a picture of this size, or there is no OpenGL, or no display to open a
+            window on; with the cause and its fix.
     """
 
     def __init__(
@@ -33,18 +45,12 @@ class SceneRenderer:
         self._window = None
         self._renderer = None
         if render_mode == "human":
-            if not has_display():
-                # MuJoCo's window library ends the whole process here.
-                raise QuadrupedError("render_mode 'human' needs a display, and there is none; use 'rgb_array'")
+            _check_display()
             from mujoco import viewer
 
             self._window = viewer.launch_passive(model, data, show_left_ui=False, show_right_ui=False)
         else:
-            try:
-                self._renderer = mujoco.Renderer(model, height, width)
-            except Exception as error:
-                # Every backend fails in its own way, down to AttributeError from a missing library.
-                raise QuadrupedError(f"{NO_OPENGL} ({type(error).__name__}: {error})") from error
+            self._renderer = _make_renderer(model, width, height)
 
     def render(self, data: mujoco.MjData, camera: str | mujoco.MjvCamera = _CAMERA) -> NDArray[np.uint8] | None:
         """A picture (height, width, 3), or None where a window was updated; a window has a camera of its own."""
@@ -61,3 +67,51 @@ class SceneRenderer:
             self._window.close()
         if self._renderer is not None:
             self._renderer.close()
+
+
+def _make_renderer(model: mujoco.MjModel, width: int, height: int) -> mujoco.Renderer:
+    buffer = model.vis.global_
+    before = buffer.offwidth, buffer.offheight
+    buffer.offwidth, buffer.offheight = max(before[0], width), max(before[1], height)
+    try:
+        return mujoco.Renderer(model, height, width)
+    except Exception as error:  # every backend fails in its own way, down to AttributeError from a missing library
+        buffer.offwidth, buffer.offheight = before
+        raise QuadrupedError(f"{_cause(model, width, height, error)} ({type(error).__name__}: {error})") from error
+
+
+def _cause(model: mujoco.MjModel, width: int, height: int, error: Exception) -> str:
+    """Why there is no picture, and what helps."""
+    chosen = os.environ.get("MUJOCO_GL", "").lower().strip()
+    if chosen in _OFF:
+        return f"rendering is switched off: MUJOCO_GL is {chosen!r}; unset it"
+    if any(name in str(error) for name in _SETTINGS):
+        return "an environment variable keeps OpenGL from starting; change or unset it"
+    try:
+        mujoco.Renderer(model, _PROBE_SIZE, _PROBE_SIZE).close()
+    except Exception:  # as above
+        if chosen in ("glfw", "glx") and not has_display():
+            return f"MUJOCO_GL is {chosen!r}, which needs a display, and there is none; unset it, or set it to 'egl'"
+        return NO_OPENGL
+    return f"OpenGL works here, but not for pictures of {width} x {height} pixels; ask for a smaller width or height"
+
+
+def _check_display() -> None:
+    """Raise a QuadrupedError if no window can be opened: MuJoCo's window library would end the whole process."""
+    if not has_display():
+        raise QuadrupedError("render_mode 'human' needs a display, and there is none; use 'rgb_array'")
+    if sys.platform.startswith("linux"):
+        import glfw
+
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            opened = glfw.init()
+        if not opened:
+            named = ", ".join(
+                f"{name}={os.environ[name]}" for name in ("DISPLAY", "WAYLAND_DISPLAY") if name in os.environ
+            )
+            reasons = "; ".join(str(entry.message) for entry in caught)
+            raise QuadrupedError(
+                f"render_mode 'human': no window can be opened on the display ({named}); start it, unset the variable, "
+                f"or use 'rgb_array' ({reasons})"
+            )

@@ -1,16 +1,20 @@
 """Stable-Baselines3's `VecEnv` over the native vector environment, without a loop over rows."""
 
+import time
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from gymnasium.vector import AutoresetMode
 from numpy.typing import NDArray
 
+from quadruped_env.envs.member import MemberEnv
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
-from quadruped_env.errors import MissingExtraError
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.task import ACTION_WIDTH
 
 try:
+    from stable_baselines3.common.monitor import Monitor
     from stable_baselines3.common.vec_env import VecEnv
     from stable_baselines3.common.vec_env.base_vec_env import VecEnvIndices
 except ImportError as error:  # pragma: no cover
@@ -21,11 +25,20 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
     """The native vector environment as Stable-Baselines3 wants it.
 
     `infos` is empty but for rows that finished: their `terminal_observation`, whether the time limit ended them
-    (`TimeLimit.truncated`, from which PPO bootstraps), and `episode` with return `r`, length `l` and the summed
-    reward terms, as SB3's VecMonitor reports. What an algorithm needs of the others is in the arrays of `self.task`.
+    (`TimeLimit.truncated`, from which PPO bootstraps), and `episode` with return `r`, length `l`, seconds since this
+    object was made `t` and the summed reward terms, as SB3's Monitor reports; `env_is_wrapped(Monitor)` says so. What
+    an algorithm needs of the others is in the arrays of `self.task`. It supports pickling and `copy.deepcopy`.
+
+    Raises:
+        QuadrupedError: if the environment's autoreset mode is another than `SAME_STEP`.
     """
 
     def __init__(self, env: MiniQuadrupedVectorEnv) -> None:
+        if env.autoreset_mode is not AutoresetMode.SAME_STEP:
+            raise QuadrupedError(
+                f"autoreset_mode: Stable-Baselines3 resets finished envs within the step; expected "
+                f"{AutoresetMode.SAME_STEP.value!r}, found {env.autoreset_mode.value!r}; leave the argument out"
+            )
         self.env = env
         self.task = env.task
         self.render_mode = env.render_mode
@@ -34,7 +47,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self._actions = np.zeros((env.num_envs, ACTION_WIDTH), dtype=np.float32)
         self.last_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._episode_terms = np.zeros((env.num_envs, len(self.task.term_names)))
-        self._no_infos: list[dict[str, Any]] = [{} for _ in range(env.num_envs)]
+        self._start_time = time.time()
 
     def reset(self) -> NDArray[np.float32]:
         """Begin new episodes everywhere, once with what was given to `seed` and `set_options` before."""
@@ -59,10 +72,12 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.last_terms = transition.terms
         self._episode_terms += transition.terms
         done = transition.terminated | transition.truncated
-        observations, infos = transition.observation, self._no_infos
+        observations = transition.observation
+        # New dicts at every step: a wrapper may write into them.
+        infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         if done.any():
             rows = np.flatnonzero(done)
-            infos = infos.copy()
+            elapsed = round(time.time() - self._start_time, 6)
             for row in rows:
                 terms = self._episode_terms[row]
                 infos[row] = {
@@ -71,6 +86,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
                     "episode": {
                         "r": float(np.add.accumulate(terms)[-1]),
                         "l": int(self.task.steps[row]),
+                        "t": elapsed,
                         "terms": terms.copy(),
                     },
                 }
@@ -88,8 +104,8 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         return self.env.render() or [None] * self.num_envs
 
     def get_attr(self, attr_name: str, indices: VecEnvIndices = None) -> list[Any]:
-        """An attribute of the vector environment, once a row."""
-        return [getattr(self.env, attr_name)] * len(list(self._get_indices(indices)))
+        """An attribute of each environment, or of the vector environment, which all share."""
+        return [getattr(MemberEnv(self.env, index), attr_name) for index in self._get_indices(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: VecEnvIndices = None) -> None:
         """Refused: rows are not environments of their own."""
@@ -104,5 +120,5 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         )
 
     def env_is_wrapped(self, wrapper_class: type[Any], indices: VecEnvIndices = None) -> list[bool]:
-        """Never wrapped, once a row."""
-        return [False] * len(list(self._get_indices(indices)))
+        """Whether a Monitor reports the episodes, which this object does in its place; nothing else wraps it."""
+        return [wrapper_class is Monitor] * len(list(self._get_indices(indices)))

@@ -5,9 +5,10 @@ from typing import Any
 import gymnasium
 import mujoco
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
-from quadruped_env.envs import spaces
+from quadruped_env.envs import arguments, spaces
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.robot import load_model
 from quadruped_env.simulation import SingleSimulation
@@ -94,15 +95,16 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     ## Information
     `command`, `base_position`, `base_linear_velocity` and `base_angular_velocity` (body frame), `joint_position`,
     `joint_velocity`, `joint_torque`, `foot_force`, `foot_contact`; after a step also `diverged` and the reward terms.
-    Torques and forces are those of the step's last physics substep.
+    Every value is NumPy's, with a shape and a dtype that do not change. Torques and forces are those of the step's last
+    physics substep.
 
     ## Arguments
     | argument | default | meaning |
     |---|---|---|
     | `action_mode` | `"position"` | `"position"` or `"residual"` |
-    | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested plain values; `motor` for other motors |
+    | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested values; `motor` for other motors |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
-    | `width`, `height` | 640, 480 | of a picture, in pixels |
+    | `width`, `height` | 640, 480 | of a picture, in pixels, as large as OpenGL can |
 
     ## Version history
     * v0: the first version.
@@ -119,18 +121,29 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         width: int = 640,
         height: int = 480,
     ) -> None:
-        spaces.check_render_mode(render_mode)
-        task_config = spaces.task_config(action_mode, config)
+        arguments.check_render_mode(render_mode)
+        self._frame_size = arguments.frame_size(width, height)
+        task_config = arguments.task_config(action_mode, config)
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         self.action_space = spaces.action_space()
         self.observation_space = spaces.observation_space()
         self._simulation = SingleSimulation(load_model(task_config.physics_timestep, task_config.motor))
         self.task = Task(self._simulation, task_config)
-        self._frame_size = (width, height)
         self._renderer: SceneRenderer | None = None
         if render_mode == "human":
             self._renderer = self._make_renderer()
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The specification that makes this environment again, with plain arguments."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, value: EnvSpec | None) -> None:
+        self._spec = spaces.plain_spec(value)
+
+    _spec: EnvSpec | None = None
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -151,9 +164,9 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Begin an episode; see the class for `options`."""
-        command = spaces.reset_command(options, self.task.config)
-        super().reset(seed=seed)
-        self.task.generators[0] = self.np_random
+        command, _ = arguments.reset_options(options, self.task.config)
+        super().reset(seed=arguments.seed(seed))
+        self.task.generators[0], self.task.seeds[0] = self.np_random, self.np_random_seed
         self.task.reset(_ROW, command=command)
         if self.render_mode == "human":
             self.render()
@@ -163,8 +176,9 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         """Advance by one control step; see the class."""
         transition = self.task.step(np.asarray(action)[None])
         info = self._readings()
-        info["diverged"] = bool(transition.diverged[0])
-        info.update(zip(self.task.reward_keys, transition.terms[0].tolist(), strict=True))
+        # An array of no axes: of a NumPy bool Gymnasium's vector environments would make an array of objects.
+        info["diverged"] = transition.diverged.reshape(())
+        info.update(zip(self.task.reward_keys, transition.terms[0], strict=True))
         if self.render_mode == "human":
             self.render()
         terminated = bool(transition.terminated[0])
@@ -196,6 +210,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         """Go on from what `get_state` gave."""
         self.task.generators[0] = self.np_random  # the next reset goes on with it
         self.task.set_state(0, state)
+        self._np_random_seed = self.task.seeds[0]
 
     def close(self) -> None:
         """Close the window or the renderer, if there is one."""

@@ -1,40 +1,27 @@
-"""What the single and the vectorized environment share: spaces, configuration, and the contents of `info`."""
+"""What the single and the vectorized environment share: spaces, metadata, specification, and the contents of `info`."""
 
-from typing import Any, Final
+import copy
+from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env._plain import plain
+from quadruped_env.envs.arguments import RENDER_MODES
 from quadruped_env.task import ACTION_WIDTH, Task, TaskConfig, Transition
-from quadruped_env.task.commands import check_command
 from quadruped_env.task.observations import OBSERVATION_HIGH, OBSERVATION_LOW
-
-RENDER_MODES: Final = ("human", "rgb_array")
 
 
 def action_space() -> gymnasium.Space[NDArray[np.float32]]:
     """Joint-position targets, one a joint, in [-1, 1]."""
-    return gymnasium.spaces.Box[np.float32](-1.0, 1.0, (ACTION_WIDTH,), np.float32)
+    return gymnasium.spaces.Box(-1.0, 1.0, (ACTION_WIDTH,), np.float32)
 
 
 def observation_space() -> gymnasium.Space[NDArray[np.float32]]:
     """The bounds of the observation layout."""
-    return gymnasium.spaces.Box[np.float32](OBSERVATION_LOW.astype(np.float32), OBSERVATION_HIGH.astype(np.float32))
-
-
-def task_config(action_mode: str | None, config: dict[str, Any] | TaskConfig | None) -> TaskConfig:
-    """The task's config from an environment's arguments.
-
-    Raises:
-        QuadrupedError: if the mode or a field of the config is not valid.
-    """
-    task = config if isinstance(config, TaskConfig) else TaskConfig.from_dict({} if config is None else config)
-    values = task.to_dict()
-    if action_mode is not None:
-        values["action"]["mode"] = action_mode
-    return TaskConfig.from_dict(values)
+    return gymnasium.spaces.Box(OBSERVATION_LOW.astype(np.float32), OBSERVATION_HIGH.astype(np.float32))
 
 
 def metadata(config: TaskConfig) -> dict[str, Any]:
@@ -42,25 +29,13 @@ def metadata(config: TaskConfig) -> dict[str, Any]:
     return {"render_modes": list(RENDER_MODES), "render_fps": round(1.0 / config.control_timestep)}
 
 
-def check_render_mode(render_mode: str | None) -> None:
-    """Raise a QuadrupedError if there is no such render mode."""
-    if render_mode is not None and render_mode not in RENDER_MODES:
-        raise QuadrupedError(
-            f"render_mode: {render_mode!r} is unknown; valid modes are None, {', '.join(RENDER_MODES)}"
-        )
-
-
-def reset_command(options: dict[str, Any] | None, config: TaskConfig) -> NDArray[np.float64] | None:
-    """The command (2,) that `reset(options=...)` fixes, or None.
-
-    Raises:
-        QuadrupedError: if there is an unknown option, or the command is not one of the task's.
-    """
-    unknown = set(options or ()) - {"command"}
-    if unknown:
-        raise QuadrupedError(f"options: unknown option {sorted(unknown)[0]!r}; valid options are 'command'")
-    command = (options or {}).get("command")
-    return None if command is None else check_command(command, config.command)
+def plain_spec(spec: EnvSpec | None) -> EnvSpec | None:
+    """A specification whose arguments go through JSON: NumPy's values, enums and a `TaskConfig` as plain values."""
+    if spec is None:
+        return None
+    spec = copy.copy(spec)
+    spec.kwargs = plain(spec.kwargs)
+    return spec
 
 
 def readings(task: Task) -> dict[str, NDArray[Any]]:
@@ -82,6 +57,10 @@ def readings(task: Task) -> dict[str, NDArray[Any]]:
 def step_info(task: Task, transition: Transition) -> dict[str, NDArray[Any]]:
     """The whole `info` of a step, shape (N, ...) each."""
     info = readings(task)
-    info["diverged"] = transition.diverged
-    info.update(zip(task.reward_keys, transition.terms.T, strict=True))
+    info.update(step_results(task, transition))
     return info
+
+
+def step_results(task: Task, transition: Transition) -> dict[str, NDArray[Any]]:
+    """The part of `info` that only a step has, shape (N,) each: `diverged` and the weighted reward terms."""
+    return {"diverged": transition.diverged, **dict(zip(task.reward_keys, transition.terms.T, strict=True))}

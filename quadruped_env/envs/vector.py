@@ -1,14 +1,19 @@
 """The native vectorized environment: many robots, no loop over them."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import gymnasium
+import mujoco
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
-from quadruped_env.envs import spaces
+from quadruped_env._plain import whole_number
+from quadruped_env.envs import arguments, spaces
+from quadruped_env.envs.member import MemberEnv
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import load_model
@@ -19,14 +24,21 @@ from quadruped_env.task import Task, TaskConfig
 class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]):
     """`MiniQuadrupedEnv` many times over, bit for bit, on a thread pool.
 
-    `gymnasium.make_vec("MiniQuadruped-v0", num_envs=N)` makes it. Finished rows are reset within the step
-    (`AutoresetMode.SAME_STEP`): `final_obs` and `final_info` hold how they ended.
+    `gymnasium.make_vec("MiniQuadruped-v0", num_envs=N)` makes it. It supports pickling and `copy.deepcopy`, also within
+    episodes.
 
     Args:
         num_envs: number of robots.
         action_mode, config, render_mode, width, height: as for `MiniQuadrupedEnv`.
         max_episode_steps: control steps after which an episode is truncated; None never truncates.
         num_threads: threads for the physics; 0 takes every core. The numbers do not depend on it.
+        autoreset_mode: when finished environments are reset, one of Gymnasium's `AutoresetMode` or its value, as in
+            `SyncVectorEnv`. `"SameStep"`: within the step; `final_obs` and `final_info` hold how they ended.
+            `"NextStep"`: the next step resets them instead of moving them, with reward 0. `"Disabled"`: the caller does
+            it, with `reset(options={"reset_mask": mask})`.
+
+    Raises:
+        QuadrupedError: if an argument is not valid, with what is.
     """
 
     def __init__(
@@ -39,25 +51,47 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         height: int = 480,
         max_episode_steps: int | None = None,
         num_threads: int = 0,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.SAME_STEP,
     ) -> None:
-        if num_envs < 1:
-            raise QuadrupedError(f"num_envs: expected 1 or more; found {num_envs}")
-        spaces.check_render_mode(render_mode)
+        self.num_envs = whole_number("num_envs", num_envs, 1)
+        num_threads = whole_number("num_threads", num_threads, 0)
+        arguments.check_render_mode(render_mode)
         if render_mode == "human":
             raise QuadrupedError("render_mode: 'human' shows one robot; use 'rgb_array' here, or gymnasium.make")
-        task_config = spaces.task_config(action_mode, config)
-        self.num_envs = num_envs
         self.render_mode = render_mode
-        self.metadata = {**spaces.metadata(task_config), "autoreset_mode": AutoresetMode.SAME_STEP}
+        self.autoreset_mode = arguments.autoreset_mode(autoreset_mode)
+        self._frame_size = arguments.frame_size(width, height)
+        task_config = arguments.task_config(action_mode, config)
+        self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
         self.single_action_space = spaces.action_space()
         self.single_observation_space = spaces.observation_space()
-        self.action_space = batch_space(self.single_action_space, num_envs)
-        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         model = load_model(task_config.physics_timestep, task_config.motor)
-        self._simulation = BatchSimulation(model, num_envs, num_threads)
+        self._simulation = BatchSimulation(model, self.num_envs, num_threads)
         self.task = Task(self._simulation, task_config, max_episode_steps)
-        self._frame_size = (width, height)
         self._renderer: SceneRenderer | None = None
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The specification that makes this environment again, with plain arguments."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, value: EnvSpec | None) -> None:
+        self._spec = spaces.plain_spec(value)
+
+    _spec: EnvSpec | None = None
+
+    @property  # type: ignore[misc]  # read-only, and one for each environment, as in SyncVectorEnv
+    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
+        """The random generator of every environment (N,)."""
+        return tuple(self.task.generators)
+
+    @property
+    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
+        """The seed of every environment's generator (N,); -1 for a generator that was put in from outside."""
+        return tuple(self.task.seeds)
 
     def reset(
         self,
@@ -66,50 +100,104 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         options: dict[str, Any] | None = None,
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Begin new episodes in every row, or where `options["reset_mask"]` (N,) is true."""
-        options = dict(options or {})
-        mask = _checked_mask(options.pop("reset_mask", None), self.num_envs)
-        command = spaces.reset_command(options, self.task.config)
+        command, mask = arguments.reset_options(options, self.task.config, self.num_envs)
+        seeds = arguments.seeds(seed, self.num_envs)
+        if mask is None:
+            mask = np.ones(self.num_envs, dtype=np.bool_)
         rows = np.flatnonzero(mask)
-        self.task.reset(rows, [self._seeds(seed)[row] for row in rows], command)
+        self.task.reset(rows, [seeds[row] for row in rows], command)
         return self.task.observe(), _masked(spaces.readings(self.task), mask)
 
     def step(
         self, actions: NDArray[np.float32]
     ) -> tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
-        """Advance every row by one control step, and reset those that finished."""
-        transition = self.task.step(actions)
-        info = spaces.step_info(self.task, transition)
-        done = transition.terminated | transition.truncated
-        if not done.any():
+        """Advance every row by one control step, and reset those that finished as `autoreset_mode` says."""
+        restart = None
+        if self.autoreset_mode is not AutoresetMode.SAME_STEP and self.task.finished.any():
+            if self.autoreset_mode is AutoresetMode.DISABLED:
+                raise QuadrupedError(
+                    f"step: the episode of env {np.argmax(self.task.finished)} has ended, and autoreset_mode is "
+                    "'Disabled'; call reset(options={'reset_mask': terminations | truncations}) first"
+                )
+            restart = self.task.finished.copy()
+        transition = self.task.step(actions, restart)
+        observation, info = transition.observation, spaces.readings(self.task)
+        results = spaces.step_results(self.task, transition)
+        if restart is not None:
             everywhere = np.ones(self.num_envs, dtype=np.bool_)
-            info.update({f"_{name}": everywhere for name in tuple(info)})
-            return transition.observation, transition.reward, transition.terminated, transition.truncated, info
+            info = _masked(info, everywhere) | ({} if restart.all() else _masked(results, ~restart))
+        elif self.autoreset_mode is AutoresetMode.SAME_STEP and self.task.finished.any():
+            observation, info = self._reset_finished(observation, info | results)
+        else:
+            info = _masked(info | results, np.ones(self.num_envs, dtype=np.bool_))
+        return observation, transition.reward, transition.terminated, transition.truncated, info
 
+    def _reset_finished(
+        self, last: NDArray[np.float32], info: dict[str, NDArray[Any]]
+    ) -> tuple[NDArray[np.float32], dict[str, Any]]:
+        done = self.task.finished.copy()
+        rows = np.flatnonzero(done)
         final_obs = np.full(self.num_envs, None, dtype=object)
-        for row in np.flatnonzero(done):
-            final_obs[row] = transition.observation[row]
-        self.task.reset(np.flatnonzero(done))
+        for row in rows:
+            final_obs[row] = last[row]
+        self.task.reset(rows)
         # The finished rows' info is that of their reset, as in SyncVectorEnv, and their last step's is in final_info.
         merged = {} if done.all() else _masked(info, ~done)
-        for name, value in spaces.readings(self.task).items():
-            merged[name], merged[f"_{name}"] = value, np.ones(self.num_envs, dtype=np.bool_)
+        merged.update(_masked(spaces.readings(self.task), np.ones(self.num_envs, dtype=np.bool_)))
         merged["final_obs"], merged["_final_obs"] = final_obs, done
         merged["final_info"], merged["_final_info"] = _masked(info, done), done
-        return self.task.observe(), transition.reward, transition.terminated, transition.truncated, merged
+        return self.task.observe(), merged
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
         """One picture (height, width, 3) a row."""
         if self.render_mode is None:
             return None
-        frames = []
-        for row in range(self.num_envs):
-            data = self._simulation.row_data(row)
-            if self._renderer is None:
-                self._renderer = SceneRenderer(self._simulation.model, data, self.render_mode, *self._frame_size)
-            frame = self._renderer.render(data)
-            assert frame is not None
-            frames.append(frame)
-        return tuple(frames)
+        return tuple(self.render_one(row) for row in range(self.num_envs))
+
+    def row_data(self, index: int) -> mujoco.MjData:
+        """A copy of one environment's MuJoCo data."""
+        return self._simulation.row_data(index)
+
+    def render_one(self, index: int) -> NDArray[np.uint8]:
+        """A picture (height, width, 3) of one environment; the render mode has to be `rgb_array`."""
+        assert self.render_mode is not None
+        data = self.row_data(index)
+        if self._renderer is None:
+            self._renderer = SceneRenderer(self._simulation.model, data, self.render_mode, *self._frame_size)
+        frame = self._renderer.render(data)
+        assert frame is not None
+        return frame
+
+    def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
+        """An attribute of every environment (N,), or what a method of theirs returns, as `SyncVectorEnv` gives it.
+
+        Raises:
+            QuadrupedError: if they have no such attribute; it is an AttributeError too.
+        """
+        values = (getattr(MemberEnv(self, index), name) for index in range(self.num_envs))
+        return tuple(value(*args, **kwargs) if callable(value) else value for value in values)
+
+    def get_attr(self, name: str) -> tuple[Any, ...]:
+        """An attribute of every environment (N,).
+
+        Raises:
+            QuadrupedError: as `call`.
+        """
+        return self.call(name)
+
+    def set_attr(self, name: str, values: Sequence[Any] | Any) -> None:
+        """Set an attribute, with one value for all environments or one each, in a list or tuple.
+
+        Raises:
+            QuadrupedError: if it is not each environment's own; it is an AttributeError too.
+        """
+        listed = list(values) if isinstance(values, (list, tuple)) else [values] * self.num_envs
+        if len(listed) != self.num_envs:
+            raise QuadrupedError(
+                f"set_attr({name!r}): expected {self.num_envs} values, one per env; found {len(listed)}"
+            )
+        for index, value in enumerate(listed):
+            setattr(MemberEnv(self, index), name, value)
 
     def get_state(self) -> list[dict[str, Any]]:
         """Everything that the future depends on, a dict a row."""
@@ -126,24 +214,9 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
             self._renderer.close()
             self._renderer = None
 
-    def _seeds(self, seed: int | list[int | None] | None) -> list[int | None]:
-        if seed is None:
-            return [None] * self.num_envs
-        if isinstance(seed, (int, np.integer)):
-            return [int(seed) + row for row in range(self.num_envs)]
-        if len(seed) != self.num_envs:
-            raise QuadrupedError(f"seed: expected one number, or {self.num_envs}, one a row; found {len(seed)}")
-        return list(seed)
-
-
-def _checked_mask(mask: Any, num_envs: int) -> NDArray[np.bool_]:
-    if mask is None:
-        return np.ones(num_envs, dtype=np.bool_)
-    if not isinstance(mask, np.ndarray) or mask.shape != (num_envs,) or mask.dtype != np.bool_ or not mask.any():
-        raise QuadrupedError(
-            f"options['reset_mask']: expected a bool array of shape ({num_envs},) with one True or more; found {mask!r}"
-        )
-    return mask
+    def __getstate__(self) -> dict[str, Any]:
+        # A renderer holds OpenGL contexts: the copy makes its own.
+        return {**self.__dict__, "_renderer": None}
 
 
 def _masked(info: dict[str, NDArray[Any]], mask: NDArray[np.bool_]) -> dict[str, Any]:

@@ -51,7 +51,7 @@ class MeasuredRobot:
         self.state.up_b[0] = up_in_body(orientation)
         self.state.angular_velocity_b[0] = angular_velocity
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
+    def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
         self.joint_target = joint_target[0].copy()
 

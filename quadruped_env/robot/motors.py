@@ -1,7 +1,6 @@
 """The motors in numbers: those of the model file, or those that were identified on a robot."""
 
 import math
-import sys
 from dataclasses import dataclass, field, fields
 from typing import Any, Final
 
@@ -9,6 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env._plain import PlainFields, is_finite_number
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.facts import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
 
@@ -26,7 +26,7 @@ _POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
 
 
 @dataclass(frozen=True)
-class JointMotor:
+class JointMotor(PlainFields):
     """A motor and the joint that it turns. The defaults repeat the model file."""
 
     stall_torque: float = EFFORT_LIMIT
@@ -45,12 +45,13 @@ class JointMotor:
     """kg m^2; the rotor's inertia as it appears at the joint"""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         for entry in fields(self):
             _check(entry.name, getattr(self, entry.name), positive=entry.name in _POSITIVE)
 
 
 @dataclass(frozen=True)
-class MotorConfig:
+class MotorConfig(PlainFields):
     """Every motor of the robot: those of the hips are alike, and so are those of the knees."""
 
     hip: JointMotor = field(default_factory=JointMotor)
@@ -59,6 +60,7 @@ class MotorConfig:
     """s from a joint target to the motor that follows it; what lies between two physics steps is interpolated"""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         _check("delay", self.delay)
         if self.delay > MAX_DELAY:
             raise QuadrupedError(f"motor: delay must be at most {MAX_DELAY:g} s; found {self.delay!r}; give it in s")
@@ -112,7 +114,6 @@ def fill_command_history(
 
 
 def _check(name: str, value: Any, positive: bool = False) -> None:
-    number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
-    if not number or value < 0 or (positive and value == 0):
+    if not is_finite_number(value) or value < 0 or (positive and value == 0):
         rule = "positive" if positive else "0 or more"
         raise QuadrupedError(f"motor: {name} must be a finite number, {rule}; found {short(value)}")

@@ -1,5 +1,7 @@
 """Many robots at once, on `mujoco.batch.Batch` and its thread pool."""
 
+from typing import Any
+
 import mujoco
 import numpy as np
 from mujoco.batch import Batch, SimulationError
@@ -23,8 +25,12 @@ class BatchSimulation:
     """
 
     def __init__(self, model: mujoco.MjModel, num_rows: int, num_threads: int = 0) -> None:
+        self._make(model, num_rows, num_threads)
+
+    def _make(self, model: mujoco.MjModel, num_rows: int, num_threads: int) -> None:
         self.model = model
         self.num_rows = num_rows
+        self._num_threads = num_threads
         # Persistent: the next step goes on from the stages that the last one ended with, and they cost nothing.
         self.batch = Batch(model, num_rows, num_threads, persistent=True)
         self._sensordata = self.batch.bind("sensordata")
@@ -38,11 +44,13 @@ class BatchSimulation:
         self._varied_fields: set[str] = set()
         self._force_columns = force_columns(model)
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
+    def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
+        if rows is not None and not len(rows):
+            return
         self._ctrl[:] = joint_target
         try:
-            self.batch.step(nstep=substeps, stage=SETTLED)
+            self.batch.step(rows, nstep=substeps, stage=SETTLED)
         except SimulationError as error:
             self._failed[error.ids] = True
 
@@ -92,20 +100,52 @@ class BatchSimulation:
 
     def set_state(self, row: int, state: SimulationState) -> None:
         """See `Simulation.set_state`."""
-        rows = np.array([row])
-        for name, values in state.model_fields.items():
-            self.model_field(name)[row] = values
+        fields = {name: values[None] for name, values in state.model_fields.items()}
+        self._restore(np.array([row]), state.integration, state.readings, np.array([state.diverged]), fields)
+
+    def _restore(
+        self,
+        rows: NDArray[np.intp],
+        integration: NDArray[np.float64],
+        readings: NDArray[np.float64],
+        diverged: NDArray[np.bool_],
+        model_fields: dict[str, NDArray[np.float64]],
+    ) -> None:
+        for name, values in model_fields.items():
+            self.model_field(name)[rows] = values
         self._clear(rows)
-        self.batch.state[row] = state.integration
+        self.batch.state[rows] = integration
         self.batch.forward(rows, stage=SETTLED)
-        self._write_readings(rows, state.readings[None])
-        self._failed[row] = state.diverged
+        self._write_readings(rows, readings)
+        self._failed[rows] = diverged
 
     def _write_readings(self, rows: NDArray[np.intp], readings: NDArray[np.float64]) -> None:
         # The batch hands its outputs out read-only because the next call overwrites them: until then, these are due.
         self._sensordata.flags.writeable = True
         self._sensordata[rows] = readings
         self._sensordata.flags.writeable = False
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A batch and its threads do not pickle: a copy makes its own, and goes on from the state of every row.
+        return {
+            "model": self.model,
+            "num_rows": self.num_rows,
+            "num_threads": self._num_threads,
+            "integration": self.batch.state.copy(),
+            "readings": self._sensordata.copy(),
+            "diverged": self.diverged(),
+            "model_fields": {name: self.batch.expand(name).copy() for name in sorted(self._varied_fields)},
+        }
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self._make(state["model"], state["num_rows"], state["num_threads"])
+        self._restore(
+            np.arange(self.num_rows),
+            state["integration"],
+            state["readings"],
+            state["diverged"],
+            state["model_fields"],
+        )
 
     def row_data(self, row: int) -> mujoco.MjData:
         """A copy of one row, to render it."""

@@ -32,7 +32,7 @@ class SimulationState(NamedTuple):
 
 def force_columns(model: mujoco.MjModel) -> NDArray[np.bool_]:
     """Which columns of the sensor data (model.nsensordata,) are forces or accelerations: a push leaves them alone."""
-    return np.repeat(model.sensor_needstage == mujoco.mjtStage.mjSTAGE_ACC, model.sensor_dim)
+    return np.repeat(model.sensor_needstage == int(mujoco.mjtStage.mjSTAGE_ACC), model.sensor_dim)
 
 
 class Simulation(Protocol):
@@ -46,8 +46,8 @@ class Simulation(Protocol):
     state: State
     """Live readings; see `State` for what is current when."""
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
-        """Advance every row by `substeps` physics steps with joint targets (N, 8) in rad."""
+    def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
+        """Advance some rows (R,), or all, by `substeps` physics steps with joint targets (N, 8) in rad."""
         ...
 
     def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:

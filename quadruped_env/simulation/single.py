@@ -29,8 +29,10 @@ class SingleSimulation:
         self._ctrl = self.data.ctrl
         self._warnings = tuple(self.data.warning[DIVERGENCE_WARNINGS])
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int) -> None:
+    def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
+        if rows is not None and not len(rows):
+            return
         self._ctrl[:] = joint_target[0]
         model, data = self.model, self.data
         try:
@@ -52,7 +54,8 @@ class SingleSimulation:
         data.qvel = qvel[0]
         self._ctrl[:] = qpos[0, 7:]
         fill_command_history(self.model, data.history[None], qpos[:, 7:])
-        mujoco.mj_step1(self.model, data)  # checks the start for numbers that are none; mj_forward does not
+        mujoco.mj_checkPos(self.model, data)  # mj_forward does not check the start for NaN
+        mujoco.mj_checkVel(self.model, data)
         mujoco.mj_forward(self.model, data)
 
     def _clear(self) -> None:

@@ -77,13 +77,15 @@ class State:
     def from_sensordata(cls, model: mujoco.MjModel, sensordata: NDArray[np.float64]) -> "State":
         """Views into sensordata (N, model.nsensordata), named as the model names its sensors."""
         views = {}
+        address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
         for field, sensors in SENSORS.items():
-            start = model.sensor(sensors[0]).adr[0]
-            stop = start
-            for sensor in sensors:
+            ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) for sensor in sensors]
+            start = stop = address[ids[0]]
+            for sensor, i in zip(sensors, ids, strict=True):
                 # A view needs one contiguous run; the model lists each group together and in joint or leg order.
-                assert model.sensor(sensor).adr[0] == stop, f"sensor {sensor!r} does not follow its group"
-                stop += model.sensor(sensor).dim[0]
+                assert i >= 0, f"the model has no sensor {sensor!r}"
+                assert address[i] == stop, f"sensor {sensor!r} does not follow its group"
+                stop += width[i]
             view = sensordata[:, start:stop]
             views[field] = view.reshape(len(view), len(LEG_NAMES), 3) if field in _FOOT_VECTORS else view
         return cls(**views)

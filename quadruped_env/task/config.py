@@ -12,6 +12,7 @@ from typing import Any, Final, Literal, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env._plain import PlainFields, plain
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import MotorConfig
 
@@ -52,7 +53,7 @@ def _check_range(name: str, value: Range) -> None:
 
 
 @dataclass(frozen=True)
-class ActionConfig:
+class ActionConfig(PlainFields):
     """How an action becomes joint targets."""
 
     mode: Literal["position", "residual"] = "position"
@@ -63,6 +64,7 @@ class ActionConfig:
     """rad of joint target per unit of action in `residual` mode."""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         if self.mode not in ACTION_MODES:
             raise QuadrupedError(
                 f"action_mode: {short(self.mode)} is unknown; valid modes are {', '.join(ACTION_MODES)}"
@@ -72,7 +74,7 @@ class ActionConfig:
 
 
 @dataclass(frozen=True)
-class CommandConfig:
+class CommandConfig(PlainFields):
     """Which velocities are asked for."""
 
     forward_velocity: Range = (-0.3, 0.6)
@@ -87,6 +89,7 @@ class CommandConfig:
     """s between new commands within an episode."""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         _check_range("command.forward_velocity", self.forward_velocity)
         _check_range("command.yaw_rate", self.yaw_rate)
         _check_range("command.resample_interval", self.resample_interval)
@@ -98,7 +101,7 @@ class CommandConfig:
 
 
 @dataclass(frozen=True)
-class RewardConfig:
+class RewardConfig(PlainFields):
     """Weight of every reward term, per second, and the shapes of the terms. Penalties have negative weights."""
 
     weights: dict[str, float] = field(default_factory=lambda: dict(REWARD_WEIGHTS))
@@ -123,6 +126,7 @@ class RewardConfig:
         return np.array([self.forward_velocity_std, self.yaw_rate_std])
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         for name in ("forward_velocity_std", "yaw_rate_std", "velocity_time_constant", "base_height", "foot_lift"):
             _check(getattr(self, name) > 0, f"reward.{name}", getattr(self, name), "positive")
         for name in sorted(set(self.weights) ^ set(REWARD_WEIGHTS)):
@@ -135,7 +139,7 @@ class RewardConfig:
 
 
 @dataclass(frozen=True)
-class TerminationConfig:
+class TerminationConfig(PlainFields):
     """When an episode is lost."""
 
     max_tilt: float = 1.0
@@ -144,12 +148,13 @@ class TerminationConfig:
     """N on the base or a hip"""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         _check(0 < self.max_tilt <= math.pi, "termination.max_tilt", self.max_tilt, "in (0, pi] (rad)")
         _check(self.max_trunk_force >= 0, "termination.max_trunk_force", self.max_trunk_force, "at least 0 (N)")
 
 
 @dataclass(frozen=True)
-class RandomizationConfig:
+class RandomizationConfig(PlainFields):
     """What differs from episode to episode. Each draw is uniform and comes from the row's own generator."""
 
     start_joint_position: float = 0.1
@@ -172,6 +177,7 @@ class RandomizationConfig:
     """Share of each observation field's noise amplitude (see `OBSERVATION_LAYOUT`); 1 is a real robot's"""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         for name in ("start_joint_position", "start_joint_velocity", "start_base_velocity", "start_tilt"):
             _check(getattr(self, name) >= 0, f"randomization.{name}", getattr(self, name), "at least 0")
         _check(self.push_velocity >= 0, "randomization.push_velocity", self.push_velocity, "at least 0 (m/s)")
@@ -189,7 +195,7 @@ class RandomizationConfig:
 
 
 @dataclass(frozen=True)
-class TaskConfig:
+class TaskConfig(PlainFields):
     """Everything that defines the task."""
 
     decimation: int = 4
@@ -207,6 +213,7 @@ class TaskConfig:
     """The robot's own, or what `evaluate/identify.py` found on another"""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         _check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         _check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
         _check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
@@ -222,19 +229,22 @@ class TaskConfig:
 
     @classmethod
     def from_dict(cls, values: dict[str, Any]) -> Self:
-        """A config from nested values; what is left out keeps its default.
+        """A config from nested values, NumPy's included; what is left out keeps its default.
 
         Raises:
             QuadrupedError: if a field is unknown or a value of the wrong kind, saying which and what is valid.
         """
-        return _build(cls, values, "config")
+        return _build(cls, plain(values), "config")
+
+
+_type_hints = functools.cache(typing.get_type_hints)
 
 
 def _build(kind: type, values: Any, path: str) -> Any:
     """An instance of a config dataclass from nested plain values; `path` names it in errors."""
     if not isinstance(values, dict):
         raise QuadrupedError(f"{path}: expected a mapping of fields; found {short(values)}")
-    hints = typing.get_type_hints(kind)
+    hints = _type_hints(kind)
     unknown = sorted(set(values) - set(hints))
     if unknown:
         raise QuadrupedError(f"{path}: unknown field {short(unknown[0])}; valid fields are {', '.join(hints)}")

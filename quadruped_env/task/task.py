@@ -14,6 +14,7 @@ import numpy as np
 from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
+from quadruped_env._plain import whole_number
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
@@ -36,6 +37,8 @@ _EPISODE_ARRAYS: Final = (
     "_fixed",
     "_phase",
     "_steps",
+    "_started",
+    "_finished",
     "_resample_at",
     "_push_at",
     "_noise_key",
@@ -73,8 +76,8 @@ class Task:
     """
 
     def __init__(self, simulation: Simulation, config: TaskConfig, max_episode_steps: int | None = None) -> None:
-        if max_episode_steps is not None and max_episode_steps < 1:
-            raise QuadrupedError(f"max_episode_steps: expected 1 or more, or None; found {max_episode_steps}")
+        if max_episode_steps is not None:
+            max_episode_steps = whole_number("max_episode_steps", max_episode_steps, 1, or_none=True)
         self.simulation = simulation
         self.config = config
         self.max_episode_steps = max_episode_steps
@@ -91,7 +94,10 @@ class Task:
         self._model_randomizer = randomization.ModelRandomizer(simulation, config.randomization)
         self._gait = CommandedGait.tuned()
 
-        self.generators: list[np.random.Generator] = [seeding.np_random()[0] for _ in range(n)]
+        seeded = [seeding.np_random() for _ in range(n)]
+        self.generators: list[np.random.Generator] = [generator for generator, _ in seeded]
+        self.seeds: list[int] = [seed for _, seed in seeded]
+        """Each row's seed; -1 for a generator that came from elsewhere, as Gymnasium has it"""
         self._last_action = np.zeros((n, ACTION_WIDTH))
         self._command = np.zeros((n, 2))
         self._smooth_velocity = np.zeros((n, 2))
@@ -101,6 +107,9 @@ class Task:
         self._fixed = np.zeros(n, dtype=np.bool_)
         self._phase = np.zeros(n)
         self._steps = np.zeros(n, dtype=np.int64)
+        self._started = np.zeros(n, dtype=np.bool_)
+        self._finished = np.zeros(n, dtype=np.bool_)
+        self._all_started = False
         self._resample_at = np.zeros(n, dtype=np.int64)
         self._push_at = np.zeros(n, dtype=np.int64)
         self._noise_key = np.zeros(n, dtype=np.uint64)
@@ -131,6 +140,11 @@ class Task:
         """Control steps since each row's reset, (N,); live."""
         return self._steps
 
+    @property
+    def finished(self) -> NDArray[np.bool_]:
+        """Rows (N,) whose episode has ended and that have not been reset since; live."""
+        return self._finished
+
     def reset(
         self,
         rows: NDArray[np.intp],
@@ -152,7 +166,7 @@ class Task:
         if seeds is not None:
             for row, seed in zip(rows, seeds, strict=True):
                 if seed is not None:
-                    self.generators[row] = seeding.np_random(seed)[0]
+                    self.generators[row], self.seeds[row] = seeding.np_random(seed)
         config = self.config.randomization
         # One call a row for all that an episode draws.
         count = randomization.START_DRAWS + commands.DRAWS + 3
@@ -165,6 +179,8 @@ class Task:
         self._last_action[rows] = 0.0
         self._smooth_velocity[rows] = 0.0
         self._steps[rows] = 0
+        self._started[rows] = True
+        self._finished[rows] = False
         self._phase[rows] = math.tau * draws[:, commands.DRAWS]
         self._noise_key[rows] = (draws[:, commands.DRAWS + 1] * 2.0**53).astype(np.uint64)
         self._push_at[rows] = self._in_steps(commands.between(config.push_interval, draws[:, commands.DRAWS + 2]))
@@ -184,20 +200,23 @@ class Task:
         self._fixed[rows] = True
         self._set_command(rows, np.broadcast_to(command, (len(rows), 2)))
 
-    def step(self, action: ArrayLike) -> Transition:
-        """Advance every row by one control step. Resets nothing.
+    def step(self, action: ArrayLike, restart: NDArray[np.bool_] | None = None) -> Transition:
+        """Advance every row by one control step. Resets nothing but `restart`.
 
         Args:
             action: (N, 8), clipped to [-1, 1].
+            restart: rows (N,) that begin a new episode in place of this step, whatever their action: their
+                observation is the new episode's first, their reward is zero. None restarts none.
 
         Raises:
-            QuadrupedError: if the action's shape is wrong or a value is not finite; no row has moved then.
+            QuadrupedError: if a row was never reset, the action's shape is wrong or a value is not finite; no row has
+                moved then.
         """
-        action = self._checked(action, "action")
+        action = self._checked(action, "action", restart)
         np.minimum(action, ONE, out=action)
         np.maximum(action, MINUS_ONE, out=action)
         self._advance_phase()
-        return self._advance(action, self._nominal() + action * self._action_scale)
+        return self._advance(action, self._nominal() + action * self._action_scale, restart)
 
     def step_joint_target(self, target: ArrayLike) -> Transition:
         """Advance every row by one control step with joint targets (N, 8) in rad: what a scripted controller does.
@@ -215,10 +234,12 @@ class Task:
         self._phase += self._phase_step
         np.remainder(self._phase, _TURN, out=self._phase)
 
-    def _advance(self, action: NDArray[np.float64], target: NDArray[np.float64]) -> Transition:
+    def _advance(
+        self, action: NDArray[np.float64], target: NDArray[np.float64], restart: NDArray[np.bool_] | None = None
+    ) -> Transition:
         np.minimum(target, JOINT_POSITION_HIGH, out=target)
         np.maximum(target, JOINT_POSITION_LOW, out=target)
-        self.simulation.step(target, self.config.decimation)
+        self.simulation.step(target, self.config.decimation, None if restart is None else np.flatnonzero(~restart))
         self._steps += 1
 
         state, config = self.simulation.state, self.config
@@ -237,9 +258,16 @@ class Task:
         reward = np.add.accumulate(terms, axis=0)[-1]
 
         self._last_action[:] = action
-        self._resample_commands()
+        self._resample_commands(restart)
         if self._pushes:
-            self._push()
+            self._push(restart)
+        if restart is not None:
+            self.reset(np.flatnonzero(restart))
+            terms[:, restart] = 0.0
+            reward[restart] = 0.0
+            for flags in (terminated, truncated, diverged):
+                flags[restart] = False
+        np.logical_or(terminated, truncated, out=self._finished)
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def observe(self) -> NDArray[np.float32]:
@@ -256,7 +284,7 @@ class Task:
     def get_state(self, row: int) -> dict[str, Any]:
         """All that the future of a row depends on: physics, episode, noise and random generator."""
         state: dict[str, Any] = {name: copy.copy(getattr(self, name)[row]) for name in _EPISODE_ARRAYS}
-        state["generator"] = self.generators[row].bit_generator.state
+        state["generator"], state["seed"] = self.generators[row].bit_generator.state, self.seeds[row]
         state["simulation"] = self.simulation.get_state(row)
         return state
 
@@ -265,14 +293,23 @@ class Task:
         for name in _EPISODE_ARRAYS:
             getattr(self, name)[row] = state[name]
         self.generators[row].bit_generator.state = state["generator"]
+        self.seeds[row] = state["seed"]
         self.simulation.set_state(row, state["simulation"])
 
-    def _checked(self, action: ArrayLike, what: str) -> NDArray[np.float64]:
+    def _checked(self, action: ArrayLike, what: str, restart: NDArray[np.bool_] | None = None) -> NDArray[np.float64]:
+        if not self._all_started:
+            if not self._started.all():
+                raise QuadrupedError(
+                    f"step: call reset() first; env {np.argmin(self._started)} of {self.num_rows} has no episode yet"
+                )
+            self._all_started = True
         values = np.array(action, dtype=np.float64)
         if values.shape != self._last_action.shape:
             raise QuadrupedError(
                 f"{what}: expected shape {self._last_action.shape}, one value a joint; found {values.shape}"
             )
+        if restart is not None:
+            values[restart] = 0.0
         if np.count_nonzero(np.isfinite(values)) != values.size:
             row, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
@@ -311,10 +348,11 @@ class Task:
         stacked *= self._weights
         return stacked
 
-    def _resample_commands(self) -> None:
+    def _resample_commands(self, restart: NDArray[np.bool_] | None) -> None:
         due = self._steps >= self._resample_at
         if np.count_nonzero(due):
-            rows = np.flatnonzero(due & ~self._fixed)
+            due &= ~self._fixed
+            rows = np.flatnonzero(due if restart is None else due & ~restart)
             if len(rows):
                 draws = np.array([self.generators[row].random(commands.DRAWS) for row in rows])
                 self._set_sampled_command(rows, draws)
@@ -331,8 +369,9 @@ class Task:
         if self._residual:
             self._gait_sine[rows], self._gait_cosine[rows], self._gait_offset[rows] = self._gait.waves(command)
 
-    def _push(self) -> None:
-        rows = np.flatnonzero(self._steps >= self._push_at)
+    def _push(self, restart: NDArray[np.bool_] | None) -> None:
+        due = self._steps >= self._push_at
+        rows = np.flatnonzero(due if restart is None else due & ~restart)
         if len(rows):
             config = self.config.randomization
             draws = np.array([self.generators[row].random(3) for row in rows])

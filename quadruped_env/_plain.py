@@ -1,0 +1,76 @@
+"""Plain Python values out of NumPy's, and whole numbers out of what a caller gave."""
+
+import dataclasses
+import enum
+import sys
+from typing import Any
+
+import numpy as np
+
+from quadruped_env.errors import QuadrupedError
+
+
+def plain(value: Any) -> Any:
+    """The same value as JSON takes it.
+
+    NumPy scalars become Python's numbers, arrays, tuples and lists become lists, enums their values, dataclasses dicts.
+    Everything else stays as it is.
+    """
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
+    if isinstance(value, dict):
+        return {plain(key): plain(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(entry) for entry in value]
+    if isinstance(value, enum.Enum):
+        return value.value
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return plain(dataclasses.asdict(value))
+    return value
+
+
+class PlainFields:
+    """Base of frozen dataclasses: NumPy's scalars and arrays in their fields become plain numbers and tuples.
+
+    A subclass with checks of its own calls `super().__post_init__()` before them.
+    """
+
+    def __post_init__(self) -> None:
+        for entry in dataclasses.fields(self):  # type: ignore[arg-type]  # every subclass is a dataclass
+            value = getattr(self, entry.name)
+            if isinstance(value, (np.generic, np.ndarray)):
+                object.__setattr__(self, entry.name, _tuples(value.tolist()))
+            elif isinstance(value, (tuple, list)):
+                object.__setattr__(self, entry.name, _tuples(plain(value)))
+            elif isinstance(value, dict):
+                object.__setattr__(self, entry.name, plain(value))
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(_tuples(entry) for entry in value) if isinstance(value, list) else value
+
+
+def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
+    """A whole number of Python's own kind.
+
+    Args:
+        name: the argument's name, for the error.
+        value: an int or a NumPy integer.
+        low: least valid value.
+        or_none: whether the error lists None as valid; None itself is for the caller to let through.
+
+    Raises:
+        QuadrupedError: if it is something else, a bool included, or less than low.
+    """
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    if isinstance(value, (int, np.integer)) and not isinstance(value, bool) and value >= low:
+        return int(value)
+    none = ", or None" if or_none else ""
+    raise QuadrupedError(f"{name}: expected a whole number, {low} or more{none}; found {value!r}")
+
+
+def is_finite_number(value: Any) -> bool:
+    """Whether a value is a finite int or float, and no bool."""
+    # Not math.isfinite, which raises for whole numbers that no float holds.
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

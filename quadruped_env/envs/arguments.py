@@ -1,0 +1,131 @@
+"""Checks of what the environments are called with: one place for the single, the vector and Stable-Baselines3's."""
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from gymnasium.vector import AutoresetMode
+from numpy.typing import NDArray
+
+from quadruped_env._plain import whole_number
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.task import TaskConfig
+from quadruped_env.task.commands import check_command
+
+RENDER_MODES: Final = ("human", "rgb_array")
+
+RESET_MASK: Final = "reset_mask"
+
+
+def task_config(action_mode: str | None, config: dict[str, Any] | TaskConfig | None) -> TaskConfig:
+    """The task's config from an environment's arguments.
+
+    Raises:
+        QuadrupedError: if the mode or a field of the config is not valid.
+    """
+    if config is None:
+        task = TaskConfig()
+    else:
+        task = TaskConfig.from_dict(config.to_dict() if isinstance(config, TaskConfig) else config)
+    if action_mode is not None:
+        mode: Any = action_mode  # checked by ActionConfig
+        task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))
+    return task
+
+
+def check_render_mode(render_mode: str | None) -> None:
+    """Raise a QuadrupedError if there is no such render mode."""
+    if render_mode is not None and render_mode not in RENDER_MODES:
+        raise QuadrupedError(
+            f"render_mode: {render_mode!r} is unknown; valid modes are None, {', '.join(RENDER_MODES)}"
+        )
+
+
+def frame_size(width: int, height: int) -> tuple[int, int]:
+    """Width and height of a picture, in pixels.
+
+    Raises:
+        QuadrupedError: if one of them is not a whole number, 1 or more.
+    """
+    return whole_number("width", width, 1), whole_number("height", height, 1)
+
+
+def autoreset_mode(mode: AutoresetMode | str) -> AutoresetMode:
+    """Gymnasium's autoreset mode from the mode itself, its value or its name.
+
+    Raises:
+        QuadrupedError: if there is no such mode.
+    """
+    for valid in AutoresetMode:
+        if mode is valid or mode in (valid.value, valid.name):
+            return valid
+    names = ", ".join(repr(valid.value) for valid in AutoresetMode)
+    raise QuadrupedError(f"autoreset_mode: {mode!r} is unknown; valid modes are {names}, or gymnasium's AutoresetMode")
+
+
+def seed(value: int | None, name: str = "seed") -> int | None:
+    """The seed of one environment.
+
+    Raises:
+        QuadrupedError: if it is neither None nor a whole number, 0 or more.
+    """
+    return None if value is None else whole_number(name, value, 0, or_none=True)
+
+
+def seeds(value: int | Sequence[int | None] | NDArray[np.integer] | None, num_envs: int) -> list[int | None]:
+    """One seed per environment: of one number, number + i for environment i.
+
+    Raises:
+        QuadrupedError: if it is neither None, a whole number, nor `num_envs` of these.
+    """
+    if value is None:
+        return [None] * num_envs
+    if isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim == 1):
+        if len(value) != num_envs:
+            raise QuadrupedError(f"seed: expected one number, or {num_envs}, one per env; found {len(value)}")
+        return [seed(entry, f"seed[{i}]") for i, entry in enumerate(value)]
+    first = whole_number("seed", value, 0, or_none=True)
+    return [first + i for i in range(num_envs)]
+
+
+def reset_options(
+    options: dict[str, Any] | None, config: TaskConfig, num_envs: int | None = None
+) -> tuple[NDArray[np.float64] | None, NDArray[np.bool_] | None]:
+    """What `reset(options=...)` asks for.
+
+    Args:
+        options: `command`, and in a vector environment `reset_mask`.
+        config: the task.
+        num_envs: number of environments; None for a single one, which takes no mask.
+
+    Returns:
+        The command (2,) in m/s and rad/s that stays fixed for the episode, or None; and the environments (num_envs,)
+        to reset, or None for all.
+
+    Raises:
+        QuadrupedError: if there is an unknown option, or a value is not valid.
+    """
+    if options is None:
+        return None, None
+    valid = ["command"] if num_envs is None else ["command", RESET_MASK]
+    named = ", ".join(repr(name) for name in valid)
+    if not isinstance(options, dict):
+        raise QuadrupedError(f"options: expected a dict with {named}, or None; found {options!r}")
+    unknown = sorted(repr(name) for name in options if name not in valid)
+    if unknown:
+        raise QuadrupedError(f"options: unknown option {unknown[0]}; valid options are {named}")
+    command = options.get("command")
+    mask = None
+    if num_envs is not None and options.get(RESET_MASK) is not None:
+        mask = _checked_mask(options[RESET_MASK], num_envs)
+    return None if command is None else check_command(command, config.command), mask
+
+
+def _checked_mask(mask: Any, num_envs: int) -> NDArray[np.bool_]:
+    if not isinstance(mask, np.ndarray) or mask.shape != (num_envs,) or mask.dtype != np.bool_ or not mask.any():
+        raise QuadrupedError(
+            f"options['{RESET_MASK}']: expected a bool array of shape ({num_envs},) with one True or more; "
+            f"found {mask!r}"
+        )
+    return mask
