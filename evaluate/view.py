@@ -60,7 +60,7 @@ def play(show: Show, host: str, port: int, seconds: float | None) -> int:
         print(f"port {port} is taken: {show.port} is the next free one")
     if host != LOOPBACK:
         print(f"listening on {host}: every machine that reaches it can steer this show")
-    print(f"{', '.join(show.controller.robots)}: http://{host}:{show.port}   (Ctrl-C ends)", flush=True)
+    print(f"{', '.join(show.controller.robots)}: {show.address}   (Ctrl-C ends)", flush=True)
     pace = show.run(seconds)
     print("ending; what was recorded is being saved (Ctrl-C: without it)" if show.controller.saving else "ending")
     for number in (signal.SIGINT, signal.SIGTERM):

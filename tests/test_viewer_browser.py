@@ -1,18 +1,16 @@
 """The viewer as a person meets it: in a browser."""
 
 import re
-import threading
-from contextlib import contextmanager
 
 import browser
 import numpy as np
 import pytest
+from viewing import showing
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.policy import CARD_FILE
-from quadruped_env.viewer import Show, ViewController, find_sources
 from quadruped_env.viewer.controller import MAX_PUSH
 from quadruped_env.viewer.scene import OVERLAYS
 
@@ -23,22 +21,6 @@ SIZE = (1020, 640)
 """Of the page: enough, and little to draw for a machine without a graphics card"""
 MIDDLE = {"x": 370, "y": 200, "width": 320, "height": 400}
 """Of the page: the robot, without panels and notifications"""
-
-
-@contextmanager
-def showing(directory, *names, asked=()):
-    """A show that runs beside the test."""
-    sources, chosen = find_sources(asked, runs=directory / "runs")
-    controller = ViewController(sources, names or chosen, directory / "results")
-    show = Show(controller, port=0)
-    thread = threading.Thread(target=show.run)
-    thread.start()
-    try:
-        yield show
-    finally:
-        show.stop()
-        thread.join()
-        show.close()
 
 
 def visit(page, show):

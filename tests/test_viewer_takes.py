@@ -1,12 +1,16 @@
 """What the viewer records."""
 
+import threading
+
 import numpy as np
 import pytest
 from viewing import DT, robot, throw_on_the_back
+from waiting import DEADLINE, wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.viewer import ViewController, find_sources
 from quadruped_env.viewer.controller import RESTART_AFTER
+from quadruped_env.viewer.take import MAX_WAITING
 
 
 def test_a_take_is_what_happened(control, tmp_path, monkeypatch):
@@ -89,6 +93,47 @@ def test_a_take_that_cannot_be_saved_says_so(tmp_path):
     controller.close()
     (message,) = controller.messages()
     assert message.startswith("Not saved: ")
+
+
+def test_a_take_ends_at_the_longest_time_with_a_word(control, tmp_path, monkeypatch):
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    monkeypatch.setattr("quadruped_env.viewer.controller.MAX_SECONDS", 0.5)
+    controller = control("stand still")
+    controller.start_recording()
+    for _ in range(10):
+        controller.advance(0.1)
+    assert controller.view().recorded is None
+    controller.close()
+    (path,) = tmp_path.glob("results/view-*/joint_states.csv")
+    assert JointTrajectory.load(path).duration == pytest.approx(0.5)
+    assert controller.messages()[0] == "The recording has ended: 0.5 s is the longest; record again"
+
+
+def test_takes_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
+    go_on = threading.Event()
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: go_on.wait(DEADLINE))
+    controller = control("stand still")
+    for _ in range(MAX_WAITING):
+        controller.start_recording()
+        controller.stop_recording()
+    with pytest.raises(QuadrupedError, match=f"record: {MAX_WAITING} recordings are still being saved"):
+        controller.start_recording()
+    assert controller.view().recorded is None
+    go_on.set()
+    wait_until(lambda: not controller.saving)
+    controller.start_recording()
+    assert controller.view().recorded == 0.0
+
+
+def test_takes_of_a_show_are_bounded(control, monkeypatch):
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    monkeypatch.setattr("quadruped_env.viewer.take.MAX_TAKES", 1)
+    controller = control("stand still")
+    controller.start_recording()
+    controller.stop_recording()
+    wait_until(lambda: not controller.saving)
+    with pytest.raises(QuadrupedError, match="record: 1 recordings were made; start the viewer again"):
+        controller.start_recording()
 
 
 @pytest.mark.slow

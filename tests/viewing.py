@@ -1,6 +1,27 @@
-"""What tests of the viewer share: looks at its robots."""
+"""What tests of the viewer share: running shows, and looks at their robots."""
+
+import threading
+from contextlib import contextmanager
+
+from quadruped_env.viewer import Show, ViewController, find_sources
 
 DT = 0.02
+
+
+@contextmanager
+def showing(directory, *names, asked=()):
+    """A show that runs beside the test."""
+    sources, chosen = find_sources(asked, runs=directory / "runs")
+    controller = ViewController(sources, names or chosen, directory / "results")
+    show = Show(controller, port=0)
+    thread = threading.Thread(target=show.run)
+    thread.start()
+    try:
+        yield show
+    finally:
+        show.stop()
+        thread.join()
+        show.close()
 
 
 def robot(controller, index=0):

@@ -323,9 +323,14 @@ class ViewController:
     # --- recordings
 
     def start_recording(self) -> None:
-        """Begin to record the watched robot; does nothing while one is recorded."""
+        """Begin to record the watched robot; does nothing while one is recorded.
+
+        Raises:
+            QuadrupedError: if too many recordings are being saved, or were made.
+        """
         with self._lock:
             if self._take is None:
+                self._saver.check_room()
                 robot = self._watched_robot
                 self._take = Take(robot.source.name, robot.timestep, [robot.history[-1]])
 
@@ -400,6 +405,7 @@ class ViewController:
         if index == self._watched and self._take is not None:
             self._take.samples.append(moment)
             if self._take.seconds >= MAX_SECONDS:
+                self._messages.append(f"The recording has ended: {MAX_SECONDS:g} s is the longest; record again")
                 self.stop_recording()
         fallen_for = 0.0 if robot.fell_at is None else moment.time - robot.fell_at
         if robot.diverged or (self.restart_after_fall and fallen_for >= RESTART_AFTER):

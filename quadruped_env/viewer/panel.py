@@ -14,7 +14,9 @@ from quadruped_env.robot import LEG_NAMES
 from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, View, ViewController
 from quadruped_env.viewer.gaits import AMPLITUDES, FREQUENCIES
 from quadruped_env.viewer.keys import ARROWS_FIRST
+from quadruped_env.viewer.paths import without_directories
 from quadruped_env.viewer.scene import Scene
+from quadruped_env.viewer.take import MAX_SECONDS
 
 if TYPE_CHECKING:
     import viser
@@ -73,7 +75,8 @@ class Panel:
         self._show_robots()
 
     def tell(self, message: str, bad: bool = False) -> None:
-        """Say something in every browser."""
+        """Say something in every browser, without this machine's directories."""
+        message = without_directories(message)
         for client in self._server.get_clients().values():
             client.add_notification(
                 "Not possible" if bad else "MiniQuadruped",
@@ -328,7 +331,7 @@ def _status(view: View) -> str:
     if robot.fell_at is not None:
         warnings.append(f"fell at {robot.fell_at:.1f} s")
     if view.recorded is not None:
-        warnings.append(f"&#9679; recording, {view.recorded:.1f} s")
+        warnings.append(f"&#9679; recording, {view.recorded:.1f} of at most {MAX_SECONDS:g} s")
     if robot.complaints:
         more = f", and {len(robot.complaints) - 1} more" if len(robot.complaints) > 1 else ""
         warnings.append(escape(f"The gait asks too much: {robot.complaints[0]}{more}"))

@@ -17,7 +17,7 @@ _PORTS_TRIED: Final = 100
 
 
 def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
-    """A server on the first free port from `port` on.
+    """A server on the first free port from `port` on, for this project's page alone (see `access` and `guard`).
 
     Args:
         host: the address to listen on; anything but loopback lets other machines control the show.
@@ -32,10 +32,15 @@ def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
         def request_share_url(self, verbose: bool = True) -> None:
             """Refuse: a browser may ask for a public address even where it shows no button for it."""
 
+    # It needs viser.
+    from quadruped_env.viewer.guard import Guard
+
+    guard = Guard(host)
     port = _free_port(host, port)
     # viser prints a panel of its own.
-    with contextlib.redirect_stdout(io.StringIO()):
+    with contextlib.redirect_stdout(io.StringIO()), guard.installed():
         server: viser.ViserServer = LocalServer(host, port, label="MiniQuadruped", verbose=False)
+    guard.messages.gui = server.gui
     server.gui.configure_theme(show_logo=False, show_share_button=False, brand_color=(0, 114, 178))
     return server
 

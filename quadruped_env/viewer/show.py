@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, View, ViewController
 from quadruped_env.viewer.panel import Panel
 from quadruped_env.viewer.plots import Plots
@@ -57,6 +58,7 @@ class Show:
 
     def __init__(self, controller: ViewController, host: str = LOOPBACK, port: int = PORT) -> None:
         self.controller = controller
+        self._host = host
         self._stop = threading.Event()
         self._server = start_server(host, port)
         self._scene = Scene(self._server, controller.model())
@@ -69,6 +71,11 @@ class Show:
     def port(self) -> int:
         """Where it listens."""
         return self._server.get_port()
+
+    @property
+    def address(self) -> str:
+        """What a browser of this machine opens."""
+        return page_address(self._host, self.port)
 
     def clients(self) -> list[Any]:
         """The browsers that look, as viser's client handles."""

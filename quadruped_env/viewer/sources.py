@@ -1,7 +1,7 @@
 """What can drive a robot in the viewer: policies, scripted gaits, recordings, each under a name."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -22,6 +22,7 @@ from quadruped_env.policies.policy import CARD_FILE, SHIPPED
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.viewer.gaits import EditableGaitController
+from quadruped_env.viewer.paths import shown_path
 
 RUNS: Final = Path("runs")
 MAX_RUNS: Final = 12
@@ -81,7 +82,7 @@ def asked_source(text: str) -> Source:
             f"directory and no recording; name one of these, or train with 'python train/ppo.py'"
         )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
-    return recording_source(path) if recorded else policy_source(f"run {text}", text)
+    return recording_source(path) if recorded else policy_source(f"run {shown_path(path)}", text)
 
 
 def find_sources(asked: Sequence[str] = (), runs: Path = RUNS) -> tuple[dict[str, Source], tuple[str, ...]]:
@@ -94,7 +95,7 @@ def find_sources(asked: Sequence[str] = (), runs: Path = RUNS) -> tuple[dict[str
     Raises:
         QuadrupedError: if something that a person asked for cannot be used.
     """
-    wanted = [asked_source(text) for text in asked]
+    wanted = _distinct(asked)
     for source in wanted:
         source.make()
     offered = [
@@ -106,6 +107,17 @@ def find_sources(asked: Sequence[str] = (), runs: Path = RUNS) -> tuple[dict[str
     for source in wanted + offered:
         sources.setdefault(source.name, source)
     return sources, tuple(source.name for source in wanted or [_first_that_fits(offered)])
+
+
+def _distinct(asked: Sequence[str]) -> list[Source]:
+    """Sources that have the same name only if they are the same."""
+    by_text: dict[str, Source] = {}
+    for text in asked:
+        source = asked_source(text)
+        taken = {other.name for name, other in by_text.items() if name != text}
+        names = (source.name, *(f"{source.name} ({number})" for number in range(2, len(asked) + 1)))
+        by_text[text] = replace(source, name=next(name for name in names if name not in taken))
+    return [by_text[text] for text in asked]
 
 
 def _first_that_fits(sources: Sequence[Source]) -> Source:

@@ -23,6 +23,10 @@ from quadruped_env.viewer.sample import Sample, over_time
 
 MAX_SECONDS: Final = 300.0
 """A longer take ends by itself."""
+MAX_WAITING: Final = 3
+"""Takes that are being saved, beyond which none is begun: each waits in memory."""
+MAX_TAKES: Final = 100
+"""Takes of one show; each may put some megabytes on the disk."""
 _NICENESS: Final = 10
 RESULTS: Final = Path("results")
 TRAJECTORY_FILE: Final = "joint_states.csv"
@@ -79,6 +83,7 @@ class TakeSaver:
         self._results = results
         self._tell = tell
         self._takes: queue.Queue[Take | None] = queue.Queue()
+        self._count = 0
         # A daemon, so that who cannot wait for a long film may leave.
         self._thread = threading.Thread(target=self._run, name="take saver", daemon=True)
         self._thread.start()
@@ -88,8 +93,16 @@ class TakeSaver:
         """Whether a take is not saved yet."""
         return self._takes.unfinished_tasks > 0
 
+    def check_room(self) -> None:
+        """Raise a QuadrupedError if no other take is to be begun."""
+        if self._takes.unfinished_tasks >= MAX_WAITING:
+            raise QuadrupedError(f"record: {MAX_WAITING} recordings are still being saved; record again after them")
+        if self._count >= MAX_TAKES:
+            raise QuadrupedError(f"record: {MAX_TAKES} recordings were made; start the viewer again to make more")
+
     def save(self, take: Take) -> None:
         """Save a take soon."""
+        self._count += 1
         self._takes.put(take)
 
     def close(self) -> None:

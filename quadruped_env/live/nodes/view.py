@@ -31,7 +31,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     controller.restart_after_fall = False
     show = Show(controller, port=arguments.port)
     try:
-        session.say(f"the live robot: http://127.0.0.1:{show.port}")
+        session.say(f"the live robot: {show.address}")
         while session.running:
             began = time.monotonic()
             show.run(LOOK)
