@@ -137,7 +137,7 @@ def test_check_field_knows_a_types_fields():
     check_field(JOINT_STATES.type_name, "position.7")
     check_field(JOINT_STATES.type_name, "header.stamp.sec")
     check_field("tf2_msgs/msg/TFMessage", "transforms.3.transform.rotation.w")
-    with pytest.raises(QuadrupedError, match="--field position.x: there is no 'x'"):
+    with pytest.raises(QuadrupedError, match=r"--field position\.x: there is no 'x'"):
         check_field(JOINT_STATES.type_name, "position.x")
     with pytest.raises(QuadrupedError, match="--field speed: there is no 'speed'; there is header, name, position"):
         check_field(JOINT_STATES.type_name, "speed")
