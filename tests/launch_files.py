@@ -1,4 +1,4 @@
-"""Runs ROS 2 launch files without ROS 2: no package registry has wheels of `launch` and `launch_ros`.
+"""Runs ROS 2 launch files without ROS 2: there are no wheels of `launch` and `launch_ros`.
 
 The classes here have the names, arguments and rules of those that the project's launch files use, as in Humble and
 later; any other argument is a TypeError. Nothing is started: `started` returns what would be.

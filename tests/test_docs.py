@@ -143,6 +143,25 @@ def test_the_nodes_of_the_tutorials_page_meet(domain_id, tmp_path):
     assert heard == list(range(heard[0], heard[0] + len(heard)))
 
 
+def help_of(*program):
+    done = subprocess.run([sys.executable, *program, "--help"], cwd=ROOT, capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+def has_option(help_text, option):
+    return re.search(rf"(?<![\w-]){option}(?![\w-])", help_text) is not None
+
+
+@pytest.mark.slow
+def test_options_of_the_recordings_table_are_those_of_convert():
+    text = (ROOT / "docs" / "troubleshooting.md").read_text()
+    (table,) = re.findall(r"^## Recordings$.*?(^\|.*?)\n\n", text, re.MULTILINE | re.DOTALL)
+    options = {command.split()[0] for command in re.findall(r"`(--[^`]+)`", table)} - {"--full-length"}
+    assert len(options) > 5
+    help_text = help_of("evaluate/convert.py")
+    assert [option for option in options if not has_option(help_text, option)] == []
+
+
 @pytest.mark.slow
 def test_programs_on_every_page_have_the_options_that_are_shown():
     shown = {}
@@ -153,8 +172,6 @@ def test_programs_on_every_page_have_the_options_that_are_shown():
     assert shown
     for program, options in shown.items():
         if options:
-            help_text = subprocess.run(
-                [sys.executable, program, "--help"], cwd=ROOT, capture_output=True, text=True, check=True
-            ).stdout
+            help_text = help_of(program)
             for option, page in options.items():
-                assert re.search(rf"(?<![\w-]){option}(?![\w-])", help_text), f"{page}: {program} {option}"
+                assert has_option(help_text, option), f"{page}: {program} {option}"
