@@ -1,11 +1,10 @@
-"""Training: what a run leaves, that it can be repeated, stopped and resumed, and that bad arguments are refused."""
+"""Training: what a run leaves, that it can be repeated and stopped, and that bad arguments are refused."""
 
-import contextlib
-import csv
 import dataclasses
+import errno
 import json
+import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -13,62 +12,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from waiting import DEADLINE, output_of, wait_until
+from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
+from waiting import output_of
 
 import quadruped_env
-from quadruped_env import QuadrupedError
+from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
-from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.policies.policy import TENSORS_FILE
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run import (
     CONFIG_FILE,
     PROGRESS_COLUMNS,
-    PROGRESS_FILE,
-    RESUME_FILE,
     Run,
-    resumed_config,
 )
-
-SCRIPT = Path(__file__).parents[1] / "train" / "ppo.py"
-TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
-ENDLESS = ("--timesteps", "1000000000", *TINY[2:])
-RUN_FILES = {CONFIG_FILE, PROGRESS_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, "tensorboard"}
-
-
-def command(runs, *arguments):
-    return [sys.executable, str(SCRIPT), "--runs", str(runs), *map(str, arguments)]
-
-
-def train(runs, *arguments):
-    """Run the program to its end; the run directory."""
-    done = subprocess.run(command(runs, *arguments), capture_output=True, text=True, check=False, timeout=DEADLINE)
-    assert done.returncode == 0, done.stderr
-    return (runs / "latest").resolve()
-
-
-def progress(directory):
-    with (directory / PROGRESS_FILE).open() as file:
-        return list(csv.DictReader(file))
-
-
-def scalars(directory):
-    """Names of the scalars that TensorBoard shows -> their number of points."""
-    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
-
-    events = EventAccumulator(str(directory / "tensorboard"))
-    events.Reload()
-    return {tag: len(events.Scalars(tag)) for tag in events.Tags()["scalars"]}
-
-
-def assert_complete(directory):
-    assert {path.name for path in directory.iterdir()} >= RUN_FILES
-    policy = load_policy(directory)
-    resumed_config(directory, TrainConfig())
-    assert progress(directory)
-    assert policy.predict(np.zeros(policy.weights[0].shape[0])).shape == (8,)
-    return policy
 
 
 def assert_refused(tmp_path, arguments, message):
@@ -79,19 +37,6 @@ def assert_refused(tmp_path, arguments, message):
     assert "Traceback" not in done.stderr
     assert done.stdout == ""
     assert not (tmp_path / "runs").exists(), "no run was begun"
-
-
-@contextlib.contextmanager
-def running(runs, *arguments):
-    """The program while it trains, from its second row of progress on."""
-    process = subprocess.Popen(command(runs, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    try:
-        file = runs / "latest" / PROGRESS_FILE
-        wait_until(lambda: file.exists() and len(progress(runs / "latest")) >= 2, "progress", alive=process)
-        yield process
-    finally:
-        process.kill()
-        process.communicate()
 
 
 @pytest.fixture(scope="module")
@@ -209,7 +154,7 @@ def test_a_budget_in_seconds_is_kept(tmp_path):
     assert all(float(row["seconds"]) < 2.0 for row in progress(directory)[:-1]), "the first update past it is the last"
 
 
-# --- stopped, resumed ---
+# --- stopped ---
 
 
 @pytest.mark.slow
@@ -224,42 +169,6 @@ def test_a_signal_ends_a_training_which_saves_and_exits_cleanly(tmp_path, number
     directory = (tmp_path / "latest").resolve()
     policy = assert_complete(directory)
     assert policy.card["timesteps"] == int(progress(directory)[-1]["timesteps"]) > 0
-
-
-@pytest.mark.slow
-def test_checkpoints_can_be_loaded_and_resumed(tmp_path):
-    with running(tmp_path, *ENDLESS, "--checkpoint-seconds", "0.5") as process:
-        checkpoints = (tmp_path / "latest").resolve() / "checkpoints"
-        wait_until(lambda: len(list(checkpoints.glob(f"*/{CONFIG_FILE}"))) >= 2, "two checkpoints", alive=process)
-    # It was killed: the run has no policy of its own, only its checkpoints do.
-    directory = checkpoints.parent
-    with pytest.raises(QuadrupedError, match=r"missing, so the run is incomplete.*checkpoints"):
-        load_policy(directory)
-    first, *_, last = sorted(path for path in checkpoints.iterdir() if (path / CONFIG_FILE).exists())
-    assert load_policy(first).card["timesteps"] < load_policy(last).card["timesteps"]
-    resumed = train(tmp_path / "resumed", *TINY, "--resume", first)
-    assert_complete(resumed)
-
-
-@pytest.mark.slow
-def test_resuming_goes_on_with_the_task_and_the_network_of_the_run(tmp_path):
-    task = {"decimation": 5, "reward": {"weights": {"upright": -3.5}}}
-    first = train(
-        tmp_path, *TINY, "--action-mode", "position", "--hidden", 24, "--activation", "relu", "--task", json.dumps(task)
-    )
-    # So slow that what it began with is still there.
-    resumed = train(tmp_path, *TINY, "--resume", first, "--learning-rate", "1e-12")
-    policy, start = assert_complete(resumed), load_policy(first)
-    assert resumed != first
-    assert policy.config == start.config
-    assert policy.activation == "relu"
-    for one, other in zip(policy.weights + policy.biases, start.weights + start.biases, strict=True):
-        np.testing.assert_allclose(one, other, atol=1e-6)
-    assert policy.card["timesteps"] == 2048
-    learned = train(tmp_path, *TINY, "--resume", first)
-    assert any(
-        abs(one - other).max() > 1e-4 for one, other in zip(load_policy(learned).weights, start.weights, strict=True)
-    )
 
 
 # --- bad arguments ---
@@ -291,19 +200,6 @@ def test_bad_arguments_give_one_clear_line_and_status_2(tmp_path, arguments, mes
 )
 def test_a_bad_task_gives_one_clear_line_and_status_2(tmp_path, arguments, message):
     assert_refused(tmp_path, (*TINY, *arguments), message)
-
-
-@pytest.mark.slow
-def test_a_damaged_run_is_not_resumed(tiny_run, tmp_path):
-    damaged = tmp_path / "damaged"
-    shutil.copytree(tiny_run, damaged)
-    (damaged / RESUME_FILE).write_bytes(b"PK nothing")
-    done = subprocess.run(
-        command(tmp_path / "runs", *TINY, "--resume", damaged), capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 2
-    assert re.search(rf"error: {damaged}/{RESUME_FILE}: cannot be read .*; train anew", done.stderr)
-    assert not (tmp_path / "runs").exists()
 
 
 @pytest.mark.slow
@@ -358,31 +254,65 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
         run.close()
     assert len({run.directory for run in runs}) == 3
     assert (tmp_path / "latest").resolve() == runs[-1].directory.resolve()
-    assert not list(tmp_path.glob(".latest*"))
+    assert not list(tmp_path.glob(".*"))
 
 
-@pytest.mark.parametrize("name", [CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE])
-def test_an_incomplete_run_is_not_resumed(tiny_run, tmp_path, name):
-    incomplete = tmp_path / "run"
-    shutil.copytree(tiny_run, incomplete)
-    resumed_config(incomplete, TrainConfig())
-    (incomplete / name).unlink()
-    with pytest.raises(QuadrupedError, match=rf"--resume: {incomplete / name} is missing.*checkpoints/, or train anew"):
-        resumed_config(incomplete, TrainConfig())
+@pytest.mark.parametrize("make", [Path.mkdir, Path.touch])
+def test_runs_in_which_latest_is_no_link_are_refused_and_kept(tmp_path, make):
+    make(tmp_path / "latest")
+    with pytest.raises(QuadrupedError, match=r"--runs: .*latest is no symbolic link.*; rename it, or name another"):
+        Run(tmp_path, TrainConfig(), {}, "train")
+    assert [path.name for path in tmp_path.iterdir()] == ["latest"]
+    assert not (tmp_path / "latest").is_symlink()
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("{", r"config.json: not valid JSON.*train anew"),
-        ("{}", r"config.json: field 'training.hidden' is missing; train anew"),
-        ("[]", r"config.json: field 'training.hidden' is missing; train anew"),
-        ('{"training": {"hidden": [8]}}', r"config.json: field 'training.activation' is missing; train anew"),
-    ],
-)
-def test_a_damaged_config_is_not_resumed(tiny_run, tmp_path, text, message):
-    damaged = tmp_path / "run"
-    shutil.copytree(tiny_run, damaged)
-    (damaged / CONFIG_FILE).write_text(text)
-    with pytest.raises(QuadrupedError, match=message):
-        resumed_config(damaged, TrainConfig())
+def test_a_run_that_cannot_be_begun_leaves_nothing(tmp_path, monkeypatch):
+    def fsync(descriptor):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    with pytest.raises(QuadrupedError, match=r"cannot be written \(No space left on device\); make room"):
+        Run(tmp_path, TrainConfig(), {}, "train")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_row_of_progress_is_written_in_full_or_not_at_all(tmp_path):
+    """A limit on the size of files stands in for a full disk: a part of the row still fits."""
+    code = """
+import resource, sys
+from pathlib import Path
+from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.run import PROGRESS_COLUMNS, Run
+run = Run(Path(sys.argv[1]), TrainConfig(), {}, "train")
+row = dict.fromkeys(PROGRESS_COLUMNS, 1.5)
+run.log(row)
+size = (run.directory / "progress.csv").stat().st_size
+resource.setrlimit(resource.RLIMIT_FSIZE, (size + 7, size + 7))
+try:
+    run.log(row)
+except QuadrupedError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
+    assert re.search(r"progress\.csv: cannot be written \(.+\); make room", done.stdout)
+    (row,) = progress(tmp_path / "latest")
+    assert set(row.values()) == {"1.5"}
+
+
+def test_a_training_on_a_full_disk_ends_with_one_clear_error_and_keeps_its_checkpoint(tmp_path, monkeypatch):
+    from quadruped_env.training import ppo
+
+    def fsync(descriptor):
+        # Full from the end of the first checkpoint on.
+        if list(tmp_path.glob("*/checkpoints/*s/policy.json")):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    config = TrainConfig(timesteps=10**9, num_envs=4, n_steps=8, batch_size=16, hidden=(8,), checkpoint_seconds=1e-3)
+    with pytest.raises(QuadrupedError, match=r"cannot be written \(No space.*; what was saved before is kept in "):
+        ppo.train(config, tmp_path, "train")
+    (run,) = (path for path in tmp_path.iterdir() if not path.is_symlink())
+    assert not list(run.rglob(".*"))
+    with pytest.warns(QuadrupedWarning, match="last checkpoint"):
+        assert load_policy(run).card["timesteps"] == 32

@@ -2,7 +2,7 @@
 
 python train/ppo.py                          two minutes or less, then a policy that walks
 python train/ppo.py --action-mode position   without the scripted gait underneath
-python train/ppo.py --resume runs/latest     go on from an earlier run
+python train/ppo.py --resume runs/latest     go on from an earlier run, or the last checkpoint of one that was killed
 """
 
 import argparse
@@ -15,7 +15,9 @@ from pathlib import Path
 from typing import Any, get_args
 
 from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.resume import Parent
 
 
 @dataclass(frozen=True)
@@ -25,30 +27,36 @@ class Args(TrainConfig):
     runs: Path = Path("runs")
     """Directory of the run directories"""
     resume: Path | None = None
-    """Run or checkpoint to go on from, with its task and network"""
+    """Run or checkpoint to go on from, with its task, network and other settings; options change the others. Without a
+    budget: what the run had left, or as much again if it was complete. The schedules go on from where they were"""
 
 
-def parse(argv: list[str]) -> Args:
-    """Arguments as typed."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def parse(argv: list[str]) -> dict[str, Any]:
+    """The fields of `Args` that were typed."""
+    # Without defaults: a resumed run has other ones.
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        argument_default=argparse.SUPPRESS,
+    )
     helps = {**field_docs(TrainConfig), **field_docs(Args)}
     for field in dataclasses.fields(Args):
         option = f"--{field.name.replace('_', '-')}"
         default = field.default if field.default is not dataclasses.MISSING else {}
         text = f"{helps[field.name]} (default: {default})".replace("%", "%%")
         if field.name == "hidden":
-            parser.add_argument(option, type=int, nargs="+", default=default, help=text)
+            parser.add_argument(option, type=int, nargs="+", help=text)
         elif field.name == "task":
-            parser.add_argument(option, type=json.loads, default={}, metavar="JSON", help=text)
+            parser.add_argument(option, type=json.loads, metavar="JSON", help=text)
         elif isinstance(default, bool):
-            parser.add_argument(option, action=argparse.BooleanOptionalAction, default=default, help=text)
+            parser.add_argument(option, action=argparse.BooleanOptionalAction, help=text)
         elif get_args(field.type) and isinstance(default, str):
-            parser.add_argument(option, choices=get_args(field.type), default=default, help=text)
+            parser.add_argument(option, choices=get_args(field.type), help=text)
         else:
             kind = {"seconds": float, "log_std_init": float, "resume": Path}.get(field.name, type(default))
-            parser.add_argument(option, type=kind, default=default, help=text)
-    values = vars(parser.parse_args(argv))
-    return Args(**{**values, "hidden": tuple(values["hidden"])})
+            parser.add_argument(option, type=kind, help=text)
+    typed = vars(parser.parse_args(argv))
+    return {name: tuple(value) if name == "hidden" else value for name, value in typed.items()}
 
 
 def field_docs(kind: type) -> dict[str, str]:
@@ -68,18 +76,26 @@ def field_docs(kind: type) -> dict[str, str]:
 def main() -> int:
     """Train, and say where the result lies."""
     try:
-        args = parse(sys.argv[1:])
-        values: dict[str, Any] = {field.name: getattr(args, field.name) for field in dataclasses.fields(TrainConfig)}
+        typed = parse(sys.argv[1:])
+        runs, resume = typed.pop("runs", Args.runs), typed.pop("resume", None)
+        if resume is None:
+            config = TrainConfig(**typed)
+        else:
+            with plain_warnings("ppo.py"):
+                parent = Parent.load(resume)
+            config, resume = parent.resumed(typed), parent.directory
+            budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
+            print(f"going on from {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
         # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
         from quadruped_env.training.ppo import train
 
-        directory, finished = train(TrainConfig(**values), args.runs, shlex.join(["python", *sys.argv]), args.resume)
+        directory, finished = train(config, runs, shlex.join(["python", *sys.argv]), resume)
     except QuadrupedError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"evaluate it:  python evaluate/policy.py {directory}")
-    print(f"see curves:   tensorboard --logdir {args.runs}")
+    print(f"see curves:   tensorboard --logdir {runs}")
     return 0
 
 

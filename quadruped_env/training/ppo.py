@@ -4,10 +4,14 @@ Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively parallel s
 https://arxiv.org/abs/2109.11978.
 """
 
+import io
 import os
+import shutil
 import signal
 import sys
 import time
+from contextlib import ExitStack
+from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
 from typing import Any, cast
@@ -20,10 +24,13 @@ import numpy as np
 from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.files import unwritable, whole, write_whole
 from quadruped_env.policies import Policy
+from quadruped_env.policies.policy import CHECKPOINTS
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.config import TrainConfig
-from quadruped_env.training.run import RESUME_FILE, Run, resumed_config
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run, check_latest
 
 try:
     import torch
@@ -44,12 +51,14 @@ _LOG_INTERVAL = 1.0
 
 
 class NativePPO(PPO):
-    """SB3's PPO with threads where they help, and a learning rate that can follow the wall clock.
+    """SB3's PPO with threads where they help, and schedules that can follow the wall clock and go on from a run's.
 
     A policy step on a few hundred rows is faster on one thread; an update is faster on all of them.
     """
 
     budget_seconds: float | None = None
+    budget_left_at_start: float = 1.0
+    """Share of the schedules that is left at the start; they reach their ends with the budget's"""
     log_std_bounds: tuple[float, float] | None = None
     """Upper bounds of the exploration's log standard deviation, at the start and at the end of the budget"""
     _started: float = 0.0
@@ -73,10 +82,31 @@ class NativePPO(PPO):
         return super()._setup_learn(*args, **kwargs)
 
     def _update_current_progress_remaining(self, num_timesteps: int, total_timesteps: int) -> None:
-        super()._update_current_progress_remaining(num_timesteps, total_timesteps)
+        self._current_progress_remaining = self.budget_left()
+
+    def budget_left(self) -> float:
+        """Share of the schedules that is left, from 1 at the start of a first training to 0."""
+        start = self._num_timesteps_at_start
         if self.budget_seconds is not None:
-            elapsed = time.perf_counter() - self._started
-            self._current_progress_remaining = max(0.0, 1.0 - elapsed / self.budget_seconds)
+            used = (time.perf_counter() - self._started) / self.budget_seconds
+        else:
+            used = (self.num_timesteps - start) / max(1, self._total_timesteps - start)
+        return self.budget_left_at_start * max(0.0, 1.0 - used)
+
+    def go_on_from(self, parent: Parent) -> None:
+        """Take over a run's network, optimizer, step count and place in the schedules.
+
+        Raises:
+            QuadrupedError: if its file cannot be read.
+        """
+        path = parent.directory / RESUME_FILE
+        try:
+            self.set_parameters(str(path), device="cpu")
+        except Exception as error:
+            # The zip reader, torch and SB3 each fail in their own way on a damaged file.
+            raise QuadrupedError(f"{path}: cannot be read ({error}); train anew") from error
+        self.num_timesteps = parent.timesteps
+        self.budget_left_at_start = self._current_progress_remaining = parent.budget_left
 
 
 class LinearSchedule:
@@ -141,39 +171,44 @@ def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = N
         config: the training in numbers.
         runs: parent of the run directory.
         command: what the user typed, for the record.
-        resume: a run or checkpoint to go on from, with its task and network.
+        resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
 
     Returns:
         The run directory, and whether the whole budget was used.
 
     Raises:
-        QuadrupedError: if something asked for is not possible, or the run to resume is not complete.
+        QuadrupedError: if something asked for is not possible, the run to resume is not complete, or a file cannot be
+            written; then what was saved before is kept.
     """
-    if resume is not None:
-        config = resumed_config(resume, config)
+    check_latest(runs)
+    parent = None if resume is None else Parent.load(resume)
+    if parent is not None:
+        parent.check(asdict(config))
+        config = replace(config, task=parent.config.task)
     env = make_sb3_vec_env(config.num_envs, seed=config.seed, action_mode=config.action_mode, config=config.task)
     task = env.task.config
     model = make_model(config, env)
-    if resume is not None:
-        try:
-            model.set_parameters(str(resume / RESUME_FILE), device="cpu")
-        except Exception as error:
-            # The zip reader, torch and SB3 each fail in their own way on a damaged file.
-            raise QuadrupedError(f"{resume / RESUME_FILE}: cannot be read ({error}); train anew") from error
+    if parent is not None:
+        model.go_on_from(parent)
     model.budget_seconds = config.seconds
 
-    run = Run(runs, config, task.to_dict(), command)
-    model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
-    recorder = Recorder(run, config, task)
+    if parent is None:
+        run = Run(runs, config, task.to_dict(), command)
+    else:
+        run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
+    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds)
     try:
-        with _stop_on_signal(recorder):
-            timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
-            model.learn(timesteps, callback=recorder)
-    finally:
-        recorder.save(run.directory)
-        recorder.finish()
-        run.close()
-        env.close()
+        with ExitStack() as stack:
+            for end in (env.close, run.close, recorder.finish, recorder.save):
+                # The last one first, and every one though another fails.
+                stack.callback(end)
+            model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+            with _stop_on_signal(recorder):
+                timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
+                model.learn(timesteps, callback=recorder, reset_num_timesteps=parent is None)
+    except (OSError, QuadrupedError) as error:
+        cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
+        raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
     return run.directory, not recorder.stopped
 
 
@@ -201,13 +236,26 @@ class _stop_on_signal:  # noqa: N801
 
 
 class Recorder(BaseCallback):
-    """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget."""
+    """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget.
 
-    def __init__(self, run: Run, config: TrainConfig, task: TaskConfig) -> None:
+    Args:
+        run: the run directory.
+        config: the training in numbers.
+        task: its task.
+        seconds_before: wall clock of the training that it goes on from.
+    """
+
+    def __init__(self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0) -> None:
         super().__init__()
         self._run, self._config, self._task_config = run, config, task
+        self._seconds_before = seconds_before
         self.stopped = False
         self.elapsed = 0.0
+
+    @property
+    def seconds(self) -> float:
+        """Wall clock of learning, with that of the training that this one goes on from."""
+        return self._seconds_before + self.elapsed
 
     def _on_training_start(self) -> None:
         self._start = time.perf_counter()
@@ -215,8 +263,17 @@ class Recorder(BaseCallback):
         self._task = self._env.task
         self._next_log = _LOG_INTERVAL
         self._next_checkpoint = self._config.checkpoint_seconds
-        total = self._config.timesteps if self._config.seconds is None else None
-        self._bar = tqdm(total=total, unit=" steps", unit_scale=True, mininterval=0.0, disable=None, dynamic_ncols=True)
+        start = self.model.num_timesteps
+        total = start + self._config.timesteps if self._config.seconds is None else None
+        self._bar = tqdm(
+            total=total,
+            initial=start,
+            unit=" steps",
+            unit_scale=True,
+            mininterval=0.0,
+            disable=None,
+            dynamic_ncols=True,
+        )
         self._clear()
 
     def _clear(self) -> None:
@@ -244,7 +301,7 @@ class Recorder(BaseCallback):
             self._log()
         if self.elapsed >= self._next_checkpoint:
             self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
-            self.save(self._run.directory / "checkpoints" / f"{round(self.elapsed):05d}s")
+            self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
 
     def _log(self) -> None:
         errors = np.sqrt(self._squares / self._steps)
@@ -252,7 +309,7 @@ class Recorder(BaseCallback):
         episodes = self._steps * self._config.num_envs / MAX_EPISODE_STEPS
         row = {
             "timesteps": self.num_timesteps,
-            "seconds": round(self.elapsed, 3),
+            "seconds": round(self.seconds, 3),
             "return": float(self._terms.sum() / self._steps * MAX_EPISODE_STEPS),
             "fall_rate": self._falls / episodes,
             "forward_velocity_error": float(errors[0]),
@@ -276,19 +333,37 @@ class Recorder(BaseCallback):
         """What is left of a budget in seconds; the bar itself shows what is left of one in steps."""
         return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
 
-    def save(self, directory: Path) -> None:
-        """Write the policy as data, and what resuming needs beside it."""
+    def save(self) -> None:
+        """Write the policy as data into the run directory, and what resuming needs beside it.
+
+        Raises:
+            QuadrupedError: if a file cannot be written, or the training diverged; then none is.
+        """
+        write_whole({self._run.directory / name: content for name, content in self._files().items()})
+
+    def _save_checkpoint(self, directory: Path) -> None:
+        """Write a checkpoint, which appears when it is whole and can do without the run."""
+        with whole(directory) as part:
+            part.mkdir()
+            for name in (CONFIG_FILE, PROGRESS_FILE):
+                shutil.copyfile(self._run.directory / name, part / name)
+            for name, content in self._files().items():
+                (part / name).write_bytes(content)
+
+    def _files(self) -> dict[str, bytes]:
+        """Name -> content; the policy's card, which marks a directory as complete, is the last."""
+        model = cast(NativePPO, self.model)
         card = {
             **self._run.facts,
             "seed": self._config.seed,
-            "timesteps": int(self.model.num_timesteps),
-            "seconds": round(self.elapsed, 1),
+            "timesteps": int(model.num_timesteps),
+            "seconds": round(self.seconds, 1),
+            "budget_left": model.budget_left(),
         }
-        export_policy(self.model, self._task_config, self._config.activation, card).save(directory)
-        self.model.save(directory / RESUME_FILE)
-        if directory != self._run.directory:
-            config = self._run.directory / "config.json"
-            (directory / config.name).write_bytes(config.read_bytes())
+        archive = io.BytesIO()
+        model.save(archive)
+        policy = export_policy(model, self._task_config, self._config.activation, card)
+        return {RESUME_FILE: archive.getvalue(), **policy.files()}
 
     def finish(self) -> None:
         """Log what is left, and end the progress bar."""

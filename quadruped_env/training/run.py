@@ -1,25 +1,30 @@
 """The directory that a training leaves: what it was asked for, how it went, and the policy."""
 
+import contextlib
 import csv
+import errno
+import io
 import json
 import os
 import platform
 import subprocess
 import time
-from dataclasses import asdict, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from importlib import metadata
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.documents import read_json
-from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, TENSORS_FILE
-from quadruped_env.task import TaskConfig
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.files import unwritable, write_whole
+from quadruped_env.policies.policy import CHECKPOINTS
 from quadruped_env.training.config import TrainConfig
 
 CONFIG_FILE: Final = "config.json"
 PROGRESS_FILE: Final = "progress.csv"
 RESUME_FILE: Final = "sb3_model.zip"
+RESUMED_FROM: Final = "resumed_from"
+"""Field of a resumed run's config and of its policy's card"""
 PROGRESS_COLUMNS: Final = (
     "timesteps",
     "seconds",
@@ -28,86 +33,100 @@ PROGRESS_COLUMNS: Final = (
     "forward_velocity_error",
     "yaw_rate_error",
 )
-"""Of progress.csv, each since the row before: s; reward of a whole episode at the present rate; falls in the time of a
-whole episode; velocity errors in m/s and rad/s, root mean square, with the exploration's noise"""
+"""Columns of progress.csv: environment steps and s, with those of the run that was resumed; and since the row before:
+reward of a whole episode at the present rate; falls in the time of a whole episode; velocity errors in m/s and rad/s,
+root mean square, with the exploration's noise"""
 
-_RESUMED_FIELDS: Final = {"training": ("hidden", "activation", "symmetric"), "task": ("action",)}
-"""What a run's config.json must have for the run to be resumed"""
+LATEST: Final = "latest"
+"""Link to the newest run"""
+_HEADER: Final = dict(zip(PROGRESS_COLUMNS, PROGRESS_COLUMNS, strict=True))
 _LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
 
 
 class Run:
-    """A run directory `<parent>/<time>-<name>/`, and `<parent>/latest` that points to it."""
+    """A run directory `<parent>/<time>-<name>/`, and `<parent>/latest` that points to it.
 
-    def __init__(self, parent: Path, config: TrainConfig, task: dict[str, Any], command: str) -> None:
+    Its files appear when they are whole, but for two that grow: progress.csv, by whole rows, and TensorBoard's.
+
+    Args:
+        parent: the directory of all runs.
+        config: the training in numbers.
+        task: the whole config of its task.
+        command: what the user typed.
+        resumed_from: facts about the run that it goes on from, if there is one.
+        curve: that run's rows of progress.csv.
+
+    Raises:
+        QuadrupedError: if the directory cannot be made, or something else is in the place of `latest`.
+    """
+
+    def __init__(
+        self,
+        parent: Path,
+        config: TrainConfig,
+        task: dict[str, Any],
+        command: str,
+        resumed_from: Mapping[str, Any] | None = None,
+        curve: Iterable[Mapping[str, Any]] = (),
+    ) -> None:
+        check_latest(parent)
         stamp = time.strftime("%Y%m%d-%H%M%S")
-        self.directory = _new_directory(parent, f"{stamp}-{config.name}")
         self.facts = {"command": command, "git_commit": git_commit(), "versions": versions(), "machine": machine()}
+        if resumed_from is not None:
+            self.facts[RESUMED_FROM] = dict(resumed_from)
         document = {"training": asdict(config), "task": task, **self.facts}
-        (self.directory / CONFIG_FILE).write_text(json.dumps(document, indent=2) + "\n")
-        self._progress = (self.directory / PROGRESS_FILE).open("w", newline="")
-        self._writer = csv.DictWriter(self._progress, PROGRESS_COLUMNS)
-        self._writer.writeheader()
-        _point_latest(parent / "latest", self.directory)
+        self.directory = _new_directory(parent, f"{stamp}-{config.name}")
+        try:
+            write_whole(
+                {
+                    self.directory / PROGRESS_FILE: "".join(map(_line, (_HEADER, *curve))).encode(),
+                    self.directory / CONFIG_FILE: (json.dumps(document, indent=2) + "\n").encode(),
+                }
+            )
+        except QuadrupedError:
+            with contextlib.suppress(OSError):
+                self.directory.rmdir()
+            raise
+        self._progress = (self.directory / PROGRESS_FILE).open("ab", buffering=0)
+        _point_latest(parent / LATEST, self.directory)
 
-    def log(self, row: dict[str, float]) -> None:
-        """Add a row to progress.csv."""
-        self._writer.writerow(row)
-        self._progress.flush()
+    def log(self, row: Mapping[str, float]) -> None:
+        """Add a row to progress.csv.
+
+        Raises:
+            QuadrupedError: if it cannot be written; the rows before it stay.
+        """
+        line, end = _line(row).encode(), self._progress.tell()
+        try:
+            if self._progress.write(line) != len(line):
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        except OSError as error:
+            self._progress.truncate(end)
+            raise unwritable(self.directory / PROGRESS_FILE, error) from error
 
     def close(self) -> None:
         """Finish the files."""
         self._progress.close()
 
 
-def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
-    """The training that goes on from a run: a config with the task and the network of that run.
+def check_latest(parent: Path) -> None:
+    """Refuse a directory of runs in which something else has the name of the link to the newest one.
 
     Raises:
-        QuadrupedError: if the directory is not a complete run; the message names the file, the field and the cure.
+        QuadrupedError: if that is so.
     """
-    if not directory.is_dir():
-        raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
-    for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE):
-        if not (directory / name).is_file():
-            raise QuadrupedError(
-                f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its checkpoints/, "
-                f"or train anew"
-            )
-    path = directory / CONFIG_FILE
-    document = read_json(path, "train anew")
-    for section, fields in _RESUMED_FIELDS.items():
-        part = document.get(section) if isinstance(document, dict) else None
-        for field in fields:
-            if not isinstance(part, dict) or field not in part:
-                raise QuadrupedError(f"{path}: field '{section}.{field}' is missing; train anew")
-    training = document["training"]
-    for field, valid, rule in (
-        ("hidden", _is_hidden(training["hidden"]), "a list of whole numbers, 1 or more each"),
-        ("activation", training["activation"] in tuple(ACTIVATIONS), f"one of {', '.join(ACTIVATIONS)}"),
-        ("symmetric", isinstance(training["symmetric"], bool), "true or false"),
-    ):
-        if not valid:
-            raise QuadrupedError(
-                f"{path}: training.{field}: expected {rule}; found {short(training[field])}; train anew"
-            )
-    try:
-        task = TaskConfig.from_dict(document["task"])
-    except QuadrupedError as error:
-        raise QuadrupedError(f"{path}: task: {error}; train anew") from error
-    return replace(
-        config,
-        task=task.to_dict(),
-        action_mode=task.action.mode,
-        hidden=tuple(training["hidden"]),
-        activation=training["activation"],
-        symmetric=training["symmetric"],
-    )
+    link = parent / LATEST
+    if os.path.lexists(link) and not link.is_symlink():
+        raise QuadrupedError(
+            f"--runs: {link} is no symbolic link, and that name is for the link to the newest run; rename it, or name "
+            f"another place"
+        )
 
 
-def _is_hidden(value: Any) -> bool:
-    """Whether a value is the widths of a network's hidden layers."""
-    return isinstance(value, list) and all(type(width) is int and width >= 1 for width in value)
+def _line(row: Mapping[str, Any]) -> str:
+    text = io.StringIO()
+    csv.DictWriter(text, PROGRESS_COLUMNS).writerow(row)
+    return text.getvalue()
 
 
 def run_name(directory: Path) -> str:
@@ -132,9 +151,13 @@ def _new_directory(parent: Path, name: str) -> Path:
 
 
 def _point_latest(link: Path, directory: Path) -> None:
-    temporary = link.with_name(f".latest-{os.getpid()}")
-    temporary.symlink_to(directory.name)
-    temporary.replace(link)
+    temporary = link.with_name(f".{LATEST}-{os.getpid()}")
+    try:
+        temporary.unlink(missing_ok=True)
+        temporary.symlink_to(directory.name)
+        temporary.replace(link)
+    except OSError as error:
+        raise unwritable(link, error) from error
 
 
 def versions() -> dict[str, str]:

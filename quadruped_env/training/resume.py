@@ -1,0 +1,236 @@
+"""The run or checkpoint that a training goes on from: its settings, its step count and its learning curve."""
+
+import csv
+import json
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, fields, replace
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.documents import read_json
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE, finished_directory
+from quadruped_env.task import TaskConfig
+from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE, RESUMED_FROM, run_name
+
+KEPT: Final = ("action_mode", "hidden", "activation", "symmetric", "log_std_init", "task")
+"""Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
+
+
+@dataclass(frozen=True)
+class Parent:
+    """A run or checkpoint to go on from."""
+
+    directory: Path
+    config: TrainConfig
+    """The training that left it, with the whole task"""
+    timesteps: int
+    """Environment steps that its policy has learned from, those of its own parents included"""
+    seconds: float
+    """Wall clock that they took"""
+    budget_left: float
+    """Share of the schedules that was left, from 1 at the start of a training to 0 when its budget is used"""
+    budget_left_at_start: float
+    """The same at the start of its own run, less than 1 if that was resumed too"""
+    curve: tuple[dict[str, str], ...]
+    """Rows of progress.csv up to `timesteps`"""
+
+    @property
+    def name(self) -> str:
+        """The run, or the run and its checkpoint."""
+        return run_name(self.directory)
+
+    @classmethod
+    def load(cls, directory: Path) -> "Parent":
+        """Read a run; of one that was killed, its last checkpoint.
+
+        Raises:
+            QuadrupedError: if the directory is not a complete run; the message names the file, the field and the fix.
+
+        Warns:
+            QuadrupedWarning: if it is a checkpoint, though the run was named.
+        """
+        if not directory.is_dir():
+            raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
+        directory = finished_directory(directory)
+        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, PROGRESS_FILE):
+            if not (directory / name).is_file():
+                raise QuadrupedError(
+                    f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its "
+                    f"checkpoints/, or train anew"
+                )
+        config, budget_left_at_start = _read_config(directory / CONFIG_FILE)
+        card, path = load_policy(directory).card, directory / CARD_FILE
+        timesteps = _number(path, "card", card, "timesteps", whole=True)
+        return cls(
+            directory,
+            config,
+            int(timesteps),
+            _number(path, "card", card, "seconds"),
+            _number(path, "card", card, "budget_left", most=1.0),
+            budget_left_at_start,
+            _read_curve(directory / PROGRESS_FILE, int(timesteps)),
+        )
+
+    def resumed(self, changes: Mapping[str, Any]) -> TrainConfig:
+        """The training that goes on: this one's, but for what was asked for.
+
+        Without a budget it is what this training had left, or as much again if it was complete.
+
+        Args:
+            changes: fields of `TrainConfig` that were asked for.
+
+        Raises:
+            QuadrupedError: if one of them cannot be obeyed, or makes no sense.
+        """
+        self.check(changes)
+        changes = {name: value for name, value in changes.items() if name not in KEPT}
+        if "timesteps" in changes:
+            changes = {"seconds": None, **changes}
+        elif "seconds" not in changes and self.budget_left > 0.0:
+            share = self.budget_left / self.budget_left_at_start
+            budget = "timesteps" if self.config.seconds is None else "seconds"
+            left = getattr(self.config, budget) * share
+            changes[budget] = max(1, round(left)) if budget == "timesteps" else left
+        return replace(self.config, **changes)
+
+    def check(self, asked: Mapping[str, Any]) -> None:
+        """Refuse settings that differ from this training's network or task.
+
+        Raises:
+            QuadrupedError: naming the option, what was asked for and what there is.
+        """
+        for name in KEPT:
+            if name not in asked:
+                continue
+            value, kept = asked[name], getattr(self.config, name)
+            option = name.replace("_", "-")
+            if name == "task":
+                difference = _difference(json.loads(json.dumps(value)), json.loads(json.dumps(kept)))
+                if difference is None:
+                    continue
+                field, value, kept = difference
+                option = f"task: {field}"
+            else:
+                if name == "log_std_init" and value is not None:
+                    kept = self.config.first_log_std
+                if value == kept:
+                    continue
+            raise QuadrupedError(
+                f"--{option}: {short(value)} was asked for, and {self.name} has {short(kept)}; a resumed training "
+                f"keeps its task and network: leave the option out, or train anew without --resume"
+            )
+
+    def facts(self) -> dict[str, Any]:
+        """What the resumed run says of its parent."""
+        facts = {"run": self.name, "timesteps": self.timesteps, "seconds": self.seconds}
+        return {**facts, "budget_left": self.budget_left}
+
+
+def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] | None:
+    """The first field of nested values that is not as in others: its path, its value and the other."""
+    if not isinstance(asked, dict) or not isinstance(kept, dict):
+        return None if asked == kept else (path, asked, kept)
+    for name, value in asked.items():
+        found = _difference(value, kept.get(name), f"{path}.{name}".lstrip("."))
+        if found is not None:
+            return found
+    return None
+
+
+def _read_config(path: Path) -> tuple[TrainConfig, float]:
+    """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
+    document = read_json(path, "train anew")
+    training, task = _section(path, document, "training"), _section(path, document, "task")
+    values = {}
+    for field in fields(TrainConfig):
+        if field.name not in training:
+            raise QuadrupedError(f"{path}: field 'training.{field.name}' is missing; train anew")
+        value = training[field.name]
+        default = {} if field.default is MISSING else field.default
+        rule = _rule(field.name, default, value)
+        if rule is not None:
+            raise QuadrupedError(f"{path}: training.{field.name}: expected {rule}; found {short(value)}; train anew")
+        values[field.name] = value
+    unknown = sorted(set(training) - set(values))
+    if unknown:
+        raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; train anew")
+    try:
+        config = TrainConfig(**{**values, "hidden": tuple(values["hidden"])})
+        whole_task = TaskConfig.from_dict(task)
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{path}: {error}; train anew") from error
+    if whole_task.action.mode != config.action_mode:
+        raise QuadrupedError(
+            f"{path}: training.action_mode is {config.action_mode!r} and task.action.mode is "
+            f"{whole_task.action.mode!r}; train anew"
+        )
+    share = 1.0
+    if document.get(RESUMED_FROM) is not None:
+        share = _number(path, RESUMED_FROM, _section(path, document, RESUMED_FROM), "budget_left", most=1.0)
+    return replace(config, task=whole_task.to_dict()), share
+
+
+def _section(path: Path, document: Any, name: str) -> dict[str, Any]:
+    section = document.get(name) if isinstance(document, dict) else None
+    if not isinstance(section, dict):
+        raise QuadrupedError(f"{path}: field '{name}' is missing, or no table of fields; train anew")
+    return section
+
+
+def _rule(name: str, default: Any, value: Any) -> str | None:
+    """What a field of `TrainConfig` must be, as JSON has it, if a value is not; its range is checked elsewhere."""
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    checks = {
+        "hidden": (
+            isinstance(value, list) and all(type(width) is int and width >= 1 for width in value),
+            "a list of whole numbers, 1 or more each",
+        ),
+        "activation": (isinstance(value, str) and value in ACTIVATIONS, f"one of {', '.join(ACTIVATIONS)}"),
+        "task": (isinstance(value, dict), "a table of fields"),
+    }
+    kinds = {
+        bool: (isinstance(value, bool), "true or false"),
+        int: (number and isinstance(value, int), "a whole number"),
+        float: (number, "a number"),
+        str: (isinstance(value, str), "a text"),
+        type(None): (number or value is None, "a number or null"),
+    }
+    valid, rule = checks.get(name) or kinds[type(default)]
+    return None if valid else rule
+
+
+def _number(
+    path: Path, section: str, values: Mapping[str, Any], name: str, most: float = float("inf"), whole: bool = False
+) -> float:
+    value = values.get(name)
+    kinds = (int,) if whole else (int, float)
+    if isinstance(value, bool) or not isinstance(value, kinds) or not 0 <= value <= most:
+        rule = f"a {'whole ' * whole}number, 0 {'or more' if most == float('inf') else f'to {most:g}'}"
+        raise QuadrupedError(f"{path}: {section}.{name}: expected {rule}; found {short(value)}; train anew")
+    return value
+
+
+def _read_curve(path: Path, timesteps: int) -> tuple[dict[str, str], ...]:
+    """The rows of a learning curve up to a number of steps."""
+    rows = []
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            reader = csv.DictReader(file)
+            if tuple(reader.fieldnames or ()) != PROGRESS_COLUMNS:
+                raise QuadrupedError(
+                    f"{path}: line 1: expected the columns {', '.join(PROGRESS_COLUMNS)}; "
+                    f"found {short(','.join(reader.fieldnames or ()))}; train anew"
+                )
+            for row in reader:
+                if any(row[name] is None for name in PROGRESS_COLUMNS) or float(row["timesteps"]) > timesteps:
+                    # Later than the checkpoint, or the line that a killed run left unfinished.
+                    break
+                rows.append({name: row[name] for name in PROGRESS_COLUMNS})
+    except (ValueError, csv.Error) as error:
+        if isinstance(error, QuadrupedError):
+            raise
+        raise QuadrupedError(f"{path}: not a table of numbers ({error}); train anew") from error
+    return tuple(rows)

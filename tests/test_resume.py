@@ -1,0 +1,363 @@
+"""Going on from a run: settings, steps, schedules and curve are the parent's; what cannot be obeyed is refused."""
+
+import json
+import re
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
+from waiting import wait_until
+
+from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy import CARD_FILE, CHECKPOINTS, TENSORS_FILE
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
+
+SMALL = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "hidden": (8,), "learning_rate": 1e-3, "log_std_init": -1.5}
+STEPS = 32
+"""Environment steps of an update."""
+
+
+def learn(runs, config, resume=None):
+    """Train in this process; the run directory."""
+    from quadruped_env.training import ppo
+
+    return ppo.train(config, runs, "train", resume)[0]
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """A complete run of eight updates."""
+    return learn(tmp_path_factory.mktemp("runs"), TrainConfig(timesteps=8 * STEPS, name="first", **SMALL))
+
+
+@pytest.fixture
+def copy(run, tmp_path):
+    """A copy of that run, to be damaged."""
+    return shutil.copytree(run, tmp_path / "run")
+
+
+@pytest.fixture
+def killed(run, tmp_path):
+    """The directory of a run that was killed: its second and last checkpoint has half the budget left."""
+    directory = tmp_path / "killed"
+    for name, share in (("00001s", 0.75), ("00002s", 0.5)):
+        checkpoint = shutil.copytree(run, directory / CHECKPOINTS / name)
+        edit(checkpoint / CARD_FILE, "card", timesteps=round((1 - share) * 8 * STEPS), budget_left=share)
+    for name in (CONFIG_FILE, PROGRESS_FILE):
+        shutil.copy(run / name, directory / name)
+    return directory
+
+
+def edit(path, section, **changes):
+    """Change fields of a section of a JSON file; a field of None is removed."""
+    document = json.loads(path.read_text())
+    section = document[section]
+    section.update(changes)
+    for name, value in changes.items():
+        if value is None:
+            del section[name]
+    path.write_text(json.dumps(document))
+
+
+# --- what cannot be obeyed ---
+
+
+@pytest.mark.parametrize(
+    ("asked", "message"),
+    [
+        (
+            {"action_mode": "position"},
+            r"--action-mode: 'position' was asked for, and \S+-first has 'residual'; .*leave",
+        ),
+        ({"hidden": (32, 32)}, r"--hidden: \(32, 32\) was asked for, and \S+-first has \(8,\)"),
+        ({"activation": "tanh"}, r"--activation: 'tanh' was asked for, and \S+-first has 'elu'"),
+        ({"symmetric": False}, r"--symmetric: False was asked for, and \S+-first has True"),
+        ({"log_std_init": -1.0}, r"--log-std-init: -1.0 was asked for, and \S+-first has -1.5"),
+        ({"task": {"decimation": 7}}, r"--task: decimation: 7 was asked for, and \S+-first has 4;"),
+        (
+            {"task": {"reward": {"weights": {"upright": -9.0}}}},
+            r"--task: reward.weights.upright: -9.0 was asked for, and \S+-first has",
+        ),
+        ({"task": {"tempo": 1}}, r"--task: tempo: 1 was asked for, and \S+-first has None"),
+        ({"batch_size": 999}, r"--batch-size: 999 is more than the 32 samples"),
+    ],
+)
+def test_a_setting_that_a_resumed_training_cannot_obey_is_refused(run, asked, message):
+    with pytest.raises(QuadrupedError, match=message):
+        Parent.load(run).resumed(asked)
+
+
+def test_settings_that_are_the_run_s_own_are_no_conflict(run):
+    parent = Parent.load(run)
+    task = {"decimation": parent.config.task["decimation"], "reward": {"weights": {}}}
+    asked = {"action_mode": "residual", "hidden": (8,), "log_std_init": -1.5, "symmetric": True, "task": task}
+    assert parent.resumed(asked) == parent.resumed({})
+
+
+def test_the_program_refuses_a_flag_that_it_cannot_obey(run, tmp_path):
+    arguments = command(tmp_path / "runs", "--resume", run, "--action-mode", "position", "--hidden", 8)
+    done = subprocess.run(arguments, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert re.fullmatch(r"error: --action-mode: 'position' was asked for, and .* has 'residual'; .*\n", done.stderr)
+    assert not (tmp_path / "runs").exists()
+
+
+def test_train_refuses_a_config_of_another_network(run, tmp_path):
+    with pytest.raises(QuadrupedError, match=r"--hidden: \(64, 64\) was asked for"):
+        learn(tmp_path, TrainConfig(), resume=run)
+    assert not list(tmp_path.iterdir())
+
+
+# --- what is taken over ---
+
+
+def test_settings_that_were_not_asked_for_are_the_run_s(run):
+    parent = Parent.load(run)
+    assert parent.resumed({}) == parent.config
+    changed = parent.resumed({"learning_rate": 5e-4, "name": "second"})
+    assert (changed.learning_rate, changed.name, changed.num_envs) == (5e-4, "second", 4)
+
+
+def test_the_budget_is_what_a_run_had_left_or_as_much_again_or_what_is_asked_for(run, killed):
+    whole = Parent.load(run)
+    assert whole.budget_left == 0.0
+    assert whole.resumed({}).timesteps == 8 * STEPS
+    with pytest.warns(QuadrupedWarning):
+        half = Parent.load(killed)
+    assert half.resumed({}).timesteps == 4 * STEPS
+    assert half.resumed({"timesteps": 99}).timesteps == 99
+    assert half.resumed({"seconds": 3.0}).seconds == 3.0
+    edit(half.directory / CONFIG_FILE, "training", seconds=60.0)
+    timed = Parent.load(half.directory)
+    assert timed.resumed({}).seconds == 30.0
+    assert timed.resumed({"timesteps": 99}).seconds is None
+
+
+def test_a_resumed_training_goes_on_with_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
+    from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
+
+    from quadruped_env.training import ppo
+
+    seen = []
+    collect, update = OnPolicyAlgorithm.collect_rollouts, ppo.NativePPO.train
+
+    def watched_collect(self, *args, **kwargs):
+        seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
+        return collect(self, *args, **kwargs)
+
+    def watched_update(self):
+        update(self)
+        seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
+
+    monkeypatch.setattr(OnPolicyAlgorithm, "collect_rollouts", watched_collect)
+    monkeypatch.setattr(ppo.NativePPO, "train", watched_update)
+    checkpoint = killed / CHECKPOINTS / "00002s"
+    parent = Parent.load(checkpoint)
+    directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
+
+    steps = [number for kind, number, _ in seen if kind == "noise"]
+    assert steps == [(4 + i) * STEPS for i in range(4)]
+    rates = [value for kind, _, value in seen if kind == "rate"]
+    np.testing.assert_allclose(rates, [1e-3 * (0.1 + 0.9 * left) for left in (0.375, 0.25, 0.125, 0.0)])
+    for left, value in zip((0.5, 0.375, 0.25, 0.125), [v for kind, _, v in seen if kind == "noise"], strict=True):
+        assert value <= -4.0 + 2.5 * left + 1e-6
+
+    policy = assert_complete(directory)
+    assert policy.card["timesteps"] == 8 * STEPS
+    assert policy.card["budget_left"] == 0.0
+    assert policy.card["seconds"] >= parent.seconds
+    expected = {"run": "killed/checkpoints/00002s", "timesteps": 4 * STEPS, "seconds": parent.seconds}
+    for facts in (policy.card["resumed_from"], json.loads((directory / CONFIG_FILE).read_text())["resumed_from"]):
+        assert facts == {**expected, "budget_left": 0.5}
+    rows = progress(directory)
+    assert rows[: len(parent.curve)] == list(parent.curve)
+    assert [int(row["timesteps"]) for row in rows][len(parent.curve) :] == [8 * STEPS]
+    assert float(rows[-1]["seconds"]) >= parent.seconds
+    # A run that was resumed itself knows how much of its budget is left.
+    again = Parent.load(directory)
+    assert again.budget_left_at_start == 0.5
+    assert again.resumed({}).timesteps == 4 * STEPS
+
+
+def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
+    header = (copy / PROGRESS_FILE).read_text().splitlines()[0]
+    lines = [header, "100,1,1,0,0.1,0.1", f"{8 * STEPS},2,1,0,0.1,0.1", f"{9 * STEPS},3,1,0,0.1,0.1", "1e9,4"]
+    (copy / PROGRESS_FILE).write_text("\n".join(lines))
+    assert [row["timesteps"] for row in Parent.load(copy).curve] == ["100", str(8 * STEPS)]
+
+
+def test_network_and_optimizer_are_the_run_s(run):
+    from quadruped_env.envs import make_sb3_vec_env
+    from quadruped_env.training import ppo
+
+    parent = Parent.load(run)
+    env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
+    model = ppo.make_model(parent.config, env)
+    model.go_on_from(parent)
+    exported = ppo.export_policy(model, env.task.config, "elu", {})
+    for one, other in zip(exported.weights, load_policy(run).weights, strict=True):
+        np.testing.assert_array_equal(one, other)
+    assert model.policy.optimizer.state_dict()["state"], "Adam's moments"
+    env.close()
+
+
+# --- runs that were killed ---
+
+
+def test_of_a_killed_run_the_last_checkpoint_is_resumed_and_evaluated_with_a_word(killed):
+    with pytest.warns(QuadrupedWarning, match=r"killed: the training was killed .*: checkpoints/00002s$"):
+        assert Parent.load(killed).name == "killed/checkpoints/00002s"
+    with pytest.warns(QuadrupedWarning, match=r"last checkpoint is used"):
+        subject = find_subject(str(killed))
+    assert subject.name == "killed/checkpoints/00002s"
+    assert subject.output == killed / "evaluation"
+    assert subject.progress_file == killed.resolve() / CHECKPOINTS / "00002s" / PROGRESS_FILE
+    assert subject.policy.card["timesteps"] == 4 * STEPS
+
+
+@pytest.mark.slow
+def test_a_killed_training_goes_on_from_its_last_checkpoint(tmp_path):
+    with running(tmp_path, *ENDLESS, "--checkpoint-seconds", "0.5") as process:
+        checkpoints = (tmp_path / "latest").resolve() / CHECKPOINTS
+        wait_until(lambda: len(list(checkpoints.glob(f"*/{CARD_FILE}"))) >= 2, "two checkpoints", alive=process)
+    # It was killed: the run has no policy of its own, only its checkpoints do, and each of them is whole.
+    every = sorted(path for path in checkpoints.iterdir() if not path.name.startswith("."))
+    steps = [load_policy(path).card["timesteps"] for path in every]
+    assert steps == sorted(set(steps))
+    assert scalars(checkpoints.parent)
+    arguments = command(tmp_path, "--resume", tmp_path / "latest", "--timesteps", 2048)
+    done = subprocess.run(arguments, capture_output=True, text=True, check=True)
+    assert "ppo.py: " in done.stderr
+    assert f"its last checkpoint is used: {CHECKPOINTS}/{every[-1].name}" in done.stderr
+    assert f"{CHECKPOINTS}/{every[-1].name} at {steps[-1]:,} steps, for 2,048 steps" in done.stdout
+    assert assert_complete((tmp_path / "latest").resolve()).card["timesteps"] >= steps[-1] + 2048
+    resumed = train(tmp_path / "first", "--timesteps", 2048, "--resume", every[0])
+    assert_complete(resumed)
+
+
+@pytest.mark.slow
+def test_resuming_goes_on_with_the_task_and_the_network_of_the_run(tmp_path):
+    task = {"decimation": 5, "reward": {"weights": {"upright": -3.5}}}
+    first = train(
+        tmp_path, *TINY, "--action-mode", "position", "--hidden", 24, "--activation", "relu", "--task", json.dumps(task)
+    )
+    # So slow that what it began with is still there.
+    resumed = train(tmp_path, *TINY, "--resume", first, "--learning-rate", "1e-12")
+    policy, start = assert_complete(resumed), load_policy(first)
+    assert resumed != first
+    assert policy.config == start.config
+    assert policy.activation == "relu"
+    for one, other in zip(policy.weights + policy.biases, start.weights + start.biases, strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-6)
+    assert policy.card["timesteps"] == 4096
+    learned = train(tmp_path, "--resume", first)
+    assert any(
+        abs(one - other).max() > 1e-5 for one, other in zip(load_policy(learned).weights, start.weights, strict=True)
+    )
+
+
+# --- damaged runs ---
+
+
+@pytest.mark.parametrize("name", [CONFIG_FILE, PROGRESS_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE])
+def test_an_incomplete_run_is_not_resumed(copy, name):
+    Parent.load(copy)
+    (copy / name).unlink()
+    with pytest.raises(QuadrupedError, match=rf"--resume: {copy / name} is missing.*checkpoints/, or train anew"):
+        Parent.load(copy)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("{", r"config.json: not valid JSON.*train anew"),
+        ("{}", r"config.json: field 'training' is missing, or no table of fields; train anew"),
+        ("[]", r"config.json: field 'training' is missing"),
+        ('{"training": [], "task": {}}', r"config.json: field 'training' is missing"),
+        ('{"training": {}}', r"config.json: field 'task' is missing"),
+        ('{"training": {"hidden": [8]}, "task": {}}', r"config.json: field 'training.action_mode' is missing; train"),
+    ],
+)
+def test_a_damaged_config_is_not_resumed(copy, text, message):
+    (copy / CONFIG_FILE).write_text(text)
+    with pytest.raises(QuadrupedError, match=message):
+        Parent.load(copy)
+
+
+@pytest.mark.parametrize(
+    ("file", "section", "changes", "message"),
+    [
+        (CONFIG_FILE, "training", {"gamma": None}, r"field 'training.gamma' is missing; train anew"),
+        (
+            CONFIG_FILE,
+            "training",
+            {"hidden": [8.5]},
+            r"training.hidden: expected a list of whole numbers, 1 or more each",
+        ),
+        (
+            CONFIG_FILE,
+            "training",
+            {"activation": "gelu"},
+            r"training.activation: expected one of tanh, elu, relu; found",
+        ),
+        (CONFIG_FILE, "training", {"symmetric": 1}, r"training.symmetric: expected true or false; found 1"),
+        (CONFIG_FILE, "training", {"num_envs": "4"}, r"training.num_envs: expected a whole number; found '4'"),
+        (CONFIG_FILE, "training", {"gamma": True}, r"training.gamma: expected a number; found True"),
+        (CONFIG_FILE, "training", {"gamma": 2.0}, r"config.json: --gamma: .*found 2.0; train anew"),
+        (CONFIG_FILE, "training", {"seconds": "x"}, r"training.seconds: expected a number or null; found 'x'"),
+        (CONFIG_FILE, "training", {"tempo": 1}, r"training has the unknown field 'tempo'; train anew"),
+        (
+            CONFIG_FILE,
+            "training",
+            {"action_mode": "position"},
+            r"action_mode is 'position' and task.action.mode is 'resi",
+        ),
+        (CONFIG_FILE, "task", {"tempo": 1}, r"config.json: config: unknown field 'tempo'.*train anew"),
+        (
+            CARD_FILE,
+            "card",
+            {"timesteps": None},
+            r"policy.json: card.timesteps: expected a whole number, 0 or more; fou",
+        ),
+        (CARD_FILE, "card", {"timesteps": 1.5}, r"card.timesteps: expected a whole number, 0 or more; found 1.5"),
+        (CARD_FILE, "card", {"budget_left": 1.5}, r"card.budget_left: expected a number, 0 to 1; found 1.5"),
+        (CARD_FILE, "card", {"seconds": "9" * 999}, r"card.seconds: expected a number, 0 or more; found '9{40}\.\.\.';"),
+    ],
+)
+def test_a_run_with_a_damaged_field_is_not_resumed(copy, file, section, changes, message):
+    edit(copy / file, section, **changes)
+    with pytest.raises(QuadrupedError, match=message):
+        Parent.load(copy)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", r"progress.csv: line 1: expected the columns timesteps, seconds, .*; found ''; train anew"),
+        ("a,b\n1,2\n", r"line 1: expected the columns .*; found 'a,b'; train anew"),
+    ],
+)
+def test_a_run_with_a_damaged_curve_is_not_resumed(copy, text, message):
+    (copy / PROGRESS_FILE).write_text(text)
+    with pytest.raises(QuadrupedError, match=message):
+        Parent.load(copy)
+
+
+def test_a_run_with_a_curve_of_words_is_not_resumed(copy):
+    header = (copy / PROGRESS_FILE).read_text().splitlines()[0]
+    (copy / PROGRESS_FILE).write_text(f"{header}\nmany,1,1,0,0.1,0.1\n")
+    with pytest.raises(QuadrupedError, match=r"progress.csv: not a table of numbers \(.*'many'\); train anew"):
+        Parent.load(copy)
+
+
+def test_a_run_whose_network_is_damaged_is_not_resumed(copy, tmp_path):
+    (copy / RESUME_FILE).write_bytes(b"PK nothing")
+    with pytest.raises(QuadrupedError, match=rf"{copy}/{RESUME_FILE}: cannot be read .*; train anew"):
+        learn(tmp_path / "runs", Parent.load(copy).resumed({}), copy)
+    assert not (tmp_path / "runs").exists()
