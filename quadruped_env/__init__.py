@@ -11,6 +11,7 @@ from quadruped_env._opengl import choose_opengl
 choose_opengl()  # before anything imports MuJoCo, which reads the choice when it is imported
 
 from quadruped_env import envs, policies  # noqa: E402
+from quadruped_env._mujoco_log import log_to_console_only  # noqa: E402
 from quadruped_env._version import __version__  # noqa: E402
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning  # noqa: E402
 from quadruped_env.gait import CommandedGait, SinusoidalGait  # noqa: E402
@@ -35,4 +36,5 @@ __all__ = [
     "policies",
 ]
 
+log_to_console_only()
 envs.register()

@@ -3,11 +3,13 @@
 import dataclasses
 import enum
 import sys
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
+
+_PLAIN: Final = frozenset({float, int, str, bool, type(None)})
 
 
 def plain(value: Any) -> Any:
@@ -16,6 +18,8 @@ def plain(value: Any) -> Any:
     NumPy scalars become Python's numbers, arrays, tuples and lists become lists, enums their values, dataclasses dicts.
     Everything else stays as it is.
     """
+    if type(value) in _PLAIN:  # most are, and this is the cheapest question
+        return value
     if isinstance(value, (np.generic, np.ndarray)):
         return value.tolist()
     if isinstance(value, dict):
@@ -36,14 +40,11 @@ class PlainFields:
     """
 
     def __post_init__(self) -> None:
-        for entry in dataclasses.fields(self):  # type: ignore[arg-type]  # every subclass is a dataclass
-            value = getattr(self, entry.name)
-            if isinstance(value, (np.generic, np.ndarray)):
-                object.__setattr__(self, entry.name, _tuples(value.tolist()))
-            elif isinstance(value, (tuple, list)):
-                object.__setattr__(self, entry.name, _tuples(plain(value)))
-            elif isinstance(value, dict):
-                object.__setattr__(self, entry.name, plain(value))
+        for name, value in tuple(vars(self).items()):
+            if isinstance(value, dict):
+                object.__setattr__(self, name, plain(value))
+            elif isinstance(value, (np.generic, np.ndarray, tuple, list)):
+                object.__setattr__(self, name, _tuples(plain(value)))
 
 
 def _tuples(value: Any) -> Any:

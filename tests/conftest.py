@@ -93,12 +93,6 @@ def ros2(request, domain_id):
     return ros2_peers.Ros2(request.param)
 
 
-@pytest.fixture
-def tmp_cwd(tmp_path, monkeypatch):
-    """A working directory of the test's own: MuJoCo writes its warnings to a file there."""
-    monkeypatch.chdir(tmp_path)
-
-
 # Not for the whole session: while it lives, Playwright's event loop is the thread's, and no test could run its own.
 @pytest.fixture(scope="module")
 def chromium():

@@ -1,6 +1,8 @@
 """The environments: Gymnasium's contract, single == vector to the last bit, info and divergence."""
 
 import copy
+import subprocess
+import sys
 
 import gymnasium
 import mujoco
@@ -21,6 +23,7 @@ from environments import (
 )
 from gymnasium.utils.env_checker import check_env
 from gymnasium.vector import AutoresetMode
+from waiting import output_of
 
 from quadruped_env.envs import ENV_ID, MAX_EPISODE_STEPS, MiniQuadrupedVectorEnv
 from quadruped_env.task import OBSERVATION_WIDTH
@@ -40,7 +43,6 @@ def test_stable_baselines3s_checker_finds_nothing_to_warn_about(mode):
     check_sb3_env(make(action_mode=mode))
 
 
-@pytest.mark.usefixtures("tmp_cwd")
 @pytest.mark.parametrize("mode", ACTION_MODES)
 def test_observations_stay_in_their_space_whatever_happens(mode):
     env = make_native(64, action_mode=mode, config=ROUGH | {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}})
@@ -291,7 +293,6 @@ def test_what_a_call_returned_does_not_change_later():
 # --- divergence ---
 
 
-@pytest.mark.usefixtures("tmp_cwd")
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e11])
 def test_a_state_that_blows_up_ends_the_episode_as_diverged(value):
     env = make(config=SAFE)
@@ -310,7 +311,6 @@ def test_a_state_that_blows_up_ends_the_episode_as_diverged(value):
     assert not terminated
 
 
-@pytest.mark.usefixtures("tmp_cwd")
 @pytest.mark.parametrize("value", [np.nan, 1e11])
 def test_a_row_that_blows_up_leaves_the_others_bits_untouched(value):
     env, healthy = (make_native(4, config=SAFE) for _ in range(2))
@@ -334,3 +334,39 @@ def test_a_row_that_blows_up_leaves_the_others_bits_untouched(value):
             assert not terminated.any()
             assert not info["diverged"].any()
         assert observation in env.observation_space
+
+
+DIVERGE = """
+import gymnasium, numpy as np{imports}, quadruped_env
+env = gymnasium.make("MiniQuadruped-v0")
+env.reset(seed=0)
+env.unwrapped.data.qvel[3] = np.nan
+assert env.step(np.zeros(8))[4]["diverged"]
+env = gymnasium.make_vec("MiniQuadruped-v0", num_envs=64, num_threads=4)
+env.reset(seed=0)
+env.task.simulation.batch.bind("qvel")[:, 3] = np.nan
+assert env.step(np.zeros((64, 8)))[4]["final_info"]["diverged"].all()
+"""
+
+
+def test_divergence_prints_mujocos_warnings_and_writes_no_file(tmp_path):
+    process = run_python(DIVERGE.format(imports=""), tmp_path)
+    _, errors = output_of(process)
+    assert process.returncode == 0, errors
+    # Once per simulation.
+    assert errors.count("The simulation is unstable") == 65
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_log_file_that_the_user_chose_is_kept(tmp_path):
+    choice = ", mujoco; config = mujoco.MjLogConfig.get(); config.logfile = 'own.txt'; config.set(); import"
+    process = run_python(DIVERGE.format(imports=choice + " numpy"), tmp_path)
+    _, errors = output_of(process)
+    assert process.returncode == 0, errors
+    assert [path.name for path in tmp_path.iterdir()] == ["own.txt"]
+
+
+def run_python(code, directory):
+    return subprocess.Popen(
+        [sys.executable, "-c", code], cwd=directory, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )

@@ -327,7 +327,12 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
         ),
         (CARD_FILE, "card", {"timesteps": 1.5}, r"card.timesteps: expected a whole number, 0 or more; found 1.5"),
         (CARD_FILE, "card", {"budget_left": 1.5}, r"card.budget_left: expected a number, 0 to 1; found 1.5"),
-        (CARD_FILE, "card", {"seconds": "9" * 999}, r"card.seconds: expected a number, 0 or more; found '9{40}\.\.\.';"),
+        (
+            CARD_FILE,
+            "card",
+            {"seconds": "9" * 999},
+            r"card.seconds: expected a number, 0 or more; found '9{40}\.\.\.';",
+        ),
     ],
 )
 def test_a_run_with_a_damaged_field_is_not_resumed(copy, file, section, changes, message):

@@ -225,7 +225,6 @@ def diverge_by_nan_start(simulation, row):
     simulation.reset(np.array([row]), qpos, qvel)
 
 
-@pytest.mark.usefixtures("tmp_cwd")
 @pytest.mark.parametrize("diverge", [diverge_by_velocity, diverge_by_nan_velocity, diverge_by_nan_start])
 def test_divergence_is_reported_for_its_row_until_its_reset(driver, diverge):
     plain, disturbed = start(driver), start(driver)
@@ -246,7 +245,6 @@ def test_divergence_is_reported_for_its_row_until_its_reset(driver, diverge):
     assert not disturbed.diverged().any()
 
 
-@pytest.mark.usefixtures("tmp_cwd")
 @pytest.mark.parametrize("diverge", [diverge_by_velocity, diverge_by_nan_velocity, diverge_by_nan_start])
 def test_both_drivers_go_on_alike_after_a_divergence(diverge):
     results = []
@@ -298,7 +296,6 @@ def test_a_push_right_after_restoring_keeps_the_restored_forces(driver):
         np.testing.assert_array_equal(simulation.reading(name), expected, err_msg=name)
 
 
-@pytest.mark.usefixtures("tmp_cwd")
 def test_restoring_brings_back_whether_a_row_had_diverged(driver):
     simulation = start(driver)
     run(simulation, 3, seed=1)

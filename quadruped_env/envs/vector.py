@@ -70,7 +70,6 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         model = load_model(task_config.physics_timestep, task_config.motor)
         self._simulation = BatchSimulation(model, self.num_envs, num_threads)
         self.task = Task(self._simulation, task_config, max_episode_steps)
-        self._renderer: SceneRenderer | None = None
 
     @property
     def spec(self) -> EnvSpec | None:
@@ -82,6 +81,8 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         self._spec = spaces.plain_spec(value)
 
     _spec: EnvSpec | None = None
+    # The class's, so that an env whose arguments were refused can be closed, as Gymnasium 1.2 does.
+    _renderer: SceneRenderer | None = None
 
     @property  # type: ignore[misc]  # read-only, and one for each environment, as in SyncVectorEnv
     def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]

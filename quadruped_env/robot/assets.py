@@ -1,5 +1,7 @@
 """Where the model files are, and the model compiled from them."""
 
+import copy
+import functools
 import importlib.util
 from pathlib import Path
 
@@ -12,6 +14,7 @@ ASSETS = ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml")
 MAPS = ("dyna1.toml",)
 
 
+@functools.cache
 def _asset_directory() -> Path:
     """The directory of the assets: inside an installed package, beside it in a checkout."""
     # An editable install maps the package `quadruped_env.assets` to the checkout's folder, and a wheel holds a
@@ -34,13 +37,22 @@ def asset_path(name: str) -> Path:
 
 
 def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
-    """The robot on its ground, compiled.
+    """The robot on its ground, compiled: a model of the caller's own.
 
     Args:
         timestep: physics step in s, or None for the one that the model file states.
         motors: other motors than the model file's.
     """
-    spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
+    files = tuple(asset_path(name) for name in ("scene.xml", "mini_quadruped.xml"))
+    # Compiling costs thirty times as much as copying, so every process compiles each variant once.
+    return copy.copy(_compiled(timestep, motors, files, tuple(file.stat().st_mtime_ns for file in files)))
+
+
+@functools.lru_cache(maxsize=8)
+def _compiled(
+    timestep: float | None, motors: MotorConfig | None, files: tuple[Path, ...], _modified: tuple[int, ...]
+) -> mujoco.MjModel:
+    spec = mujoco.MjSpec.from_file(str(files[0]))
     if timestep is not None:
         spec.option.timestep = timestep
     if motors is not None and motors != MotorConfig():

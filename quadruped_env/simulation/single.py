@@ -27,7 +27,9 @@ class SingleSimulation:
     def _bind(self) -> None:
         self.state = State.from_sensordata(self.model, self.data.sensordata[None])
         self._ctrl = self.data.ctrl
-        self._warnings = tuple(self.data.warning[DIVERGENCE_WARNINGS])
+        # One by one: MuJoCo's list of them is slow to iterate over.
+        warnings = self.data.warning
+        self._warnings = tuple(warnings[i] for i in range(DIVERGENCE_WARNINGS.start, DIVERGENCE_WARNINGS.stop))
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
@@ -53,7 +55,8 @@ class SingleSimulation:
         data.qpos = qpos[0]
         data.qvel = qvel[0]
         self._ctrl[:] = qpos[0, 7:]
-        fill_command_history(self.model, data.history[None], qpos[:, 7:])
+        if self.model.nhistory:
+            fill_command_history(self.model, data.history[None], qpos[:, 7:])
         mujoco.mj_checkPos(self.model, data)  # mj_forward does not check the start for NaN
         mujoco.mj_checkVel(self.model, data)
         mujoco.mj_forward(self.model, data)

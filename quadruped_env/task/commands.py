@@ -20,12 +20,10 @@ DRAWS: Final = 4
 def sample_command(draws: NDArray[np.float64], config: CommandConfig) -> tuple[NDArray[Any], NDArray[Any]]:
     """Commands (R, 2) in m/s and rad/s, and seconds (R,) until the next one, from uniform draws (R, 4)."""
     kind = draws[:, 0]
-    command = np.stack(
-        [between(config.forward_velocity, draws[:, 1]), between(config.yaw_rate, draws[:, 2])],
-        axis=1,
-    )
-    command[kind < config.standing_fraction + config.straight_fraction, 1] = 0.0
-    command[kind < config.standing_fraction] = 0.0
+    low, high = config.bounds
+    command = low + (high - low) * draws[:, 1:3]
+    np.copyto(command[:, 1], 0.0, where=kind < config.standing_fraction + config.straight_fraction)
+    np.copyto(command[:, 0], 0.0, where=kind < config.standing_fraction)
     return command, between(config.resample_interval, draws[:, 3])
 
 

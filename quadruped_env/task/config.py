@@ -88,6 +88,11 @@ class CommandConfig(PlainFields):
     resample_interval: Range = (3.0, 6.0)
     """s between new commands within an episode."""
 
+    @functools.cached_property
+    def bounds(self) -> NDArray[np.float64]:
+        """Lowest and highest forward velocity (m/s) and yaw rate (rad/s), (2, 2)."""
+        return np.array([self.forward_velocity, self.yaw_rate]).T
+
     def __post_init__(self) -> None:
         super().__post_init__()
         _check_range("command.forward_velocity", self.forward_velocity)
@@ -175,6 +180,13 @@ class RandomizationConfig(PlainFields):
     """s between pushes"""
     observation_noise: float = 0.0
     """Share of each observation field's noise amplitude (see `OBSERVATION_LAYOUT`); 1 is a real robot's"""
+
+    @functools.cached_property
+    def start_scale(self) -> NDArray[np.float64]:
+        """Largest start offsets: joints (8,), joint velocities (8,), base velocity (6,), roll, pitch and yaw: (25,)."""
+        tilts = [self.start_tilt, self.start_tilt, math.pi]
+        counts = ((self.start_joint_position, 8), (self.start_joint_velocity, 8), (self.start_base_velocity, 6))
+        return np.concatenate([np.full(count, value) for value, count in counts] + [tilts])
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -22,33 +22,30 @@ def start_states(
     draws: NDArray[np.float64], config: RandomizationConfig
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Positions (R, 15) and velocities (R, 14) to start episodes from, from uniform draws (R, START_DRAWS)."""
-    signed = between(_SIGNED, draws)
+    offset = between(_SIGNED, draws[:, :25]) * config.start_scale
     qpos = np.zeros((len(draws), 15))
-    qvel = np.zeros((len(draws), 14))
+    qvel = np.empty((len(draws), 14))
     qpos[:, 2] = STANCE_HEIGHT + (_START_CLEARANCE if config.start_joint_position or config.start_tilt else 0.0)
-    qpos[:, 7:] = STANCE + config.start_joint_position * signed[:, 0:8]
-    qvel[:, 6:] = config.start_joint_velocity * signed[:, 8:16]
-    qvel[:, :6] = config.start_base_velocity * signed[:, 16:22]
-    qpos[:, 3:7] = _quaternion(
-        roll=config.start_tilt * signed[:, 22], pitch=config.start_tilt * signed[:, 23], yaw=np.pi * signed[:, 24]
-    )
+    qpos[:, 3:7] = _quaternion(offset[:, 22:25])
+    qpos[:, 7:] = STANCE + offset[:, 0:8]
+    qvel[:, :6] = offset[:, 16:22]
+    qvel[:, 6:] = offset[:, 8:16]
     return qpos, qvel
 
 
-def _quaternion(roll: NDArray[np.float64], pitch: NDArray[np.float64], yaw: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Quaternions wxyz (R, 4) of intrinsic yaw, pitch, roll in rad."""
-    cr, sr = np.cos(roll / 2), np.sin(roll / 2)
-    cp, sp = np.cos(pitch / 2), np.sin(pitch / 2)
-    cy, sy = np.cos(yaw / 2), np.sin(yaw / 2)
-    return np.stack(
-        [
-            cr * cp * cy + sr * sp * sy,
-            sr * cp * cy - cr * sp * sy,
-            cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy,
-        ],
-        axis=1,
-    )
+# Columns of (cos roll, cos pitch, cos yaw, sin roll, sin pitch, sin yaw), of half the angles: w, x, y and z are each
+# the product of the first three factors, and plus or minus the product of the last three.
+_FACTORS: Final = np.array(
+    [[0, 3, 0, 0], [1, 1, 4, 1], [2, 2, 2, 5], [3, 0, 3, 3], [4, 4, 1, 4], [5, 5, 5, 2]], dtype=np.intp
+)
+_SIGNS: Final = np.array([1.0, -1.0, 1.0, -1.0])
+
+
+def _quaternion(angles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Quaternions wxyz (R, 4) of roll, pitch and yaw (R, 3) in rad, turned by yaw, then pitch, then roll."""
+    half = angles / 2
+    factors = np.concatenate([np.cos(half), np.sin(half)], axis=1)[:, _FACTORS]
+    return factors[:, 0] * factors[:, 1] * factors[:, 2] + factors[:, 3] * factors[:, 4] * factors[:, 5] * _SIGNS
 
 
 class ModelRandomizer:

@@ -20,7 +20,7 @@ from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from quadruped_env.simulation import Simulation
 from quadruped_env.task import commands, observations, randomization, rewards, terminations
-from quadruped_env.task.arrays import MINUS_ONE, ONE
+from quadruped_env.task.arrays import MINUS_ONE, ONE, any_of
 from quadruped_env.task.config import TaskConfig
 
 ACTION_WIDTH: Final = len(JOINT_NAMES)
@@ -364,7 +364,7 @@ class Task:
 
     def _set_command(self, rows: NDArray[np.intp], command: NDArray[np.float64]) -> None:
         self._command[rows] = command
-        self._moving[rows] = (abs(command) > commands.MOVING_THRESHOLD).any(axis=1)
+        self._moving[rows] = any_of(np.abs(command) > commands.MOVING_THRESHOLD)
         self._progress_scale[rows], self._progress_whole[rows] = rewards.progress_scale(command)
         if self._residual:
             self._gait_sine[rows], self._gait_cosine[rows], self._gait_offset[rows] = self._gait.waves(command)
@@ -381,4 +381,4 @@ class Task:
             self.simulation.push(rows, velocity)
 
     def _in_steps(self, seconds: NDArray[np.float64]) -> NDArray[np.int64]:
-        return np.maximum(np.round(seconds / self.config.control_timestep).astype(np.int64), 1)
+        return np.maximum(np.rint(seconds / self.config.control_timestep), ONE).astype(np.int64)

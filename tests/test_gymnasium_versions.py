@@ -1,0 +1,49 @@
+"""The environments with the oldest Gymnasium that the package takes; the other tests run with the newest."""
+
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+OLDEST = "1.2.0"
+RLLIB = "1.2.2"
+"""The version that RLlib pins"""
+TESTS = Path(__file__).parent
+CORE = ("test_envs.py", "test_autoreset.py", "test_sb3.py")
+
+
+def run(*command, **kwargs):
+    # No deadline: the tests that run here have their own.
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **kwargs)
+    return done.returncode, done.stdout
+
+
+def test_oldest_gymnasium_tested_is_the_oldest_that_the_package_takes():
+    project = tomllib.loads((TESTS.parent / "pyproject.toml").read_text())["project"]
+    assert f"gymnasium>={OLDEST.removesuffix('.0')}" in project["dependencies"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("version", [OLDEST, RLLIB])
+def test_environments_with_an_old_gymnasium_pass_their_tests(version, tmp_path):
+    target = tmp_path / "site"
+    status, out = run(
+        sys.executable, "-m", "pip", "install", "--no-deps", "--target", str(target), f"gymnasium=={version}"
+    )
+    if status:
+        pytest.skip(f"gymnasium {version} cannot be installed: {out.strip().splitlines()[-1]}")
+    path = os.pathsep.join([str(target), str(TESTS.parent), os.environ.get("PYTHONPATH", "")])
+    environment = {**os.environ, "PYTHONPATH": path.rstrip(os.pathsep)}
+    status, out = run(
+        sys.executable, "-c", "import gymnasium; print(gymnasium.__version__)", env=environment, cwd=tmp_path
+    )
+    assert out.strip() == version
+    files = [str(TESTS / name) for name in CORE]
+    status, out = run(
+        sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *files, env=environment, cwd=TESTS.parent
+    )
+    assert status == 0, out
+    assert " passed" in out
