@@ -142,12 +142,19 @@ def test_list_names_a_peer_whose_type_information_keeps_it_apart(domain_id, ros2
         peer.subscribe(FROM_PEER)
 
         def listed():
+            """What is printed once both processes' ends of both topics are in it."""
             with started("list", "--verbose") as process:
                 output, _ = output_of(process)
-            return {"/to_peer", "/from_peer"} <= {line.partition(" ")[0] for line in output.splitlines()} and output
+            ends = {topic.name: 0 for topic in (TO_PEER, FROM_PEER)}
+            for line in output.splitlines():
+                if line.startswith("/"):
+                    name = line.partition(" ")[0]
+                elif line.startswith(" ") and name in ends:
+                    ends[name] += 1
+            return output if set(ends.values()) == {2} else ""
 
         output = wait_until(listed, peer.state, other)
-        obstacles = [line for line in output.splitlines() if "both announce the structure of" in line]
+    obstacles = [line for line in output.splitlines() if "both announce the structure of" in line]
     # Fast DDS 2, as in Jazzy, announces no structures, so that there is nothing to compare.
     assert len(obstacles) == (2 if ros2.name == "kilted" else 0), output
 
