@@ -5,6 +5,8 @@
 Subscribes to /to_peer, and publishes what comes on /from_peer with twice the positions, COUNT times.
 """
 
+import contextlib
+import subprocess
 import sys
 from dataclasses import dataclass
 
@@ -58,6 +60,16 @@ def main(count):
             writer.write(one)
             count -= 1
     writer.wait_for_acks(60 * 10**9)
+
+
+@contextlib.contextmanager
+def started(count):
+    """This program as a process, which does not outlive the context."""
+    with subprocess.Popen([sys.executable, __file__, str(count)]) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
 
 
 if __name__ == "__main__":

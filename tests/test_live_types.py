@@ -1,9 +1,5 @@
 """What nodes announce of their types, and peers that announce more."""
 
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
 from live_nodes import STAMP, joint_state
 from waiting import status_of, wait_until
@@ -14,9 +10,9 @@ from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.live.type_information import withhold_type_information
 from quadruped_env.ros import Qos
 
-cyclonedds = pytest.importorskip("cyclonedds")
+pytest.importorskip("cyclonedds")
+import cyclonedds_peer
 
-PEER = Path(__file__).parent / "cyclonedds_peer.py"
 COUNT = 100
 FROM_PEER, TO_PEER = (Topic(name, JOINT_STATES.type_name, Qos(depth=COUNT)) for name in ("/from_peer", "/to_peer"))
 
@@ -35,7 +31,7 @@ def test_a_cyclonedds_peer_that_announces_type_information_hears_and_is_heard(no
     node = nodes()
     publisher, subscription = node.publish(TO_PEER), node.subscribe(FROM_PEER)
     received = []
-    with subprocess.Popen([sys.executable, PEER, str(COUNT)]) as process:
+    with cyclonedds_peer.started(COUNT) as process:
         wait_until(lambda: publisher.readers and subscription.writers, alive=process)
         structures = {one.topic: one.structure for one in node.graph.endpoints() if not node.graph.is_own(one)}
         for i in range(COUNT):

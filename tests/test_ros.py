@@ -1,10 +1,12 @@
-"""ROS messages as data and as bytes, held against rosbags' own."""
+"""ROS messages as data and as bytes, held against rosbags' own and those of an installed ROS 2."""
 
+import json
 import struct
 from array import array
 
 import numpy as np
 import pytest
+import ros2_peers
 
 from quadruped_env import QuadrupedError
 from quadruped_env.ros import MESSAGE_TYPES, cdr, message_type
@@ -15,7 +17,7 @@ typesys = pytest.importorskip("rosbags.typesys")
 JOINT_STATE = "sensor_msgs/msg/JointState"
 
 
-@pytest.fixture(scope="module", params=["ROS2_HUMBLE", "ROS2_JAZZY", "ROS2_KILTED"])
+@pytest.fixture(scope="module", params=["ROS2_HUMBLE", "ROS2_IRON", "ROS2_JAZZY", "ROS2_KILTED", "ROS2_LYRICAL"])
 def distribution(request):
     return typesys.get_typestore(typesys.Stores[request.param])
 
@@ -70,6 +72,22 @@ class TestMessageTypes:
             constants, fields = distribution.fielddefs[kind.name]
             assert not constants
             assert [name for name, _ in fields] == [field.name for field in kind.fields]
+
+    @pytest.mark.parametrize("name", ros2_peers.DISTRIBUTIONS)
+    def test_definitions_and_hashes_are_those_that_ros_2_installs(self, name):
+        ros2 = ros2_peers.Ros2(name)
+        checked = set()
+        for kind in MESSAGE_TYPES.values():
+            package, _, short = kind.name.split("/")
+            if ros2.share(package) is not None:
+                installed = json.loads((ros2.share(package) / "msg" / f"{short}.json").read_text())
+                hashes = {one["type_name"]: one["hash_string"] for one in installed["type_hashes"]}
+                fields = installed["type_description_msg"]["type_description"]["fields"]
+                assert hashes[kind.name] == kind.type_hash
+                assert [one["name"] for one in fields] == [one.name for one in kind.fields]
+                checked.add(package)
+        # tf2_msgs has no wheel and may not have been built.
+        assert checked >= {kind.name.partition("/")[0] for kind in MESSAGE_TYPES.values()} - {"tf2_msgs"}
 
     def test_hash_of_the_joint_state_is_the_documented_one(self):
         kind = message_type(JOINT_STATE)

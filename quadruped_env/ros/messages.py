@@ -1,6 +1,6 @@
 """The ROS 2 message types that this package speaks, as data.
 
-The same in Humble and every later distribution up to now. A type hash is the digest of a type's definition (REP 2016):
+The same in every distribution from Humble to Lyrical. A type hash is the digest of a type's definition (REP 2016):
 from Iron on, peers and bags compare it.
 """
 

@@ -1,7 +1,7 @@
 """Say which topics there are on the domain, of which types, and with --verbose who publishes and hears them.
 
 Listens for a moment, since those who are there tell of themselves only then. Names what keeps a publisher and a
-subscription apart: types or qualities of service that do not fit.
+subscription apart: types or qualities of service that do not fit, or announced structures that cannot be compared.
 """
 
 import argparse
