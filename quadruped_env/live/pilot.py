@@ -28,6 +28,10 @@ from quadruped_env.robot import STANCE
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
+_LONGEST_STEP: Final = 2.5
+"""Control steps that the way to the stance goes on in one, where states between were lost"""
+_ROUNDING: Final = 1e-6
+"""s"""
 _EARLY: Final = 0.25
 """of a control step; by which a state may come before its tick and still be it, as stamps of real robots jitter"""
 
@@ -40,6 +44,10 @@ class Safety:
     """in a row, of an upright robot at rest, before it is moved"""
     rest_way: float = 0.03
     """rad that a joint may move meanwhile"""
+    sinks_after: float = 1.0
+    """s of fresh states of an upright robot, after which it need not be at rest: limp, it may sink for 10 s"""
+    sinks_way: float = 0.15
+    """rad that a joint may move meanwhile then"""
     hold_after: float = 0.2
     """s without a state"""
     limp_after: float = 1.0
@@ -117,9 +125,13 @@ class Pilot:
         self.period = config.control_timestep
         """s between commands"""
         self._step = round(self.period * NANOSECONDS)
-        self._gate = Gate("/joint_states")
+        self._gate = Gate("/joint_states", self._relearned)
         self._fresh = 0
         self._rest = STANCE
+        self._fallen = False
+        """Whether it was let go limp because it had fallen"""
+        self._upright_since: int | None = None
+        """ns; stamp from which on all states were fresh, and the robot upright"""
         self._heard = -math.inf
         self._stamp = 0
         self._due: int | None = None
@@ -128,7 +140,10 @@ class Pilot:
         self._command_at = -math.inf
         self._last = STANCE.copy()
         self._rise = Rise.plan(STANCE, self.safety.ramp_speed, self.safety.ramp_least)
-        self._rise_start = 0
+        self._risen = 0.0
+        """s of the rise that are done"""
+        self._rise_at = 0, 0.0
+        """Stamp in ns and time in s of the state that it last answered"""
 
     def command(self, forward_velocity: float, yaw_rate: float, now: float) -> None:
         """Take a velocity command, m/s and rad/s, within what the controller was made for.
@@ -149,20 +164,28 @@ class Pilot:
     def measured(self, measurement: Measurement, now: float) -> Answer | None:
         """Take a measurement; the command that it calls for, if one is due.
 
+        Args:
+            measurement: what came.
+            now: when it was taken, s.
+
         Raises:
             QuadrupedError: if the measurement is not fit to act on, saying why; it counts as none.
         """
-        refusal = self._gate.refusal(measurement.stamp, now)
+        if self._moving and now - self._heard > self.safety.limp_after:
+            # This process was held up for so long that the robot's own watchdog has let the motors go.
+            return self._let_go()
+        refusal = self._gate.refusal(measurement.stamp, now, self._moving)
         if refusal:
             raise QuadrupedError(refusal)
         self._heard, self._stamp = now, measurement.stamp
         self._robot.measure(*measurement[1:])
         if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP):
-            self._qualify(measurement)
+            self._qualify(measurement, now)
         if self.mode not in (Mode.RAMPING, Mode.WALKING):
             return None
         if math.acos(min(1.0, max(-1.0, float(self._robot.state.up_b[0, 2])))) > self._max_tilt:
             self._go_limp("the robot has fallen; put it on its feet")
+            self._fallen = True
             return Answer(measurement.stamp, LIMP)
         if self._due is None or self._stamp > self._due + self._step:
             # The first one, or so many were missed that the grid begins anew here.
@@ -187,34 +210,44 @@ class Pilot:
         if silence <= self.safety.hold_after:
             return None
         if silence > self.safety.limp_after:
-            self._go_limp(f"no state for {self.safety.limp_after:g} s")
-            return Answer(self._stamp, LIMP)
+            return self._let_go()
         if self.mode is not Mode.HOLDING:
             self._enter(Mode.HOLDING, f"no state for {self.safety.hold_after:g} s")
-            self._fresh, self._silent_due = 0, now
+            self._count_anew()
+            self._silent_due = now
         if now < self._silent_due:
             return None
         self._silent_due += self.period
         return Answer(self._stamp, self._last)
 
-    def _qualify(self, measurement: Measurement) -> None:
+    def _qualify(self, measurement: Measurement, now: float) -> None:
         if self._fresh == 0:
             self._rest = measurement.positions
         self._fresh += 1
         upright = float(self._robot.state.up_b[0, 2]) > math.cos(self._max_tilt)
-        if not upright or np.abs(measurement.positions - self._rest).max() > self.safety.rest_way:
+        if not upright:
+            self._fresh, self._upright_since = 0, None
+            return
+        if self._upright_since is None:
+            self._upright_since = measurement.stamp
+        # A robot that fell is being put on its feet by somebody, and left alone until its legs are at rest.
+        upright_for = (measurement.stamp - self._upright_since) / NANOSECONDS
+        sinks = not self._fallen and upright_for > self.safety.sinks_after
+        way = self.safety.sinks_way if sinks else self.safety.rest_way
+        if np.abs(measurement.positions - self._rest).max() > way:
             self._fresh = 0
         if self._fresh < self.safety.fresh_states:
             return
         self._last = measurement.positions.copy()
         self._rise = Rise.plan(self._last, self.safety.ramp_speed, self.safety.ramp_least)
-        self._rise_start = measurement.stamp
+        self._risen, self._rise_at = 0.0, (measurement.stamp, now)
         self._due = None
+        self._fallen = False
         self._enter(Mode.RAMPING, f"{self._rise.duration:.1f} s")
 
     def _act(self, now: float) -> Answer:
         if self.mode is Mode.RAMPING:
-            target = self._ramp()
+            target = self._ramp(now)
         else:
             command = self._command if self.moving(now) else np.zeros(2)
             if not np.array_equal(command, self._task.command[0]):
@@ -224,12 +257,30 @@ class Pilot:
         self._last = limited(target, self._last, self.period)
         return Answer(self._stamp, self._last)
 
-    def _ramp(self) -> NDArray[np.float64]:
-        elapsed = (self._stamp - self._rise_start) / NANOSECONDS
-        if elapsed >= self._rise.duration + self.safety.settle:
+    def _ramp(self, now: float) -> NDArray[np.float64]:
+        stamp, then = self._rise_at
+        # After a delay the robot is not hurried to where it would have been, nor by a clock that is set ahead.
+        self._risen += min((self._stamp - stamp) / NANOSECONDS, now - then, _LONGEST_STEP * self.period)
+        self._rise_at = self._stamp, now
+        if self._risen >= self._rise.duration + self.safety.settle - _ROUNDING:
             self._task.reset(_ROW, seeds=[0], command=(0.0, 0.0))
             self._enter(Mode.WALKING, "")
-        return self._rise.positions(elapsed)
+        return self._rise.positions(self._risen)
+
+    @property
+    def _moving(self) -> bool:
+        """Whether the robot is commanded to anywhere."""
+        return self.mode in (Mode.RAMPING, Mode.WALKING, Mode.HOLDING)
+
+    def _let_go(self) -> Answer:
+        self._go_limp(f"no state for {self.safety.limp_after:g} s")
+        return Answer(self._stamp, LIMP)
+
+    def _relearned(self, change: float) -> None:
+        """What was learned of the states' lag was wrong: those that came before count no more."""
+        self._count_anew()
+        if change > 0.0:
+            self._say(f"all states come {change:.2f} s later than before; that is taken as normal from here on")
 
     def _go_limp(self, why: str) -> None:
         self._enter(Mode.LIMP, why)
@@ -237,7 +288,11 @@ class Pilot:
 
     def _begin_anew(self) -> None:
         self._gate.reset()
-        self._fresh = 0
+        self._count_anew()
+
+    def _count_anew(self) -> None:
+        """States that came before say no more whether the robot may be moved."""
+        self._fresh, self._upright_since = 0, None
 
     def _enter(self, mode: Mode, why: str) -> None:
         self.mode = mode

@@ -1,0 +1,162 @@
+"""Whatever is late, lost or held up, and whenever: the robot soon walks again."""
+
+import numpy as np
+import pytest
+from live_delays import KINDS, PERIOD, Disturbance, Link
+
+from quadruped_env.live.pilot import Measurement, Mode, Pilot
+from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
+from quadruped_env.robot import STANCE
+from quadruped_env.task import TaskConfig
+from quadruped_env.viewer.sources import asked_source
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+WALKS_WITHIN = 3.0
+"""s after the end of a disturbance. It is time in the simulation, and so no matter of the machine's speed."""
+GETS_UP = 6.5
+"""s, of which 5 are the longest way to the stance"""
+PHYSICAL = tuple(kind for kind in KINDS if kind != "lag")
+"""Delays that a robot can stand: no policy walks on states that are old for good, if that is what a lag is"""
+LEVEL, TILTED = np.array([1.0, 0.0, 0.0, 0.0]), np.array([np.cos(0.6), np.sin(0.6), 0.0, 0.0])
+BACKGROUND = (Disturbance("loss", 4.0, 0.6), Disturbance("loss", 6.5, 1.6), Disturbance("fall", 10.5, 0.7))
+"""What brings the pilot through all its modes: it holds at 4.2 s, ramps, waits limp from 7.5 to 8.3 s, and lies"""
+
+
+class Asks:
+    """A controller that asks for the stance."""
+
+    action_mode = "position"
+    name = "stance"
+
+    def step(self, task, observation):
+        return task.step_joint_target(STANCE[None].copy())
+
+
+class Still(Link):
+    """A robot that stays in its stance, and is laid on its side and put up again once."""
+
+    def __init__(self):
+        super().__init__(Pilot(Asks(), TaskConfig()), self._still)
+
+    def _still(self, stamp):
+        fallen = any(one.holds("fall", self.time) for one in self.disturbances)
+        return Measurement(stamp, STANCE.copy(), np.zeros(8), TILTED if fallen else LEVEL, np.zeros(3))
+
+    def follows(self):
+        return self.pilot.mode is Mode.WALKING and self.pilot.moving(self.time)
+
+
+def follows_after(*disturbances):
+    """s from the last disturbance until it follows the command for good; the mode that it is in, if it does not."""
+    link = Still()
+    last = max(one.end for one in disturbances)
+    link.disturbances = [*disturbances, *(one for one in BACKGROUND if one.start <= last)]
+    lag = sum(one.seconds for one in disturbances if one.kind == "lag")
+    # What happens is seen that much later.
+    last = max(one.end + lag - (one.seconds if one.kind == "lag" else 0.0) for one in link.disturbances)
+    since = None
+    while link.time < last + WALKS_WITHIN + 0.3:
+        link.turn()
+        if not link.follows():
+            since = None
+        elif since is None:
+            since = link.time
+    return link.pilot.mode.value if since is None else max(0.0, since - last)
+
+
+def test_background_goes_through_all_modes():
+    link = Still()
+    link.disturbances = list(BACKGROUND)
+    seen = {}
+    while link.time < 15.0:
+        link.turn()
+        seen.setdefault(link.pilot.mode, link.time)
+    assert set(seen) == set(Mode)
+    assert link.follows()
+
+
+def random_delay(kind, rng):
+    """At any moment of the background, in any mode."""
+    return Disturbance(str(kind), float(rng.uniform(0.0, 12.0)), float(rng.uniform(0.1, 2.0)))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_pilot_delayed_at_any_moment_follows_the_command_within_3_s(kind):
+    rng = np.random.default_rng(KINDS.index(kind))
+    for delay in [random_delay(kind, rng) for _ in range(5)]:
+        assert follows_after(delay) <= WALKS_WITHIN, delay
+
+
+@pytest.mark.slow
+def test_pilot_delayed_in_many_ways_follows_the_command_within_3_s():
+    """A hundred delays of each kind, and two hundred times up to four of any kind."""
+    rng = np.random.default_rng(0)
+    trials = [[random_delay(kind, rng)] for kind in KINDS for _ in range(100)]
+    trials += [[random_delay(rng.choice(KINDS), rng) for _ in range(rng.integers(2, 5))] for _ in range(200)]
+    for delays in trials:
+        assert follows_after(*delays) <= WALKS_WITHIN, delays
+
+
+class Walking(Link):
+    """The simulated robot, at 0.5 m/s."""
+
+    def __init__(self, seed):
+        self.robot = SimulatedRobot(seed)
+        super().__init__(Pilot(*asked_source("flat").make()), self._measured, self.robot.command, (0.5, 0.0))
+
+    def _measured(self, stamp):
+        state = self.robot.state
+        return Measurement(
+            stamp,
+            state.joint_position[0].copy(),
+            state.joint_velocity[0].copy(),
+            state.orientation[0].copy(),
+            state.angular_velocity_b[0].copy(),
+        )
+
+    def turn(self):
+        for _ in range(round(PERIOD / TIMESTEP)):
+            self.robot.step()
+        super().turn()
+
+    def until(self, modes, deadline):
+        """Run until it is in one of the modes; s."""
+        while self.pilot.mode not in modes:
+            assert self.time < deadline, self.pilot.mode
+            self.turn()
+        return self.time
+
+
+def assert_walks_again(delay):
+    """Within 3 s; where the robot was let go, it begins to get up within 3 s, which takes it up to 6.5 s."""
+    link = Walking(seed=0)
+    link.disturbances = [delay]
+    # A clock that leapt is noticed after 1 s only.
+    while link.time < delay.end + (1.1 if delay.kind.startswith("clock") else 0.0):
+        link.turn()
+    let_go = bool(link.let_go)
+    link.until((Mode.RAMPING, Mode.WALKING), delay.end + WALKS_WITHIN)
+    link.until((Mode.WALKING,), delay.end + WALKS_WITHIN + (GETS_UP if let_go else 0.0))
+    began = link.time
+    speeds = []
+    while link.time < began + 2.0:
+        link.turn()
+        speeds.append(link.robot.state.linear_velocity_b[0, 0])
+    assert link.pilot.mode is Mode.WALKING
+    assert np.mean(speeds[100:]) > 0.4
+
+
+@pytest.mark.parametrize("kind", PHYSICAL)
+def test_robot_walks_again_after_a_delay(kind):
+    rng = np.random.default_rng(KINDS.index(kind))
+    assert_walks_again(Disturbance(kind, 4.0 + rng.uniform(), rng.uniform(0.1, 2.0)))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", PHYSICAL)
+def test_robot_walks_again_after_many_delays(kind):
+    rng = np.random.default_rng(100 + KINDS.index(kind))
+    for seconds in np.linspace(0.1, 2.0, 12):
+        assert_walks_again(Disturbance(kind, 4.0 + rng.uniform(), float(seconds)))
