@@ -136,6 +136,13 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
         yield writer
 
 
+def save_progress(writer: Any) -> None:
+    """Put into the file what a killed process must not lose; MCAP's chunks of 1 MB get there by themselves."""
+    connection = getattr(writer.storage, "conn", None)
+    if connection is not None:
+        connection.commit()
+
+
 def _compress_with_checksum(file: Path) -> None:
     """Compress a zstd file again, with the checksum of its content that rosbags leaves out."""
     module = zstd()
