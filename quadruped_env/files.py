@@ -52,8 +52,7 @@ def whole(path: Path) -> Iterator[Path]:
                 with part.open("rb") as source, path.open("wb") as sink:
                     shutil.copyfileobj(source, sink)
             else:
-                _flush(part)
-                _replace(part, target)
+                put_in_place(part, target)
     except OSError as error:
         raise unwritable(path, error) from error
 
@@ -96,7 +95,13 @@ def _flush(path: Path) -> None:
             os.close(descriptor)
 
 
-def _replace(part: Path, target: Path) -> None:
+def put_in_place(part: Path, target: Path) -> None:
+    """Flush a file or directory to the disk and give it another name on the same file system.
+
+    Raises:
+        OSError: if the system refuses that; then what was at the target is still there.
+    """
+    _flush(part)
     if not part.is_dir():
         part.replace(target)
         return

@@ -1,17 +1,25 @@
 """Files that appear under their name only when they are whole, whatever keeps them from being written."""
 
+import dataclasses
 import errno
+import json
 import os
+import resource
 import stat
 import subprocess
+import sys
+import time
 from pathlib import Path
 
+import numpy as np
 import pytest
-from waiting import output_of
+from waiting import DEADLINE, output_of
 
-from quadruped_env import QuadrupedError
+from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env.evaluation.films.video import save_video
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.files import PART, whole, write_whole
+from quadruped_env.policies import load_policy
 
 
 def names(directory):
@@ -190,3 +198,118 @@ def test_files_that_belong_together_appear_in_their_order(tmp_path, monkeypatch)
     monkeypatch.setattr(Path, "replace", lambda self, target: order.append(self.name) or replace(self, target))
     write_whole({tmp_path / name: b"" for name in "cab"})
     assert order == ["c", "a", "b"]
+
+
+# --- what this package writes ---
+
+
+def recording(seed):
+    numbers = np.random.default_rng(0).normal(size=(3000, 1))
+    numbers[-1] = seed
+    return JointTrajectory(np.arange(3000), ["a_joint"], numbers)
+
+
+def save_policy(directory, seed):
+    """As training does it with a checkpoint: a new directory in one step."""
+    files = dataclasses.replace(load_policy("flat"), card={"seed": seed}).files()
+    with whole(directory) as part:
+        part.mkdir()
+        for name, content in files.items():
+            (part / name).write_bytes(content)
+
+
+def draw(path, seed):
+    picture = np.random.default_rng(seed).integers(0, 256, (120, 240, 3), np.uint8)
+    save_video(path, [picture] * 4)
+
+
+def saved(**options):
+    return lambda path, seed: recording(seed).save(path, overwrite=True, **options)
+
+
+WRITERS = {
+    "a.csv": saved(),
+    "a.mcap": saved(),
+    "a.db3": saved(),
+    "bag": saved(storage="mcap", compress=True),
+    "bag2": saved(storage="sqlite3", compress=True),
+    "a.json": lambda path, seed: write_json(path, {"seed": seed, "numbers": list(range(9999))}),
+    "a.png": draw,
+    "policy": save_policy,
+}
+"""Name -> what writes something of that name and of more than `LIMIT` bytes, over an older one."""
+LIMIT = 9000
+
+
+def seed_of(path):
+    """The seed that something was written with; an error if it is not whole."""
+    if path.name == "policy":
+        return load_policy(path).card["seed"]
+    if path.suffix == ".json":
+        return json.loads(path.read_text())["seed"]
+    if path.suffix == ".png":
+        data = path.read_bytes()
+        assert data.endswith(b"IEND\xaeB`\x82")
+        return len(data)
+    return int(JointTrajectory.load(path).positions[-1, 0])
+
+
+def contents(path):
+    return {file: file.read_bytes() for file in ([path] if path.is_file() else path.iterdir())}
+
+
+@pytest.fixture
+def small_files():
+    """A switch that limits the size of files, which stands in for a full disk."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    yield lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT, hard))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+@pytest.mark.parametrize("name", WRITERS)
+@pytest.mark.parametrize("before", [False, True])
+def test_on_a_full_disk_there_is_one_clear_error_and_what_exists_is_kept(tmp_path, small_files, name, before):
+    pytest.importorskip("rosbags")
+    path = tmp_path / name
+    if before:
+        WRITERS[name](path, 1)
+        kept = contents(path)
+    small_files()
+    with pytest.raises(QuadrupedError, match=rf"/{name}: cannot be written \(.+\); make room, or name another place$"):
+        WRITERS[name](path, 2)
+    assert names(tmp_path) == ([name] if before else [])
+    if before:
+        assert contents(path) == kept
+
+
+@pytest.mark.slow
+def test_whatever_a_killed_process_leaves_under_its_name_is_whole(tmp_path):
+    code = """
+import sys
+from pathlib import Path
+sys.path.insert(0, sys.argv[2])
+from test_files import WRITERS
+seed = 0
+while True:
+    seed += 1
+    for name, write in WRITERS.items():
+        write(Path(sys.argv[1]) / name, seed)
+        print(seed, flush=True)
+"""
+    pytest.importorskip("rosbags")
+    rng = np.random.default_rng(0)
+    for _ in range(12):
+        process = subprocess.Popen(
+            [sys.executable, "-c", code, str(tmp_path), str(Path(__file__).parent)], stdout=subprocess.PIPE, text=True
+        )
+        # Any moment will do: some file or other is being written.
+        for _ in range(len(WRITERS) + int(rng.integers(2 * len(WRITERS)))):
+            assert process.stdout.readline()
+        time.sleep(rng.uniform(0.0, 0.05))
+        process.kill()
+        process.communicate(timeout=DEADLINE)
+        for name in WRITERS:
+            # A directory that is replaced is away for a moment, and whole under a hidden name.
+            if (tmp_path / name).exists() or name not in ("bag", "bag2", "policy"):
+                assert seed_of(tmp_path / name) >= 1
+    assert {path.name for path in tmp_path.iterdir() if not path.name.startswith(".")} <= set(WRITERS)

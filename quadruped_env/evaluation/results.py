@@ -6,14 +6,14 @@ from pathlib import Path
 from typing import Any
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.files import write_whole
+from quadruped_env.files import PART, write_whole
 
 
 def free_path(path: Path) -> Path:
-    """The path itself, or with the first number from 2 behind its name that is not taken."""
+    """The path itself, or with the first number from 2 behind its name that is not taken, nor unfinished."""
     number = 1
     free = path
-    while free.exists():
+    while free.exists() or free.with_name(free.name + PART).exists():
         number += 1
         free = path.with_name(f"{path.stem}-{number}{path.suffix}")
     return free

@@ -1,32 +1,45 @@
 """A bag that grows while messages come: their bytes as they came."""
 
+import sqlite3
 import time
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import Any, Final, Self
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.files import PART, put_in_place, unwritable
 from quadruped_env.live.topics import Topic
-from quadruped_env.trajectory.bag_writer import BagOptions, check_target, connect, open_bag
+from quadruped_env.trajectory.bag_writer import BagOptions, check_target, connect, open_bag, save_progress
+
+_SAVE_EVERY: Final = 500_000
+"""Bytes of messages after which a killed recorder must not lose them"""
 
 
 class Recorder:
     """A context that writes what it is given into a new bag; without a message there is none.
 
-    What was written when the process is killed can be read back with `--salvage`, but for the last MB at most.
+    The bag grows in a directory named `<path>.part`, and comes to its place when it is whole. What was written when the
+    process is killed or the disk is full stays there; `--salvage` reads it back, but for the last MB at most.
 
     Args:
         path: of the bag, a directory.
         storage: `mcap` or `sqlite3`.
 
     Raises:
-        QuadrupedError: if there is something at the path already.
+        QuadrupedError: if there is something at the path already, or an unfinished recording next to it.
     """
 
     def __init__(self, path: Path, storage: str = "mcap") -> None:
         check_target(path, overwrite=False)
         self.path = path
+        self._part = path.with_name(path.name + PART) / path.name
+        """The bag while it grows. Storage files are called as their bag is, so it has its name already."""
+        if self._part.parent.exists():
+            raise QuadrupedError(
+                f"{self._part.parent}: holds a recording that was cut short; read it back (python evaluate/convert.py "
+                f"{self._part} OUT --salvage) and remove it, or name another place"
+            )
         self.count = 0
         """Messages"""
         self.size = 0
@@ -34,6 +47,7 @@ class Recorder:
         self._options = BagOptions(storage)
         self._stack = ExitStack()
         self._writer: Any = None
+        self._failed = False
         self._connections: dict[Topic, Any] = {}
         self._last = 0
 
@@ -50,12 +64,15 @@ class Recorder:
         """
         try:
             if self._writer is None:
-                self._writer = self._stack.enter_context(open_bag(self.path, self._options))
+                self._writer = self._stack.enter_context(open_bag(self._part, self._options))
             if topic not in self._connections:
                 self._connections[topic] = connect(self._writer, topic.name, topic.type_name, topic.qos)
             self._last = max(time.time_ns(), self._last + 1)
             self._writer.write(self._connections[topic], self._last, data)
-        except OSError as error:
+            if self.size // _SAVE_EVERY != (self.size + len(data)) // _SAVE_EVERY:
+                save_progress(self._writer)
+        except (OSError, sqlite3.Error) as error:
+            self._failed = True
             raise self._unwritable(error) from error
         self.count += 1
         self.size += len(data)
@@ -72,10 +89,19 @@ class Recorder:
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
         try:
-            # Whatever happened, the bag is closed as a whole one: what came before is good.
+            # Whatever happened elsewhere, the bag is closed as a whole one: what came before is good.
             self._stack.close()
-        except OSError as failure:
-            raise self._unwritable(failure) from failure
+            if self._writer is not None and not self._failed:
+                check_target(self.path, overwrite=False)
+                put_in_place(self._part, self.path)
+                self._part.parent.rmdir()
+        except (OSError, sqlite3.Error) as failure:
+            if not self._failed:
+                raise self._unwritable(failure) from failure
 
-    def _unwritable(self, error: OSError) -> QuadrupedError:
-        return QuadrupedError(f"{self.path}: cannot be written ({error.strerror}); make room, or name another place")
+    def _unwritable(self, error: Exception) -> QuadrupedError:
+        if not self._part.exists():
+            return unwritable(self.path, error)
+        return QuadrupedError(
+            f"{unwritable(self.path, error)}; what was recorded until then is kept in {self._part} (--salvage)"
+        )

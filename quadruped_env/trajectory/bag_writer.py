@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.files import unwritable, whole
+from quadruped_env.files import PART, unwritable, whole
 from quadruped_env.robot import JOINT_NAMES, asset_path, fixed_transforms, joint_transforms
 from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
@@ -136,12 +136,20 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
         yield writer
 
 
+def save_progress(writer: Any) -> None:
+    """Put into the file what a killed process must not lose; MCAP's chunks of 1 MB get there by themselves."""
+    connection = getattr(writer.storage, "conn", None)
+    if connection is not None:
+        connection.commit()
+
+
 def _compress_with_checksum(file: Path) -> None:
     """Compress a zstd file again, with the checksum of its content that rosbags leaves out."""
-    module = zstd()
+    module, part = zstd(), file.with_name(f"{file.name}{PART}")
     options = {module.CompressionParameter.checksum_flag: 1}
-    with whole(file) as part, module.open(file) as source, module.open(part, "wb", options=options) as target:
+    with module.open(file) as source, module.open(part, "wb", options=options) as target:
         shutil.copyfileobj(source, target)
+    part.replace(file)
 
 
 def _write_messages(pieces: Iterable[Piece], writer: Any, options: BagOptions) -> None:

@@ -4,7 +4,8 @@
     python -m quadruped_env.live record /joint_states -o my_bag
 
 The bag (rosbag2, MCAP) holds the bytes that came, at the times of their coming, and what each topic's publishers offer.
-It is not cut short by Ctrl-C. What the robot did, and what it was told, can be played again:
+It is not cut short by Ctrl-C. While it grows it is in `my_bag.part/my_bag`; if the recorder is killed it stays there,
+and `--salvage` reads it. What the robot did, and what it was told, can be played again:
 
     python evaluate/replay.py my_bag
     python evaluate/replay.py my_bag --topic /joint_commands
