@@ -46,6 +46,8 @@ class Ros2:
         own = {name: value for name, value in os.environ.items() if name not in foreign}
         return own | {
             "AMENT_PREFIX_PATH": str(self.prefix),
+            # No shared memory, which only Fast DDS has: what another release of it has left there can end a process.
+            "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
             "PYTHONNOUSERSITE": "1",
             "PYTHONUNBUFFERED": "1",
             "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",

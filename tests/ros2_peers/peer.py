@@ -146,6 +146,8 @@ def main(name):
         while not lines.empty():
             line = lines.get()
             if line is None:
+                peer.node.destroy_node()
+                rclpy.shutdown()
                 return
             peer.take(line)
 
