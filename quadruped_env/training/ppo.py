@@ -9,8 +9,10 @@ import os
 import shutil
 import signal
 import sys
+import threading
 import time
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
@@ -199,10 +201,13 @@ def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = N
     recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds)
     try:
         with ExitStack() as stack:
-            for end in (env.close, run.close, recorder.finish, recorder.save):
-                # The last one first, and every one though another fails.
-                stack.callback(end)
+            # In the end the last of these comes first, and each though another fails.
+            stack.enter_context(_quiet_threads())
+            stack.callback(env.close)
+            stack.callback(run.close)
             model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+            stack.callback(recorder.finish)
+            stack.callback(recorder.save)
             with _stop_on_signal(recorder):
                 timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
                 model.learn(timesteps, callback=recorder, reset_num_timesteps=parent is None)
@@ -210,6 +215,23 @@ def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = N
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
         raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
     return run.directory, not recorder.stopped
+
+
+@contextmanager
+def _quiet_threads() -> Iterator[None]:
+    """Within it, a thread that cannot write a file ends without a traceback."""
+    usual = threading.excepthook
+
+    def say(failure: threading.ExceptHookArgs) -> None:
+        # TensorBoard's writer raises the error of its thread again, where it is told what to write next.
+        if not issubclass(failure.exc_type, OSError):
+            usual(failure)
+
+    threading.excepthook = say
+    try:
+        yield
+    finally:
+        threading.excepthook = usual
 
 
 class _stop_on_signal:  # noqa: N801
