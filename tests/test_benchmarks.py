@@ -51,6 +51,16 @@ def test_the_shipped_policy_is_accepted():
     assert max(found["forward_velocity_error"].values()) <= 0.10
 
 
+def test_gymnasiums_benchmarks_are_measured_over_ant():
+    measures = throughput.gymnasium_over_ant(chunks=1, seconds=0)
+    assert [measure.name.split(",")[0] for measure in measures] == [
+        "Gymnasium's benchmark_step",
+        "Gymnasium's benchmark_init",
+        "time of a reset",
+    ]
+    assert all(measure.value > 0 for measure in measures)
+
+
 def test_measures_are_written_as_a_table_and_as_json(tmp_path):
     measure = throughput.Measure("ratio", 0.5, "x", ">= 0.4", True, "")
     assert throughput.row(measure) == "| ratio | 0.5 x | >= 0.4 | yes |  |"

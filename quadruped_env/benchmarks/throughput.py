@@ -17,6 +17,7 @@ from typing import Any, Final
 import gymnasium
 import mujoco
 import numpy as np
+from gymnasium.utils.performance import benchmark_init, benchmark_step
 from gymnasium.vector import AutoresetMode
 from mujoco.batch import Batch
 from numpy.typing import NDArray
@@ -146,8 +147,46 @@ def single_over_ant() -> list[Measure]:
         above.append((own - bare) / steps * 1e6)
     ratio, micros = float(np.median(ratios[1:])), float(np.median(above[1:]))
     return [
-        Measure("single env over Ant-v5", ratio, "x", ">= 1.8", ratio >= 1.8, f"{np.median(rates[1:]):,.0f} steps/s"),
+        Measure(
+            "single env over Ant-v5, steps alone",
+            ratio,
+            "x",
+            ">= 1.8",
+            ratio >= 1.8,
+            f"{np.median(rates[1:]):,.0f} steps/s, actions drawn before",
+        ),
         Measure("single env above bare mj_step", micros, "us/step", "<= 60", micros <= 60.0, ""),
+    ]
+
+
+def gymnasium_over_ant(chunks: int = 9, seconds: int = 1) -> list[Measure]:
+    """Gymnasium's own benchmarks over Ant-v5: steps with resets and drawn actions, and making an environment.
+
+    Args:
+        chunks: how often the two environments take turns.
+        seconds: of each turn.
+    """
+    env, ant = gymnasium.make(ENV_ID), gymnasium.make("Ant-v5")
+    env.reset(seed=0)
+    ant.reset(seed=0)
+    steps, inits, resets, rates = [], [], [], []
+    for _ in range(chunks):
+        own = benchmark_step(env, seconds)
+        steps.append(own / benchmark_step(ant, seconds))
+        rates.append(own)
+        own = benchmark_init(lambda: gymnasium.make(ENV_ID), seconds)
+        inits.append(own / benchmark_init(lambda: gymnasium.make("Ant-v5"), seconds))
+        resets.append(
+            _seconds(lambda: [env.reset() for _ in range(200)]) / _seconds(lambda: [ant.reset() for _ in range(200)])
+        )
+    env.close()
+    ant.close()
+    step, init, reset = float(np.median(steps)), float(np.median(inits)), float(np.median(resets))
+    detail = f"{np.median(rates):,.0f} steps/s, drawing the actions and resets included"
+    return [
+        Measure("Gymnasium's benchmark_step, over Ant-v5", step, "x", ">= 1.1", step >= 1.1, detail),
+        Measure("Gymnasium's benchmark_init, over Ant-v5", init, "x", ">= 1.2", init >= 1.2, "make and first reset"),
+        Measure("time of a reset, over Ant-v5's", reset, "x", "<= 3", reset <= 3.0, ""),
     ]
 
 
@@ -280,6 +319,7 @@ WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "import": import_time,
     "kinematics": kinematics,
     "single": single_over_ant,
+    "gymnasium": gymnasium_over_ant,
     "sync": vector_over_sync,
     "vector": vector_over_bare,
     "training": training_over_bare,
