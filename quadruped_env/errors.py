@@ -1,5 +1,7 @@
 """The errors this package raises for bad input."""
 
+from quadruped_env._python import install_command
+
 
 class QuadrupedError(ValueError):
     """Bad input: the message names what was wrong, where, and how to mend it."""
@@ -9,7 +11,7 @@ class MissingExtraError(ImportError):
     """A program needs a library that an optional extra of this package brings."""
 
     def __init__(self, purpose: str, extra: str) -> None:
-        super().__init__(f"{purpose} needs the '{extra}' extra: pip install 'mini-quadruped[{extra}]'")
+        super().__init__(f"{purpose} needs the '{extra}' extra: {install_command(extra)}")
 
 
 class QuadrupedWarning(UserWarning):

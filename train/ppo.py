@@ -14,8 +14,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
-from quadruped_env import QuadrupedError
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
+from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import module_command, pasteable, program_command
+from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.config import shortness
 
 
 @dataclass(frozen=True)
@@ -30,7 +35,9 @@ class Args(TrainConfig):
 
 def parse(argv: list[str]) -> Args:
     """Arguments as typed."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     helps = {**field_docs(TrainConfig), **field_docs(Args)}
     for field in dataclasses.fields(Args):
         option = f"--{field.name.replace('_', '-')}"
@@ -39,7 +46,7 @@ def parse(argv: list[str]) -> Args:
         if field.name == "hidden":
             parser.add_argument(option, type=int, nargs="+", default=default, help=text)
         elif field.name == "task":
-            parser.add_argument(option, type=json.loads, default={}, metavar="JSON", help=text)
+            parser.add_argument(option, type=json_object, default={}, metavar="JSON", help=text)
         elif isinstance(default, bool):
             parser.add_argument(option, action=argparse.BooleanOptionalAction, default=default, help=text)
         elif get_args(field.type) and isinstance(default, str):
@@ -49,6 +56,20 @@ def parse(argv: list[str]) -> Args:
             parser.add_argument(option, type=kind, default=default, help=text)
     values = vars(parser.parse_args(argv))
     return Args(**{**values, "hidden": tuple(values["hidden"])})
+
+
+def json_object(text: str) -> dict[str, Any]:
+    """A JSON object, as an argument."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        found = f"{text[:60]!r} ({error})"
+    else:
+        if isinstance(value, dict):
+            return value
+        found = f"{text[:60]!r}"
+    example = '\'{"command": {"yaw_rate": [-0.4, 0.4]}}\''
+    raise argparse.ArgumentTypeError(f"expected a JSON object such as {example}; found {found}")
 
 
 def field_docs(kind: type) -> dict[str, str]:
@@ -70,16 +91,21 @@ def main() -> int:
     try:
         args = parse(sys.argv[1:])
         values: dict[str, Any] = {field.name: getattr(args, field.name) for field in dataclasses.fields(TrainConfig)}
+        before = latest.resolve().name if (latest := args.runs / "latest").exists() else ""
         # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
         from quadruped_env.training.ppo import train
 
         directory, finished = train(TrainConfig(**values), args.runs, shlex.join(["python", *sys.argv]), args.resume)
-    except QuadrupedError as error:
+    except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
-    print(f"evaluate it:  python evaluate/policy.py {directory}")
-    print(f"see curves:   tensorboard --logdir {args.runs}")
+    print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
+    if args.resume is None and (word := shortness(args.action_mode, load_policy(directory).card["timesteps"])):
+        print(word)
+    print(f"evaluate it:  {program_command('evaluate/policy.py', directory)}")
+    print(f"see it walk:  {program_command('evaluate/view.py', directory)}")
+    print(f"see curves:   {module_command('tensorboard.main', '--logdir', args.runs)}")
     return 0
 
 

@@ -2,8 +2,11 @@
 
 import argparse
 import math
+import sys
 from dataclasses import asdict
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
 
 from quadruped_env import CommandedGait
 from quadruped_env.evaluation.results import write_json
