@@ -96,12 +96,13 @@ def main() -> int:
         from quadruped_env.training.ppo import train
 
         directory, finished = train(TrainConfig(**values), args.runs, shlex.join(["python", *sys.argv]), args.resume)
+        word = "" if args.resume else shortness(args.action_mode, load_policy(directory).card["timesteps"])
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
-    if args.resume is None and (word := shortness(args.action_mode, load_policy(directory).card["timesteps"])):
+    if word:
         print(word)
     print(f"evaluate it:  {program_command('evaluate/policy.py', directory)}")
     print(f"see it walk:  {program_command('evaluate/view.py', directory)}")
