@@ -14,7 +14,10 @@ import argparse
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
 from quadruped_env.evaluation.films.film import Motion
 from quadruped_env.evaluation.films.video import prepare_video, save_film
@@ -27,7 +30,9 @@ from quadruped_env.gait import PRESETS
 
 def main() -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--preset", choices=PRESETS, default="tuned", help="the gait; default: tuned")
     parser.add_argument(
         "--commands",

@@ -9,7 +9,10 @@ import shlex
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.comparison import compare_policies
 from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.options import add_evaluation_options, plain_warnings, tell_results
@@ -22,7 +25,9 @@ from quadruped_env.evaluation.subject import prepare
 
 def main() -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat'")
     add_evaluation_options(parser, "results/comparison, or the next free number")
     args = parser.parse_args()

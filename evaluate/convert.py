@@ -21,7 +21,10 @@ import argparse
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.trajectory.arguments import add_reading_options, reading_options
 from quadruped_env.trajectory.convert import convert
@@ -31,7 +34,9 @@ from quadruped_env.trajectory.saving import WriteOptions
 
 def main() -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("source", type=Path, metavar="IN", help="the recording")
     parser.add_argument("target", type=Path, metavar="OUT", help="where to write")
     add_reading_options(parser)

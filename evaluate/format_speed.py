@@ -4,6 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks.format_speed import measure_formats
 from quadruped_env.benchmarks.throughput import write

@@ -27,7 +27,10 @@ import shlex
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.identification import BASES, FITTED, QUANTITIES, find_commands, identify
 from quadruped_env.evaluation.identification.report import check_report_extra, identification_files, save
 from quadruped_env.evaluation.motors_file import read_motors
@@ -39,7 +42,9 @@ from quadruped_env.trajectory.arguments import add_reading_options, load_with, r
 
 def main() -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("file", type=Path, metavar="FILE", help="what the joints did")
     parser.add_argument("--commands", type=Path, metavar="FILE", help="what they were told")
     parser.add_argument("--commands-topic", metavar="TOPIC", help="of the commands in the bag")

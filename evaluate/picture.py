@@ -4,7 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.films.film import Motion
 from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.progress import ProgressLine
@@ -17,7 +20,9 @@ START, STRIDES = 3.0, 6
 
 def main() -> int:
     """Parse the arguments and draw."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
+    )
     parser.add_argument("--policy", default="flat", help="a run, or a shipped policy")
     parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="commanded")
     parser.add_argument("--output", type=Path, default=Path("assets/pictures/walk.webp"), help="what to write, over")
@@ -26,7 +31,7 @@ def main() -> int:
         prepare_video(args.output, overwrite=True)
         policy = load_policy(args.policy)
         stop = START + STRIDES / policy.config.clock_frequency
-        rollout = roll_out(PolicyController(policy), [(args.velocity, 0.0)], [FIRST_SEED], stop)
+        rollout = roll_out(PolicyController(policy), [(args.velocity, 0.0)], [FIRST_SEED], stop, policy.config)
         save_film(args.output, [Motion.of_rollout(rollout, 0, "trained policy", START)], ProgressLine("drawing"))
     except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)

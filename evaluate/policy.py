@@ -7,8 +7,12 @@ python evaluate/policy.py flat               the shipped policy
 
 import argparse
 import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
 
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.options import add_evaluation_options, plain_warnings, tell_results
@@ -22,7 +26,9 @@ from quadruped_env.evaluation.subject import find_subject, prepare
 
 def main(arguments: list[str] | None = None) -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
     args = parser.parse_args(arguments)

@@ -26,7 +26,10 @@ import shlex
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.motors_file import read_motors
 from quadruped_env.evaluation.options import add_video_option, plain_warnings
@@ -39,7 +42,9 @@ from quadruped_env.trajectory.arguments import add_reading_options, load_with
 
 def main() -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("file", type=Path, metavar="FILE", help="a recording of joint states")
     parser.add_argument("--mode", choices=MODES, default="dynamic", help="default: dynamic")
     parser.add_argument(

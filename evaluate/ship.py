@@ -8,7 +8,10 @@ import json
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.shipping import ship
@@ -17,7 +20,9 @@ from quadruped_env.policies.policy import SHIPPED
 
 def main() -> int:
     """Parse the arguments and ship; fails where the policy does not pass the acceptance test."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("run", type=Path, nargs="?", default=Path("runs/latest"), help="a run (%(default)s)")
     parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="what load_policy calls it (%(default)s)")
     args = parser.parse_args()

@@ -4,6 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks import throughput
 from quadruped_env.training.run import machine, versions

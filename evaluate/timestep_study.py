@@ -13,7 +13,10 @@ import argparse
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.benchmarks.timestep_study import GAITS, run_study
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.results import check_free, free_path
@@ -22,7 +25,9 @@ from quadruped_env.gait import PRESETS
 
 def main() -> None:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument(
         "--gaits",
         nargs="+",

@@ -13,14 +13,19 @@ import signal
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import pasteable
 from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 
 def main() -> int:
     """Run the program."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument(
         "sources", nargs="*", metavar="SOURCE", help="a run, 'flat', a gait's name, or a recording of joint states"
     )

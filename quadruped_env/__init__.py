@@ -7,7 +7,9 @@ env = gymnasium.make("MiniQuadruped-v0")
 """
 
 from quadruped_env._opengl import choose_opengl
+from quadruped_env._python import check_python
 
+check_python()  # before anything is imported that the wrong Python does not have
 choose_opengl()  # before anything imports MuJoCo, which reads the choice when it is imported
 
 from quadruped_env import envs, policies  # noqa: E402

@@ -3,6 +3,8 @@
 import reprlib
 from typing import Final
 
+from quadruped_env._python import install_command
+
 MAX_MESSAGE: Final = 700
 """Characters of an error message: a file may hold megabytes, and no reader wants them back"""
 
@@ -27,7 +29,7 @@ class MissingExtraError(ImportError):
     """A program needs a library that an optional extra of this package brings."""
 
     def __init__(self, purpose: str, extra: str) -> None:
-        super().__init__(f"{purpose} needs the '{extra}' extra: pip install 'mini-quadruped[{extra}]'")
+        super().__init__(f"{purpose} needs the '{extra}' extra: {install_command(extra)}")
 
 
 class QuadrupedWarning(UserWarning):

@@ -11,9 +11,9 @@ from quadruped_env.envs import make_sb3_vec_env
 @pytest.mark.parametrize(
     ("action", "message"),
     [
-        (np.zeros(7), r"action: expected shape \(1, 8\).*found \(1, 7\)"),
-        (np.zeros((2, 8)), r"action: expected shape.*found \(1, 2, 8\)"),
-        (0.0, r"action: expected shape"),
+        (np.zeros(7), r"action: expected shape \(8,\), one value per joint; found \(7,\)"),
+        (np.zeros((2, 8)), r"action: expected shape \(8,\).*found \(2, 8\)"),
+        (0.0, r"action: expected shape \(8,\).*found \(\)"),
         (np.full(8, np.nan), r"action: value nan for LF_hip_joint in row 0 is not finite"),
         ([0, 0, 0, np.inf, 0, 0, 0, 0], r"action: value inf for RF_knee_joint in row 0 is not finite"),
         ([0, 0, 0, np.inf, 0, -np.inf, 0, 0], r"action: value inf for RF_knee_joint"),

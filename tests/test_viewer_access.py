@@ -8,6 +8,7 @@ import http.server
 import re
 import socket
 import threading
+from types import SimpleNamespace
 
 import pytest
 from viewing import showing
@@ -402,3 +403,21 @@ def test_in_a_browser_only_the_viewers_own_page_reads_from_it(show, page, foreig
     page.get_by_text("Feet on the ground").wait_for()
     assert page.evaluate(TRY_SOCKET, [show.port, PROTOCOL]) == "reads"
     assert page.title() == "MiniQuadruped"
+
+
+# --- the live view
+
+
+@pytest.mark.slow
+def test_the_live_view_refuses_a_foreign_page_with_a_line(start):
+    pytest.importorskip("cyclonedds")
+    view = start("view", "--port", "0")
+    pattern = r"the live robot: http://127\.0\.0\.1:(\d+)"
+    (port,) = wait_until(lambda: re.search(pattern, view.said), lambda: view.said, view.process).groups()
+    show = SimpleNamespace(port=int(port))
+    with pytest.raises(InvalidStatus):
+        client(show, origin="http://evil.example")
+    with client(show, origin=f"http://127.0.0.1:{port}") as socket:
+        assert socket.recv()
+    assert view.interrupt() == 0
+    assert view.said.count("Origin is 'http://evil.example': a foreign page") == 1

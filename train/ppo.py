@@ -14,9 +14,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
-from quadruped_env import QuadrupedError
+sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+
+from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env._python import module_command, pasteable, program_command
 from quadruped_env.evaluation.options import plain_warnings
+from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.config import shortness
 from quadruped_env.training.resume import Parent
 
 
@@ -35,7 +40,7 @@ def parse(argv: list[str]) -> dict[str, Any]:
     """The fields of `Args` that were typed."""
     # Without defaults: a resumed run has other ones.
     parser = argparse.ArgumentParser(
-        description=__doc__,
+        description=pasteable(__doc__),
         formatter_class=argparse.RawDescriptionHelpFormatter,
         argument_default=argparse.SUPPRESS,
     )
@@ -47,7 +52,7 @@ def parse(argv: list[str]) -> dict[str, Any]:
         if field.name == "hidden":
             parser.add_argument(option, type=int, nargs="+", help=text)
         elif field.name == "task":
-            parser.add_argument(option, type=json.loads, metavar="JSON", help=text)
+            parser.add_argument(option, type=json_object, metavar="JSON", help=text)
         elif isinstance(default, bool):
             parser.add_argument(option, action=argparse.BooleanOptionalAction, help=text)
         elif get_args(field.type) and isinstance(default, str):
@@ -57,6 +62,20 @@ def parse(argv: list[str]) -> dict[str, Any]:
             parser.add_argument(option, type=kind, help=text)
     typed = vars(parser.parse_args(argv))
     return {name: tuple(value) if name == "hidden" else value for name, value in typed.items()}
+
+
+def json_object(text: str) -> dict[str, Any]:
+    """A JSON object, as an argument."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        found = f"{text[:60]!r} ({error})"
+    else:
+        if isinstance(value, dict):
+            return value
+        found = f"{text[:60]!r}"
+    example = '\'{"command": {"yaw_rate": [-0.4, 0.4]}}\''
+    raise argparse.ArgumentTypeError(f"expected a JSON object such as {example}; found {found}")
 
 
 def field_docs(kind: type) -> dict[str, str]:
@@ -78,6 +97,7 @@ def main() -> int:
     try:
         typed = parse(sys.argv[1:])
         runs, resume = typed.pop("runs", Args.runs), typed.pop("resume", None)
+        before = latest.resolve().name if (latest := runs / "latest").exists() else ""
         if resume is None:
             config = TrainConfig(**typed)
         else:
@@ -90,12 +110,17 @@ def main() -> int:
         from quadruped_env.training.ppo import train
 
         directory, finished = train(config, runs, shlex.join(["python", *sys.argv]), resume)
-    except QuadrupedError as error:
+        word = shortness(config.action_mode, load_policy(directory).card["timesteps"])
+    except (QuadrupedError, MissingExtraError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
-    print(f"evaluate it:  python evaluate/policy.py {directory}")
-    print(f"see curves:   tensorboard --logdir {runs}")
+    print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
+    if word:
+        print(word)
+    print(f"evaluate it:  {program_command('evaluate/policy.py', directory)}")
+    print(f"see it walk:  {program_command('evaluate/view.py', directory)}")
+    print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
     return 0
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs import arguments, spaces
 from quadruped_env.envs.rendering import SceneRenderer
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import load_model
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
@@ -174,7 +175,12 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step; see the class."""
-        transition = self.task.step(np.asarray(action)[None])
+        action = np.asarray(action)
+        if action.shape != self.action_space.shape:
+            raise QuadrupedError(
+                f"action: expected shape {self.action_space.shape}, one value per joint; found {action.shape}"
+            )
+        transition = self.task.step(action[None])
         info = self._readings()
         # An array of no axes: of a NumPy bool Gymnasium's vector environments would make an array of objects.
         info["diverged"] = transition.diverged.reshape(())

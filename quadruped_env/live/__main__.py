@@ -5,6 +5,7 @@ import os
 import sys
 from collections.abc import Sequence
 
+from quadruped_env._python import pasteable
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.nodes import MODULES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
@@ -19,9 +20,9 @@ node. 'python -m quadruped_env.live NODE --help' says more.
 def make_parser() -> argparse.ArgumentParser:
     """The parser of all nodes' arguments."""
     parser = argparse.ArgumentParser(
-        prog="python -m quadruped_env.live",
+        prog=pasteable("python -m quadruped_env.live"),
         description="The robot on live ROS 2 topics, without a ROS installation.",
-        epilog=_EPILOG,
+        epilog=pasteable(_EPILOG),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     nodes = parser.add_subparsers(dest="node", metavar="NODE", required=True)
@@ -30,7 +31,7 @@ def make_parser() -> argparse.ArgumentParser:
         node = nodes.add_parser(
             name,
             help=module.SUMMARY,
-            description=module.__doc__,
+            description=pasteable(module.__doc__),
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_arguments(node)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies.policy import Policy
-from quadruped_env.task import ACTION_WIDTH, Task, Transition
+from quadruped_env.task import ACTION_WIDTH, Task, TaskConfig, Transition
 from quadruped_env.trajectory import JointTrajectory
 
 
@@ -89,7 +89,15 @@ class PolicyController:
         self.policy = policy
         self.name = name
         self.action_mode = policy.action_mode
+        self._checked: TaskConfig | None = None
 
     def step(self, task: Task, observation: NDArray[np.float32]) -> Transition:
-        """See `Controller.step`."""
+        """See `Controller.step`.
+
+        Raises:
+            QuadrupedError: if the policy's actions mean something else in this task.
+        """
+        if task.config is not self._checked:
+            self.policy.check_task(task.config)
+            self._checked = task.config
         return task.step(self.policy.predict(observation))

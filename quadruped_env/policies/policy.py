@@ -9,16 +9,19 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final
 
+import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load, save
 
+from quadruped_env._python import has_programs, program_command
 from quadruped_env.documents import check_regular, read_json
+from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.files import write_whole
 from quadruped_env.gait import CommandedGait
-from quadruped_env.task import ACTION_WIDTH, OBSERVATION_LAYOUT, OBSERVATION_WIDTH, TaskConfig
+from quadruped_env.task import ACTION_WIDTH, OBSERVATION_LAYOUT, OBSERVATION_WIDTH, Task, TaskConfig
 
 FORMAT_VERSION: Final = 1
 TENSORS_FILE: Final = "policy.safetensors"
@@ -78,6 +81,70 @@ class Policy:
         x = x @ self.weights[-1] + self.biases[-1]
         return np.minimum(np.maximum(x, -1.0), 1.0)
 
+    def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
+        """The environment that the policy was trained for: its task, action mode and control rate.
+
+        Args:
+            **kwargs: of `gymnasium.make`, such as `render_mode`.
+
+        Raises:
+            QuadrupedError: if `kwargs` name another task than the policy's.
+        """
+        return gymnasium.make(ENV_ID, config=self._env_config(kwargs), **kwargs)
+
+    def make_vec_env(self, num_envs: int, **kwargs: Any) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
+        """Many of the environments that the policy was trained for, vectorized natively.
+
+        Args:
+            num_envs: number of robots.
+            **kwargs: of `gymnasium.make_vec`, such as `max_episode_steps`.
+
+        Raises:
+            QuadrupedError: if `kwargs` name another task than the policy's.
+        """
+        return gymnasium.make_vec(ENV_ID, num_envs=num_envs, config=self._env_config(kwargs), **kwargs)
+
+    def check_env(self, env: Any) -> None:
+        """Make sure that actions mean in an environment what they meant in training.
+
+        Args:
+            env: any of this package's environments, in wrappers or not.
+
+        Raises:
+            QuadrupedError: if its action mode or scale, control rate or gait clock is another than the policy's.
+        """
+        task = getattr(getattr(env, "unwrapped", env), "task", None)
+        if not isinstance(task, Task):
+            raise QuadrupedError(f"policy: {env!r} is no environment of this package; make one with policy.make_env()")
+        self.check_task(task.config)
+
+    def check_task(self, config: TaskConfig) -> None:
+        """As `check_env`, for the config of a task. What does not change an action's meaning may differ.
+
+        Raises:
+            QuadrupedError: if the action mode or scale, control rate or gait clock is another than the policy's.
+        """
+        scale = f"{self.action_mode}_scale"
+        for name, own, found in (
+            ("action.mode", self.action_mode, config.action.mode),
+            (f"action.{scale}", getattr(self.config.action, scale), getattr(config.action, scale)),
+            ("control_timestep", self.config.control_timestep, config.control_timestep),
+            ("clock_frequency", self.config.clock_frequency, config.clock_frequency),
+        ):
+            if own != found:
+                raise QuadrupedError(
+                    f"policy: it was trained with {name} {own!r}, and this environment has {found!r}; "
+                    f"make its own with policy.make_env()"
+                )
+
+    def _env_config(self, kwargs: dict[str, Any]) -> dict[str, Any]:
+        for name in ("action_mode", "config"):
+            if name in kwargs:
+                raise QuadrupedError(
+                    f"policy.make_env: {name} is the policy's own; for another task: gymnasium.make({ENV_ID!r}, ...)"
+                )
+        return self.config.to_dict()
+
     def save(self, directory: Path) -> None:
         """Write the policy's two files into a directory.
 
@@ -135,6 +202,11 @@ def _gait_document(action_mode: str) -> dict[str, Any] | None:
     return json.loads(json.dumps(asdict(CommandedGait.tuned()))) if action_mode == "residual" else None
 
 
+def training_advice() -> str:
+    """How a person gets a policy of their own."""
+    return f"train one with '{program_command('train/ppo.py')}'" if has_programs() else "train one in a checkout"
+
+
 def shipped_directory(name: str) -> Path:
     """Where the package keeps one of its own policies."""
     return _SHIPPED_DIRECTORY / name
@@ -181,7 +253,7 @@ def load_policy(source: str | Path) -> Policy:
     if not os.path.isdir(directory):
         raise QuadrupedError(
             f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
-            f"train one with 'python train/ppo.py'"
+            f"{training_advice()}"
         )
     for path in (card_path, tensors_path):
         if not os.path.exists(path):

@@ -2,10 +2,13 @@
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.config import ACTION_MODES
+
+STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
+"""Median of the steps until a policy walks at 0.5 m/s, as `evaluate/learning_speed.py` measured them (README)"""
 
 
 @dataclass(frozen=True)
@@ -97,3 +100,14 @@ class TrainConfig:
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
                 f"(num_envs * n_steps); lower it or take more robots"
             )
+
+
+def shortness(action_mode: str, timesteps: int) -> str:
+    """A sentence about a training that was too short to have learned to walk, or nothing."""
+    needed = STEPS_TO_WALK[action_mode]
+    if timesteps >= needed:
+        return ""
+    return (
+        f"it has learned for {timesteps:,} steps only, and in mode {action_mode!r} a policy takes about {needed:,} "
+        f"to walk well: give it more --seconds or --timesteps, or go on with --resume"
+    )

@@ -25,6 +25,7 @@ from websockets.asyncio.server import ServerConnection
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
+from quadruped_env._python import pip_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.viewer.access import LOG, AccessRules, Refusal, RefusalLog, page_address
 
@@ -216,7 +217,7 @@ class Guard:
         if not calls:
             raise QuadrupedError(
                 f"viser {viser.__version__} starts its server in another way than viser 1.1, so that foreign pages "
-                f"could not be kept out; pip install 'viser~=1.1.1'"
+                f"could not be kept out; {pip_command()} 'viser~=1.1.1'"
             )
 
     def _options(self, options: dict[str, Any]) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from quadruped_env.policies import (
     ZeroController,
     load_policy,
 )
-from quadruped_env.policies.policy import CARD_FILE, SHIPPED
+from quadruped_env.policies.policy import CARD_FILE, SHIPPED, training_advice
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.viewer.gaits import EditableGaitController
@@ -79,7 +79,7 @@ def asked_source(text: str) -> Source:
     if not path.suffix and not path.is_dir():
         raise QuadrupedError(
             f"{text!r} is no shipped policy ({', '.join(SHIPPED)}), no scripted gait ({', '.join(PRESETS)}), no run's "
-            f"directory and no recording; name one of these, or train with 'python train/ppo.py'"
+            f"directory and no recording; name one of these, or {training_advice()}"
         )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
     return recording_source(path) if recorded else policy_source(f"run {shown_path(path)}", text)

@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env._python import pip_command
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.films.film import FRAME_RATE, Camera, Motion, Picture
 from quadruped_env.evaluation.results import check_free
@@ -83,7 +84,7 @@ def encode_mp4(pictures: Iterable[Picture]) -> bytes:
         except av.codec.codec.UnknownCodecError as error:
             raise QuadrupedError(
                 f"PyAV {av.__version__} has no encoder {_ENCODER!r}; its wheel has: "
-                f"pip install --force-reinstall --only-binary av av"
+                f"{pip_command()} --force-reinstall --only-binary av av"
             ) from error
         stream.height, stream.width = first.shape[:2]
         stream.pix_fmt = "yuv420p"
@@ -148,11 +149,14 @@ def _page_images(pictures: Iterable[Picture]) -> list[Any]:
 
 
 def _encode_stills(pictures: Iterable[Picture]) -> bytes:
-    """`STILLS` pictures from the first to the last, half their size, side by side."""
+    """`STILLS` pictures, half their size, side by side: the middle one of each of as many equal parts of the film.
+
+    The first pictures of a motion show a robot that stands, and a film may be one motion after another.
+    """
     _, pictures = _first(pictures)
     every = list(pictures)
-    chosen = np.linspace(0, len(every) - 1, STILLS).round().astype(int)
-    return encode_png(np.concatenate([halved(every[i]) for i in chosen], axis=1))
+    chosen = (np.arange(STILLS) + 0.5) / STILLS * len(every)
+    return encode_png(np.concatenate([halved(every[int(i)]) for i in chosen], axis=1))
 
 
 def halved(picture: Picture) -> Picture:

@@ -1,0 +1,134 @@
+"""The Python that a program runs with: whether it is the right one, and the commands that start it again.
+
+Only the standard library, and nothing that an old Python does not know: it runs before anything else is imported.
+"""
+
+import os
+import re
+import shlex
+import shutil
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+OLDEST = (3, 11)
+NEEDED = ("gymnasium", "mujoco", "numpy", "safetensors")
+
+_CHECKOUT = Path(__file__).resolve().parents[1]
+"""Where the programs are; in an installed package they are not there."""
+_STARTED = getattr(sys, "orig_argv", [sys.executable, *sys.argv])
+_PROGRAM = re.compile(r"\bpython (?:(?P<program>(?:train|evaluate)/\w+\.py)\b|(?=-m quadruped_env\b))")
+
+
+def check_python() -> None:
+    """Make sure that this Python has what the package needs.
+
+    A program of this project ends with a line on stderr and status 2 if not, as it does for other errors.
+
+    Raises:
+        ModuleNotFoundError: if something is missing; the message says which Python to use.
+    """
+    missing = [name for name in NEEDED if find_spec(name) is None]
+    if sys.version_info < OLDEST:
+        lack = "is Python {}.{}, and {}.{} or later is needed".format(*sys.version_info[:2], *OLDEST)
+    elif missing:
+        lack = "has no " + ", ".join(missing)
+    else:
+        return
+    message = "{} {}; {}".format(sys.executable or "this Python", lack, _cure())
+    if _is_program():
+        print(f"error: {message}", file=sys.stderr)
+        raise SystemExit(2)
+    raise ModuleNotFoundError(message, name=missing[0] if missing else None)
+
+
+def python_command() -> str:
+    """What starts this Python from here: `python`, where that is the same one, or else its path."""
+    found = shutil.which("python")
+    if not sys.executable or (found and _is_same(Path(found).parent, Path(sys.executable).parent)):
+        return "python"
+    return shlex.quote(_from_here(Path(sys.executable)))
+
+
+def program_command(program: str, *arguments: object) -> str:
+    """A command that starts a program of the checkout from here.
+
+    Args:
+        program: as from the checkout's root, `train/ppo.py`.
+        arguments: of the program.
+    """
+    path = _CHECKOUT / program
+    where = _from_here(path) if path.is_file() else program
+    return f"{python_command()} {shlex.join([where, *map(str, arguments)])}"
+
+
+def module_command(module: str, *arguments: object) -> str:
+    """A command that runs a module that is installed."""
+    return f"{python_command()} -m {shlex.join([module, *map(str, arguments)])}"
+
+
+def has_programs() -> bool:
+    """Whether the programs are beside the package, as in a checkout."""
+    return (_CHECKOUT / "pyproject.toml").is_file() and (_CHECKOUT / "train").is_dir()
+
+
+def pip_command() -> str:
+    """What installs something for this Python."""
+    return f"{python_command()} -m pip install"
+
+
+def install_command(extra: str) -> str:
+    """What installs an extra of this package for this Python."""
+    place = _from_here(_CHECKOUT) if has_programs() else ""
+    package = f"-e {shlex.quote(f'{place}[{extra}]')}" if place else shlex.quote(f"mini-quadruped[{extra}]")
+    return f"{pip_command()} {package}"
+
+
+def pasteable(text: str | None) -> str:
+    """A text, such as a program's docstring, in which `python train/ppo.py` works as it stands."""
+
+    def command(match: "re.Match[str]") -> str:
+        return program_command(match["program"]) if match["program"] else f"{python_command()} "
+
+    return _PROGRAM.sub(command, text or "")
+
+
+def _cure() -> str:
+    own = _CHECKOUT / (".venv/Scripts/python.exe" if os.name == "nt" else ".venv/bin/python")
+    again = _STARTED[1:] if _is_program() else []
+    if own.exists() and not _is_same(own.parent, Path(sys.executable).parent):
+        return f"run it with {shlex.join([_from_here(own), *again])}"
+    if has_programs():
+        what = f", then run it with {shlex.join([_from_here(own), *again])}" if again else ""
+        place = _from_here(_CHECKOUT)
+        make = "make install" if place == "." else f"make -C {shlex.quote(place)} install"
+        return f"'{make}' creates one that has it{what}"
+    return "install mini-quadruped for it"
+
+
+def _is_program() -> bool:
+    """Whether one of this project's programs is being started."""
+    if "-m" in _STARTED[:-1]:
+        return _STARTED[_STARTED.index("-m") + 1].split(".")[0] == "quadruped_env"
+    main = getattr(sys.modules.get("__main__"), "__file__", None)
+    return main is not None and Path(main).resolve().parent in (_CHECKOUT / "train", _CHECKOUT / "evaluate")
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    try:
+        return one.samefile(other)
+    except OSError:
+        return False
+
+
+def _from_here(path: Path) -> str:
+    """A path from the working directory on where it is below it, and as it is elsewhere."""
+    relative = os.path.relpath(path, _real_cwd(path))
+    return str(path) if relative.startswith("..") else relative
+
+
+def _real_cwd(path: Path) -> Path:
+    # The checkout's path is resolved, the interpreter's is not: its directory may be a link.
+    here = Path.cwd()
+    resolved = here.resolve()
+    return resolved if resolved in path.parents else here

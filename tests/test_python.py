@@ -1,0 +1,138 @@
+"""Commands that the programs print, and what they say to the wrong Python."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from quadruped_env import MissingExtraError, QuadrupedError, _python
+from quadruped_env.policies import load_policy
+
+ROOT = Path(__file__).parents[1]
+PROGRAMS = [path.relative_to(ROOT) for folder in ("train", "evaluate") for path in sorted((ROOT / folder).glob("*.py"))]
+BARE = (sys.executable, "-S")
+"""This Python without what is installed for it"""
+
+
+def run(*command, **options):
+    return subprocess.run(command, capture_output=True, text=True, check=False, **options)
+
+
+# --- the wrong Python
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=str)
+def test_a_program_with_a_wrong_python_says_in_a_line_which_one_to_use(program, tmp_path):
+    done = run(*BARE, ROOT / program, "--flag", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    (line,) = done.stderr.splitlines()
+    assert line.startswith(f"error: {sys.executable} has no gymnasium, mujoco, numpy, safetensors; ")
+    assert line.endswith(f"/.venv/bin/python -S {ROOT / program} --flag")
+
+
+def test_a_live_node_with_a_wrong_python_says_in_a_line_which_one_to_use():
+    done = run(*BARE, "-m", "quadruped_env.live", "sim", cwd=ROOT)
+    assert done.returncode == 2
+    (line,) = done.stderr.splitlines()
+    assert line.endswith("run it with .venv/bin/python -S -m quadruped_env.live sim")
+
+
+def test_an_import_with_a_wrong_python_is_an_error_with_the_same_words():
+    done = run(*BARE, "-c", "import quadruped_env", cwd=ROOT)
+    assert done.returncode == 1
+    assert re.search(r"ModuleNotFoundError: .* has no gymnasium, .*", done.stderr.splitlines()[-1])
+
+
+def test_an_old_python_is_told_its_version(monkeypatch):
+    monkeypatch.setattr(_python, "OLDEST", (99, 0))
+    with pytest.raises(ModuleNotFoundError, match=r"is Python 3\.\d+, and 99\.0 or later is needed; "):
+        _python.check_python()
+
+
+def test_the_cure_is_the_checkouts_own_python_where_there_is_one(tmp_path, monkeypatch):
+    monkeypatch.setattr(_python, "_CHECKOUT", tmp_path)
+    monkeypatch.setattr(_python, "_is_program", lambda: True)
+    monkeypatch.setattr(_python, "_STARTED", ["python", "evaluate/view.py", "my walk.csv"])
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "train").mkdir()
+    (tmp_path / "pyproject.toml").touch()
+    assert _python._cure() == (
+        "'make install' creates one that has it, then run it with .venv/bin/python evaluate/view.py 'my walk.csv'"
+    )
+    (tmp_path / ".venv" / "bin").mkdir(parents=True)
+    (tmp_path / ".venv" / "bin" / "python").touch()
+    assert _python._cure() == "run it with .venv/bin/python evaluate/view.py 'my walk.csv'"
+    monkeypatch.chdir(tmp_path / "train")
+    assert _python._cure().startswith(f"run it with {tmp_path}/.venv/bin/python ")
+
+
+# --- commands to paste
+
+
+@pytest.fixture
+def python_on_path(tmp_path, monkeypatch):
+    """A `python` on the PATH that is another one than this."""
+    (tmp_path / "bin").mkdir()
+    other = tmp_path / "bin" / "python"
+    other.write_text("#!/bin/sh\n")
+    other.chmod(0o755)
+    monkeypatch.setenv("PATH", str(other.parent))
+
+
+def test_the_command_is_python_where_that_is_this_one(monkeypatch, tmp_path):
+    (tmp_path / "python").symlink_to(sys.executable)
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "python3"))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    (tmp_path / "python").chmod(0o755)
+    assert _python.python_command() == "python"
+
+
+@pytest.mark.usefixtures("python_on_path")
+def test_the_command_is_this_pythons_path_where_python_is_another(monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    assert _python.python_command() == shlex.quote(sys.executable)
+    monkeypatch.setattr(sys, "executable", str(tmp_path / ".venv" / "bin" / "python"))
+    assert _python.python_command() == os.path.join(".venv", "bin", "python")
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "my venv" / "bin" / "python"))
+    assert _python.python_command() == "'my venv/bin/python'"
+
+
+@pytest.mark.usefixtures("python_on_path")
+@pytest.mark.parametrize("directory", [ROOT, Path("/")])
+def test_commands_in_help_can_be_pasted(directory, monkeypatch):
+    monkeypatch.chdir(directory)
+    text = _python.pasteable("python evaluate/view.py flat\n\npython -m quadruped_env.live sim and python alone")
+    first, _, second = text.splitlines()
+    done = run(*shlex.split(first)[:2], "--help", cwd=directory)
+    assert done.returncode == 0, done.stderr
+    assert shlex.split(first)[0] == shlex.split(second)[0]
+    assert second.endswith(" -m quadruped_env.live sim and python alone")
+
+
+@pytest.mark.usefixtures("python_on_path")
+@pytest.mark.parametrize("program", [*PROGRAMS, Path("-m")], ids=str)
+def test_no_help_has_a_command_of_another_python(program):
+    what = ["-m", "quadruped_env.live", "record"] if program == Path("-m") else [ROOT / program]
+    done = run(sys.executable, *what, "--help", cwd=ROOT)
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"(?<!/)\bpython (train|evaluate|-m)", done.stdout) is None
+
+
+@pytest.mark.usefixtures("python_on_path")
+def test_errors_name_commands_of_this_python(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    python = re.escape(_python.python_command())
+    with pytest.raises(QuadrupedError, match=f"train one with '{python} train/ppo.py'"):
+        load_policy("nowhere")
+    assert re.search(f"{python} -m pip install -e '\\.\\[viewer\\]'", str(MissingExtraError("The viewer", "viewer")))
+
+
+def test_without_a_checkout_the_package_is_named(monkeypatch, tmp_path):
+    monkeypatch.setattr(_python, "_CHECKOUT", tmp_path)
+    assert "-m pip install 'mini-quadruped[viewer]'" in str(MissingExtraError("The viewer", "viewer"))
+    with pytest.raises(QuadrupedError, match="train one in a checkout"):
+        load_policy("nowhere")
