@@ -66,7 +66,7 @@ def resumed_config(directory: Path, config: TrainConfig) -> TrainConfig:
     Raises:
         QuadrupedError: if the directory is not a complete run; the message names the file, the field and the cure.
     """
-    if not directory.is_dir():
+    if not os.path.isdir(directory):  # Path.is_dir raises for a name that is too long
         raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
     for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE):
         if not (directory / name).is_file():
