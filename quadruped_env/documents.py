@@ -9,6 +9,7 @@ import json
 import math
 import re
 import stat
+import sys
 import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -16,8 +17,8 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, short
 
-MAX_BYTES: Final = 16_000_000
-"""Of a document: far more than this package writes into one"""
+MAX_BYTES: Final = {"JSON": 16_000_000, "TOML": 1_000_000}
+"""Of a document: far more than this package writes into one, or a person; Python's TOML parser is slow"""
 MAX_DEPTH: Final = 32
 """Levels of nesting: far more than any document here has"""
 
@@ -85,13 +86,14 @@ def read_toml(path: Path, fix: str = "mend it, or name another file") -> dict[st
 
 def _text(path: Path, language: str, fix: str) -> str:
     check_regular(path, fix)
+    limit = MAX_BYTES[language]
     try:
         with path.open("rb") as file:
-            data = file.read(MAX_BYTES + 1)
+            data = file.read(limit + 1)
     except OSError as error:
         raise _unreadable(path, error, fix) from error
-    if len(data) > MAX_BYTES:
-        raise QuadrupedError(f"{path}: over {MAX_BYTES} bytes are too many; {fix}")
+    if len(data) > limit:
+        raise QuadrupedError(f"{path}: over {limit} bytes are too many; {fix}")
     try:
         # Editors on Windows put a byte-order mark in front.
         return data.decode("utf-8-sig")
@@ -142,10 +144,13 @@ def _problem(value: Any, depth: int) -> str | None:
         try:
             math.isfinite(value)
         except OverflowError:
-            return f"a whole number of {int(value.bit_length() * math.log10(2)) + 1} digits is too large"
+            return f"a whole number beyond {sys.float_info.max:.1e}"
     # What "\ud800" stands for is no character, and can be neither printed nor written.
-    if isinstance(value, str) and any("\ud800" <= character <= "\udfff" for character in value):
-        return f"{short(value)} holds half a character"
+    if isinstance(value, str):
+        try:
+            value.encode()
+        except UnicodeEncodeError:
+            return f"{short(value)} holds half a character"
     return None
 
 

@@ -14,8 +14,12 @@ from quadruped_env import (
     QuadrupedError,
 )
 from quadruped_env.trajectory import JointMap, JointRule, formats
+from quadruped_env.trajectory.convert import convert
+from quadruped_env.trajectory.saving import WriteOptions
 
 pytest.importorskip("rosbags")
+
+UNCHECKED = "salvaged without a checksum, so that damage in their numbers would not show"
 
 
 class TestBadMessages:
@@ -205,7 +209,49 @@ class TestSalvage:
             JointTrajectory.load(path)
         loaded = JointTrajectory.load(path, salvage=True)
         assert loaded.stamps.tolist() == [i for i in range(20) if i != 5]
-        assert loaded.source.notes == ("left out 1 of 20: the message is damaged",)
+        assert loaded.source.notes == (
+            f"{UNCHECKED}: 19 of 20 messages (message 0 to 4, 6 to 19)",
+            "left out 1 of 20: the message is damaged",
+        )
+
+    @pytest.mark.parametrize(
+        ("kind", "checked"),
+        [("bare.mcap", True), ("bare.db3", False), ("mcap zstd", True), ("None", False), ("BZ2", True), ("LZ4", False)],
+    )
+    def test_convert_marks_what_was_salvaged_without_a_checksum(self, tmp_path, kind, checked):
+        trajectory = random_trajectory(rows=60)
+        ros1 = kind in {"None", "BZ2", "LZ4"}
+        path = (
+            write_ros1(tmp_path / "a.bag", trajectory, None if kind == "None" else kind)
+            if ros1
+            else save(trajectory, tmp_path, kind)
+        )
+        account = convert(path, tmp_path / "a.csv", formats.options(salvage=True), WriteOptions())
+        remark = f"{UNCHECKED}: 60 of 60 messages (message 0 to 59)"
+        assert account.unchecked_rows == (0 if checked else 60)
+        assert (remark in account.remarks) == (remark in account.text()) == (not checked)
+        # Without --salvage the index has to be whole, and nothing is said.
+        account = convert(path, tmp_path / "b.csv", formats.options(), WriteOptions())
+        assert (account.unchecked_rows, account.remarks) == (0, ())
+
+    def test_load_of_an_mcap_whose_chunks_lack_checksums_marks_their_messages(self, tmp_path):
+        trajectory = random_trajectory(rows=60)
+        path = save(trajectory, tmp_path, "bare.mcap")
+        data = bytearray(path.read_bytes())
+        at = 8
+        while data[at] != 0x06:
+            at += 9 + struct.unpack_from("<Q", data, at + 1)[0]
+        data[at + 9 + 24 : at + 9 + 28] = bytes(4)
+        path.write_bytes(data)
+        loaded = JointTrajectory.load(path, salvage=True)
+        assert_same(loaded, trajectory)
+        assert loaded.source.notes == (f"{UNCHECKED}: 60 of 60 messages (message 0 to 59)",)
+
+    def test_convert_with_a_change_counts_what_was_salvaged_without_a_checksum(self, tmp_path):
+        path = save(random_trajectory(rows=60), tmp_path, "bare.db3")
+        options, half = formats.options(salvage=True), lambda trajectory: trajectory.rows(np.s_[:30])
+        account = convert(path, tmp_path / "a.csv", options, WriteOptions(), half)
+        assert (account.rows, account.unchecked_rows) == (30, 60)
 
 
 class TestStream:

@@ -105,8 +105,9 @@ class TestYaml:
     def test_damage_at_the_end_is_salvaged(self, tmp_path):
         loaded = load(tmp_path / "a", BLOCK + FLOW[:40], salvage=True)
         assert len(loaded) == 1
-        (note,) = loaded.source.notes
-        assert note.startswith("damaged, and read up to the damage: ")
+        damage, unchecked = loaded.source.notes
+        assert damage.startswith("damaged, and read up to the damage: ")
+        assert unchecked.endswith("damage in their numbers would not show: 1 of 1 messages (message 0)")
 
 
 class TestCsv:

@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.evaluation.identification import FITTED, QUANTITIES, find_commands, identify
 from quadruped_env.evaluation.identification.fit import MotorFit
 from quadruped_env.evaluation.identification.quantities import (
@@ -24,6 +24,7 @@ from quadruped_env.evaluation.identification.recorded import align, held
 from quadruped_env.evaluation.identification.report import save
 from quadruped_env.evaluation.identification.spec import joint_spec
 from quadruped_env.evaluation.motors_file import read_motors
+from quadruped_env.evaluation.recording import play, publish
 from quadruped_env.evaluation.replay import replay
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, JointMotor, MotorConfig, asset_path
 from quadruped_env.robot.motors import fill_command_history
@@ -71,9 +72,14 @@ def measured(commands, motors, noise=NOISE, every=2, seed=0):
         if (step + 1) % every == 0:
             rows.append(((step + 1) * 5_000_000, data.qpos.copy(), data.qvel.copy(), data.actuator_force.copy()))
     stamps, *signals = map(np.array, zip(*rows, strict=True))
+    return noisy(JointTrajectory(stamps, JOINT_NAMES, *signals), noise, seed)
+
+
+def noisy(trajectory, noise=NOISE, seed=0):
     rng = np.random.default_rng(seed)
-    noisy = [signal + rng.normal(0.0, sigma, signal.shape) for signal, sigma in zip(signals, noise, strict=True)]
-    return JointTrajectory(stamps, JOINT_NAMES, *noisy)
+    signals = trajectory.positions, trajectory.velocities, trajectory.efforts
+    disturbed = [signal + rng.normal(0.0, sigma, signal.shape) for signal, sigma in zip(signals, noise, strict=True)]
+    return JointTrajectory(trajectory.stamps, trajectory.names, *disturbed)
 
 
 def without(trajectory, *kinds):
@@ -91,6 +97,13 @@ def short():
     """Commands over 3 s, and what a robot made of them."""
     commands = commanded(3.0)
     return commands, measured(commands, TRUTH)
+
+
+@pytest.fixture(scope="module")
+def walked():
+    """Commands of a walk over 3 s, and what a robot on the ground made of them."""
+    commands = publish(SinusoidalGait.preset("tuned"), 3.0, 50.0)
+    return commands, noisy(play(commands, motors=TRUTH).joints)
 
 
 class TestRecorded:
@@ -171,9 +184,6 @@ class TestPrediction:
 
     def test_on_the_ground_it_is_the_task(self):
         """The free robot of the fit does what the task's does with the same targets."""
-        from quadruped_env import SinusoidalGait
-        from quadruped_env.evaluation.recording import play, publish
-
         commands = publish(SinusoidalGait.preset("tuned"), 2.0, 50.0)
         walked = play(commands).joints
         fit = MotorFit(align(walked, commands, 0.7, 0.005), "free", MotorConfig(), ["kp"])
@@ -233,6 +243,62 @@ class TestIdentify:
         assert part.after.hip.kp == pytest.approx(32.0, rel=0.02)
         assert np.isnan(part.errors(after=True)["position"][2])
         assert "RF_hip" not in part.table()
+
+    def test_identify_a_walk_on_the_ground_with_a_fixed_base_says_so_and_gives_no_interval(self, walked, tmp_path):
+        commands, recording = walked
+        start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
+        found = identify(recording, commands, start=start, fitted=["kp"])
+        # Without a word this would be taken for the truth.
+        assert abs(found.after.knee.kp / TRUTH.knee.kp - 1.0) > 0.1
+        assert not found.base_fits
+        assert found.verdict().startswith("Do not trust these motors: --base fixed does not fit.")
+        assert all(estimate.half_width is None and estimate.determined for estimate in found.estimates)
+        assert found.table().count("unknown") == 2
+        assert "No intervals: " in found.table()
+        save(found, tmp_path, "")
+        numbers = json.loads((tmp_path / "identification.json").read_text())
+        assert numbers["base_fits"] is False
+        assert numbers["mismatch"]["fixed"] > numbers["mismatch"]["free"]
+        assert "Do not trust these motors" in (tmp_path / "report.html").read_text()
+
+    def test_identify_on_the_ground_with_a_free_base_gives_no_interval(self, walked):
+        commands, recording = walked
+        found = identify(recording, commands, base="free", start=TRUTH, fitted=["kp"])
+        assert found.base_fits
+        assert "Do not trust" not in found.verdict()
+        assert all(estimate.half_width is None for estimate in found.estimates)
+        assert "No intervals: contacts" in found.table()
+
+    @pytest.mark.parametrize("missing", [(), ("velocities", "efforts")])
+    @pytest.mark.parametrize(
+        "motors",
+        [MotorConfig(), TRUTH, with_values(MotorConfig(), {"hip.kp": 25.0, "knee.kp": 25.0, "delay": 0.03})],
+        ids=["the model's", "TRUTH", "weak and late"],
+    )
+    def test_mismatch_tells_a_stand_from_the_ground_before_the_fit(self, motors, missing):
+        commands = publish(SinusoidalGait.preset("article"), 3.0, 50.0)
+        for place, other in (("fixed", "free"), ("free", "fixed")):
+            done = measured(commands, motors) if place == "fixed" else noisy(play(commands, motors=motors).joints)
+            recorded = align(without(done, *missing), commands, 0.7, 0.005)
+            assert MotorFit(recorded, place, MotorConfig(), ()).mismatch() < 0.8 * (
+                MotorFit(recorded, other, MotorConfig(), ()).mismatch()
+            )
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize("missing", [(), ("velocities", "efforts")])
+    def test_intervals_hold_the_truth(self, missing):
+        """Over several recordings; of the intervals of 95 %, one of fifteen may miss."""
+        start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0, "hip.kd": 1.0, "knee.kd": 1.0, "delay": 0.0})
+        missed = []
+        for seed in range(3):
+            commands = commanded(5.0, seed=seed)
+            recording = without(measured(commands, TRUTH, seed=seed), *missing)
+            for estimate in identify(recording, commands, start=start, fitted=["kp", "kd", "delay"]).estimates:
+                truth = value_of(TRUTH, estimate.name)
+                assert estimate.half_width is not None
+                assert estimate.half_width < 0.1 * truth
+                missed += [estimate.name] * (abs(estimate.after - truth) > estimate.half_width)
+        assert len(missed) <= 1, missed
 
     @pytest.mark.slow
     @pytest.mark.parametrize("missing", [(), ("efforts",)])

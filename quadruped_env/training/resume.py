@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, fields, replace
 from pathlib import Path
@@ -52,7 +53,7 @@ class Parent:
         Warns:
             QuadrupedWarning: if it is a checkpoint, though the run was named.
         """
-        if not directory.is_dir():
+        if not os.path.isdir(directory):  # Path.is_dir raises for a name that is too long
             raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
         directory = finished_directory(directory)
         for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, PROGRESS_FILE):

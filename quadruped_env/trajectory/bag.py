@@ -9,18 +9,20 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.documents import MAX_DEPTH
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.ros.joint_state import Decoder, RawJointState, decode_ros1
 from quadruped_env.trajectory import salvage
+from quadruped_env.trajectory.echo import yaml_module
 from quadruped_env.trajectory.reading import Reading, Sample
 from quadruped_env.trajectory.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
-from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC, zstd
+from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
 
 ROS1_DIGEST: Final = "3066dcd76a6cfaef579bd0f34173e9fd"
 """md5 of ROS 1's definition of the message"""
 METADATA_FILE: Final = "metadata.yaml"
 _MAX_METADATA: Final = 1_000_000
-"""Bytes: of thousands of files or topics"""
+"""Characters: of thousands of files or topics"""
 _MESSAGES_A_STEP: Final = 1000
 
 
@@ -53,23 +55,25 @@ def _samples(reading: Reading, storage: str, decode: Callable[[bytes], RawJointS
     reading.row_name = "message"
     number = 0
     payloads = salvage.messages if reading.options.salvage else _indexed
-    for time, data in payloads(reading, storage):
+    for found in payloads(reading, storage):
         try:
-            state = decode(_plain(data))
+            state = decode(_plain(found.data))
         except QuadrupedError as error:
             if not reading.options.salvage:
                 raise reading.error(number, f"{error}; leave damaged messages out (--salvage)") from error
             reading.leave_out("the message is damaged")
             reading.rows += 1
         else:
-            yield Sample(number, state if reading.options.stamps == "header" else state._replace(stamp=time))
+            if not (found.checked or zstd_has_checksum(found.data)):
+                reading.mark_unchecked(number)
+            yield Sample(number, state if reading.options.stamps == "header" else state._replace(stamp=found.time))
         number += 1
     if not number:
         raise reading.error(None, "the topic has no message; record again, or name another topic (--topic)")
 
 
-def _indexed(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
-    """Time of recording in ns and bytes of every joint state, as rosbags finds them by the bag's index.
+def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
+    """Every joint state, as rosbags finds them by the bag's index, which has to be whole.
 
     Raises:
         QuadrupedError: if the bag is damaged; the message names the message.
@@ -89,7 +93,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
                     raise TypeError("time or bytes of a message are of another type")
                 if found % _MESSAGES_A_STEP == 0:
                     reading.at(found / max(total, 1))
-                yield time, bytes(data)
+                yield Message(topic, time, bytes(data), checked=True)
                 found += 1
             if found != total:
                 raise ValueError(f"it says that there are {total} messages")
@@ -124,15 +128,26 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
 
 
 def _check_metadata(path: Path) -> None:
-    """Raise a QuadrupedError if rosbags' parser would need very long for a bag's metadata, or run out of stack."""
+    """Raise a QuadrupedError if rosbags' parser would need very long for a bag's metadata; of other damage it tells."""
+    yaml = yaml_module()
     try:
-        size = path.stat().st_size
-    except FileNotFoundError:
-        return  # rosbags says so
-    if size > _MAX_METADATA:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return
+    problem = f"over {_MAX_METADATA} characters" if len(text) > _MAX_METADATA else ""
+    depth = 0
+    try:
+        for event in () if problem else yaml.parse(text, yaml.CSafeLoader):
+            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+            if depth > MAX_DEPTH:
+                problem = f"nested deeper than {MAX_DEPTH} levels"
+                break
+    except yaml.YAMLError:
+        return
+    if problem:
         raise QuadrupedError(
-            f"{path}: {size} bytes are no bag's metadata, {_MAX_METADATA} at most; name the storage file itself, or "
-            f"keep what can be read (--salvage)"
+            f"{path}: {problem}, which is no bag's metadata; name the storage file itself, or keep what can be read "
+            f"(--salvage)"
         )
 
 

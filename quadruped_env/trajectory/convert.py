@@ -35,7 +35,9 @@ class Account:
     """Hz, by the usual (median) time between rows; NaN for one row"""
     gaps: tuple[Gap, ...]
     remarks: tuple[str, ...]
-    """What was left out, and damage"""
+    """What was left out, damage, and which rows were salvaged without a checksum"""
+    unchecked_rows: int = 0
+    """Rows of the source that were salvaged and that no checksum covers: damage in their numbers would not show"""
 
     def text(self) -> str:
         """The account for people."""
@@ -81,13 +83,13 @@ def convert(
     if target.exists() and source.exists() and target.samefile(source):
         raise QuadrupedError(f"{target}: is the file that is read; name another place")
     teller = _Teller()
+    stream = formats.stream(source, reading, progress)
     if change is None:
-        stream = formats.stream(source, reading, progress)
         saving.save(teller.listen(stream), target, writing)
-        return teller.account(stream.remarks())
-    changed = change(formats.load(source, reading, progress))
-    saving.save(teller.listen(piece for piece, _ in saving.pieces_of(changed)), target, writing)
-    return teller.account(changed.source.notes)
+    else:
+        changed = change(formats.joined_pieces(source, stream))
+        saving.save(teller.listen(piece for piece, _ in saving.pieces_of(changed)), target, writing)
+    return teller.account(stream)
 
 
 class _Teller:
@@ -105,9 +107,12 @@ class _Teller:
             self._names, self._kinds = piece.names, piece.kinds
             yield piece, None
 
-    def account(self, remarks: tuple[str, ...]) -> Account:
-        """What there was."""
+    def account(self, stream: formats.Stream) -> Account:
+        """What came from a stream."""
         stamps: NDArray[np.int64] = np.frombuffer(self._stamps, np.int64)
         rate = NANOSECONDS / float(np.median(np.diff(stamps))) if len(stamps) > 1 else float("nan")
         seconds = float(stamps[-1] - stamps[0]) / NANOSECONDS
-        return Account(len(stamps), self._names, self._kinds, seconds, rate, find_gaps(stamps), remarks)
+        gaps = find_gaps(stamps)
+        return Account(
+            len(stamps), self._names, self._kinds, seconds, rate, gaps, stream.remarks(), stream.unchecked_rows
+        )

@@ -46,7 +46,7 @@ def read_yaml(reading: Reading) -> Iterator[Sample]:
         QuadrupedError: if the file is missing or damaged; whether its values make sense is not checked here.
         MissingExtraError: if PyYAML is not installed.
     """
-    yaml = _yaml()
+    yaml = yaml_module()
     reading.row_name = "message"
     with opened(reading) as file:
         number = 0
@@ -82,11 +82,16 @@ def read_csv(reading: Reading) -> Iterator[Sample]:
                 raise reading.error(number, f"{error}; mend the line or delete it") from error
 
 
-def _yaml() -> Any:
+def yaml_module() -> Any:
+    """PyYAML.
+
+    Raises:
+        MissingExtraError: if it is not installed.
+    """
     try:
         import yaml
     except ImportError as error:
-        raise MissingExtraError("reading what ros2 topic echo prints", "ros") from error
+        raise MissingExtraError("reading YAML", "ros") from error
     return yaml
 
 

@@ -101,6 +101,11 @@ class Stream:
         return not self._reading.left_out and not self._reading.options.sort
 
     @property
+    def unchecked_rows(self) -> int:
+        """How many rows were salvaged that no checksum covers, those included that were left out later."""
+        return self._reading.unchecked_rows
+
+    @property
     def expected_rows(self) -> int:
         """How many rows there may be in all; 0 where that is not known."""
         return self._reading.expected_rows
@@ -123,7 +128,11 @@ class Stream:
 
 def load(path: str | Path, options: ReadOptions = _AS_IT_IS, progress: Progress | None = None) -> JointTrajectory:
     """The trajectory in a file; see `JointTrajectory.load`."""
-    pieces = stream(path, options, progress)
+    return joined_pieces(path, stream(path, options, progress))
+
+
+def joined_pieces(path: str | Path, pieces: "Stream") -> JointTrajectory:
+    """The pieces of a stream as one trajectory; `path` names it in errors."""
     columns: dict[str, _Column] = {}
     names: tuple[str, ...] = ()
     first: Source | None = None
@@ -179,8 +188,10 @@ def _blocks(reading: Reading, stack: ExitStack) -> Iterator[Block]:
     elif head.startswith((csv.STAMP_COLUMN.encode(), b"\xef\xbb\xbf" + csv.STAMP_COLUMN.encode())):
         read_blocks = csv.read
     if read_blocks is not None:
-        return without_ignored(salvaged(read_blocks(reading), reading), reading)
-    return assemble(salvaged(_sample_reader(head, reading)(reading), reading), reading)
+        return without_ignored(salvaged(read_blocks(reading), reading, is_text=True), reading)
+    read_samples = _sample_reader(head, reading)
+    is_text = read_samples in {echo.read_yaml, echo.read_csv}
+    return assemble(salvaged(read_samples(reading), reading, is_text), reading)
 
 
 def _head(reading: Reading) -> bytes:

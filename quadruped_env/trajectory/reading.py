@@ -31,6 +31,8 @@ TORQUE_ONLY: Final = (
 """What is wrong with commands of torques and the like"""
 
 _ROWS_A_BLOCK: Final = 4096
+_MAX_PLACES: Final = 5
+"""Runs of rows that a remark lists"""
 
 Progress = Callable[[float], None]
 """Is told the share that is done, in [0, 1]"""
@@ -83,6 +85,10 @@ class Reading:
     """Why rows were left out -> how many"""
     counted: Counter[str] = field(default_factory=Counter)
     """What a reader of the numbers should know -> how often it was found"""
+    unchecked: list[tuple[int, int]] = field(default_factory=list)
+    """First and last of the rows, one after another, that were salvaged and that no checksum covers"""
+    checked_files: set[Path] = field(default_factory=set)
+    """Files that were unpacked, and whose checksum held"""
     notes: list[str] = field(default_factory=list)
     """What a reader of the numbers should know about them"""
 
@@ -117,6 +123,18 @@ class Reading:
         if number:
             self.counted[what] += number
 
+    def mark_unchecked(self, first: int, last: int | None = None) -> None:
+        """Remember that no checksum covers a row that was salvaged, or the rows up to another; in their order."""
+        last = first if last is None else last
+        if self.unchecked and first == self.unchecked[-1][1] + 1:
+            first, _ = self.unchecked.pop()
+        self.unchecked.append((first, last))
+
+    @property
+    def unchecked_rows(self) -> int:
+        """How many rows were salvaged that no checksum covers."""
+        return sum(last - first + 1 for first, last in self.unchecked)
+
     def leave_out(self, why: str, count: int = 1) -> None:
         """Count rows that are not kept."""
         if count:
@@ -125,11 +143,17 @@ class Reading:
     def remarks(self) -> tuple[str, ...]:
         """The notes, and what was left out."""
         counted = (f"{count} {what}" for what, count in self.counted.items())
-        return (
-            *self.notes,
-            *counted,
-            *(f"left out {count} of {self.rows}: {why}" for why, count in self.left_out.items()),
-        )
+        left_out = (f"left out {count} of {self.rows}: {why}" for why, count in self.left_out.items())
+        return (*self.notes, *self._unchecked_remark(), *counted, *left_out)
+
+    def _unchecked_remark(self) -> Iterator[str]:
+        if self.unchecked:
+            places = [str(first) if first == last else f"{first} to {last}" for first, last in self.unchecked]
+            where = ", ".join(places[:_MAX_PLACES]) + (", ..." if len(places) > _MAX_PLACES else "")
+            yield (
+                f"salvaged without a checksum, so that damage in their numbers would not show: {self.unchecked_rows} "
+                f"of {self.rows} {self.row_name}s ({self.row_name} {where})"
+            )
 
 
 class Sample(NamedTuple):
@@ -280,17 +304,23 @@ def _known(values: "array[float]") -> "array[float]":
     return values
 
 
-def salvaged(blocks: Iterator[Any], reading: Reading) -> Iterator[Any]:
-    """What comes before the damage, with a note of it, where that is asked for."""
-    found = False
+def salvaged(blocks: Iterator[Any], reading: Reading, is_text: bool) -> Iterator[Any]:
+    """Blocks or samples that come before the damage, with a note of it, where that is asked for.
+
+    Text has no checksums of its own; of bags, their readers know.
+    """
+    first = last = None
     try:
         for block in blocks:
-            found = True
+            rows = (block.row, block.row) if isinstance(block, Sample) else (int(block.rows[0]), int(block.rows[-1]))
+            first, last = rows[0] if first is None else first, rows[1]
             yield block
     except QuadrupedError as error:
-        if not (reading.options.salvage and found):
+        if not reading.options.salvage or first is None:
             raise
         reading.note(f"damaged, and read up to the damage: {error}")
+        if is_text and reading.path not in reading.checked_files:
+            reading.mark_unchecked(first, last)
 
 
 def without_ignored(blocks: Iterator[Block], reading: Reading) -> Iterator[Block]:

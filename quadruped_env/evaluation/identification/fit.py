@@ -22,6 +22,7 @@ from quadruped_env.evaluation.identification.quantities import (
     with_values,
 )
 from quadruped_env.evaluation.identification.recorded import Recorded, columns
+from quadruped_env.evaluation.identification.rough import derivatives, half_widths, search
 from quadruped_env.evaluation.identification.spec import joint_spec
 from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
@@ -35,10 +36,6 @@ _TOLERANCE: Final = 1e-4
 """of the step, relative"""
 _ITERATIONS: Final = 30
 _DIVERGED: Final = 1e6
-_ROUNDS: Final = 4
-"""A fit that got stuck on the roughness of the error goes on from there, unregularized."""
-_IMPROVEMENT: Final = 0.005
-"""A round that reduces the error by less than this share is the last."""
 _ITERATIONS_A_DELAY: Final = 8
 _DELAY_SECONDS: Final = 6.0
 """s of the recording that the search for the delay uses"""
@@ -86,7 +83,7 @@ class MotorFit:
         values = {name: value_of(self.start, name) for name in self.names}
         train = self.recorded.measured[self.recorded.train]
         # Before the noise is known, every signal counts by how much of its motion is explained.
-        self._weights = self._inverse_spread(train - train.mean(axis=0))
+        self._weights = self._inverse_spread(_centered(train))
         if DELAY in values:
             self._horizon = _DELAY_SECONDS
             values = self._find_delay(values)
@@ -97,8 +94,9 @@ class MotorFit:
             self._weights = self._inverse_spread(
                 self.predict(with_values(self.start, values))[self.recorded.train] - train
             )
-            values, jacobian = self._solve_thoroughly(values)
-            self.half_width = self._intervals(values, jacobian)
+            values, _ = self._solve(values)
+            values = self._search(values)
+            self.half_width = self._intervals(values)
             if len(self.half_width) == len(values):
                 break
             values = {name: value for name, value in values.items() if name in self.half_width}
@@ -114,6 +112,23 @@ class MotorFit:
             [model], [mujoco.MjData(model)], [trajectory.control], [trajectory.initial_state]
         )
         return self._at(self.recorded.times, self._signals(rollout.state.data, rollout.sensordata.data))
+
+    def mismatch(self) -> float:
+        """The best error over a row of delays, with all else at the start: how badly this base explains the recording.
+
+        Positions and, if they were measured, efforts over the fit's first seconds; 1 is the motion itself. Velocities
+        say little: they hardly depend on the load.
+        """
+        train = self.recorded.measured[self.recorded.train]
+        self._weights = self._inverse_spread(_centered(train))
+        self._horizon = _DELAY_SECONDS
+        delay = self._scan_delay({DELAY: value_of(self.start, DELAY)})
+        rows = self._rows()
+        predicted = np.nan_to_num(self.predict(with_values(self.start, {DELAY: delay})), nan=_DIVERGED)
+        predicted = predicted.clip(-_DIVERGED, _DIVERGED)
+        left = (predicted - self.recorded.measured)[rows] * self._weights
+        kinds = [name for name in ("position", "effort") if name in self.recorded.signals]
+        return float(np.exp(np.mean([np.log(np.nanmean(left[:, columns(name)] ** 2)) / 2.0 for name in kinds])))
 
     def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
         """Values fitted at the best of many fixed delays.
@@ -150,6 +165,26 @@ class MotorFit:
         self._tell(())
         return float(candidates[np.argmin((residuals[0] ** 2).sum(axis=0))])
 
+    def _search(self, values: Mapping[str, float]) -> dict[str, float]:
+        """The best values to be found around those of a solution, which the error's roughness may have caught."""
+        found = search(*self._problem(values), lambda: self._tell(()))
+        return from_coordinates(dict(zip(values, found.tolist(), strict=True)))
+
+    def _problem(self, values: Mapping[str, float]) -> tuple[Any, Any, Any, Any]:
+        """The residuals as a function of coordinates (n, P), the coordinates of the values, and their bounds."""
+        parameters = self._parameters(values)
+        evaluate = self._residual_function()
+        rows = int(np.count_nonzero(self._rows()))
+
+        def residuals(points: NDArray[np.float64]) -> NDArray[np.float64]:
+            found = evaluate(np.ascontiguousarray(points.T), parameters)[0][0]
+            result: NDArray[np.float64] = np.asarray(found).T.reshape(len(points), rows, -1)
+            return result
+
+        low, high = map(np.asarray, parameters.get_bounds())
+        # Not the parameters' own, which are kept off the bounds.
+        return residuals, np.clip(list(to_coordinates(values).values()), low, high), low, high
+
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
         """The error of the best values at a fixed delay, and they."""
         found, _ = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
@@ -162,16 +197,6 @@ class MotorFit:
     def _residuals(self, values: Mapping[str, float]) -> Any:
         parameters = self._parameters(values)
         return self._residual_function()(parameters.as_vector(), parameters)[0]
-
-    def _solve_thoroughly(self, values: dict[str, float]) -> tuple[dict[str, float], NDArray[np.float64]]:
-        """As `_solve`, in rounds, until nothing is gained any more."""
-        error = self._error(values)
-        for _ in range(_ROUNDS):
-            values, jacobian = self._solve(values)
-            before, error = error, self._error(values)
-            if error > (1.0 - _IMPROVEMENT) * before:
-                break
-        return values, jacobian
 
     def _solve(
         self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
@@ -198,21 +223,21 @@ class MotorFit:
             # How many it takes is not known; the guess grows when it is passed.
             self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
 
-    def _intervals(self, values: Mapping[str, float], jacobian: NDArray[np.float64]) -> dict[str, float]:
+    def _intervals(self, values: Mapping[str, float]) -> dict[str, float]:
         """Half-widths of the 95 % intervals of the values that are determined.
 
         The others are left out one after another, the least certain first: of two numbers of which only the sum shows,
         one at its start determines the other.
         """
-        residuals = self._residuals(values)
+        jacobian, left_over = derivatives(*self._problem(values))
+        times = self.recorded.times[self._rows()]
         scales = np.array([quantity(name).scale for name in values])
         jacobian = jacobian @ coordinate_derivatives(values) * scales
-        influence = np.linalg.norm(jacobian, axis=0)
+        influence = np.sqrt((jacobian**2).sum(axis=(0, 1)))
         allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
-            with np.errstate(all="ignore"):  # what does not show has an infinite interval
-                widths = self.sysid.calculate_intervals(residuals, jacobian[:, left])[1]
+            widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
             doubt = np.nan_to_num(widths / allowed[left], nan=np.inf)
             if doubt.max() <= 1.0:
                 names = list(values)
@@ -350,6 +375,12 @@ class MotorFit:
         after = np.minimum(before + 1, len(signals) - 1)
         share = (place - before)[:, None]
         return (1.0 - share) * signals[before] + share * signals[after]
+
+
+def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (T, S) less the mean of each column, NaN aside."""
+    count = np.isfinite(values).sum(axis=0)
+    return values - np.nansum(values, axis=0) / np.maximum(count, 1)
 
 
 def _values_of(parameters: Any) -> dict[str, float]:

@@ -1,8 +1,8 @@
 """The fit and what it is worth."""
 
 import importlib.util
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -19,6 +19,19 @@ from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
 
 BASES: Final = ("fixed", "free")
+NO_INTERVALS: Final = (
+    "No intervals: contacts with the ground make the error rough, and forces that the fit does not know move its "
+    "optimum."
+)
+_OTHER: Final = {"fixed": "free", "free": "fixed"}
+_FORCES: Final = {
+    "fixed": "of the ground are taken for friction, inertia and strength",
+    "free": "of a ground that was not there are assumed",
+}
+_CURES: Final = {
+    "fixed": "Record the robot on a stand with its feet in the air, or fit with --base free.",
+    "free": "Fit with --base fixed if the robot hangs on a stand.",
+}
 
 
 @dataclass(frozen=True)
@@ -31,7 +44,10 @@ class Estimated:
     before: float
     after: float
     half_width: float | None
-    """of the 95 % confidence interval; None for a number that the recording does not determine and that stayed"""
+    """of the 95 % confidence interval; None for a number that the recording does not determine and that stayed, and for
+    every number where no interval can be given (see `Identification.has_intervals`)"""
+    determined: bool = True
+    """Whether the recording determines it"""
 
 
 @dataclass(frozen=True)
@@ -50,6 +66,18 @@ class Identification:
     predicted_after: NDArray[np.float64]
     remarks: tuple[str, ...]
     """What the reader should know about the recording"""
+    mismatches: Mapping[str, float]
+    """Base -> how badly the simulator with that base explains the recording before the fit (`MotorFit.mismatch`)"""
+
+    @property
+    def base_fits(self) -> bool:
+        """Whether the base explains the recording at least as well as the other one does, before the fit."""
+        return self.mismatches[self.base] <= min(self.mismatches.values())
+
+    @property
+    def has_intervals(self) -> bool:
+        """Whether intervals are given: those of a fit on the ground or with the wrong base would exclude the truth."""
+        return self.base_fits and self.base == "fixed"
 
     def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
         """Root mean square error (8,) of every measured signal, over the held-out time or the fit's.
@@ -67,6 +95,14 @@ class Identification:
         """Whether the fit helped, in a sentence."""
         before, after = self._held_out()
         change = f"from {before:.4f} to {after:.4f} rad"
+        if not self.base_fits:
+            other = _OTHER[self.base]
+            return (
+                f"Do not trust these motors: --base {self.base} does not fit. Before the fit, the simulator explains "
+                f"the recording better with --base {other} (error {self.mismatches[other]:.2f} of the motion, against "
+                f"{self.mismatches[self.base]:.2f}), so forces {_FORCES[self.base]}. {_CURES[self.base]} On held-out "
+                f"time the position error goes {change}."
+            )
         if self.helps:
             return f"On held-out time the position error falls {change} ({100 * (1 - after / before):.0f} % less)."
         return f"On held-out time the position error does not fall: {change}. Do not use these motors."
@@ -88,6 +124,8 @@ class Identification:
             "recording": self.source,
             "commands": self.commands,
             "base": self.base,
+            "base_fits": self.base_fits,
+            "mismatch": dict(self.mismatches),
             "seconds": float(times[-1]),
             "fit_seconds": float(times[self.recorded.train][-1]),
             "measurements": len(times),
@@ -113,8 +151,10 @@ class Identification:
         """The report for people."""
         lines = [f"{'':<20}{'before':>10}{'after':>10}  {'95 % interval':<22}unit"]
         for estimate in self.estimates:
-            if estimate.half_width is None:
+            if not estimate.determined:
                 interval = "not determined: stays"
+            elif estimate.half_width is None:
+                interval = "unknown"
             else:
                 low = max(0.0, estimate.after - estimate.half_width)
                 interval = f"{low:.4g} to {estimate.after + estimate.half_width:.4g}"
@@ -129,7 +169,8 @@ class Identification:
             lines.append(
                 f"{name:<20}{fit[0]:>12.4f}{fit[1]:>10.4f}{held_out[0]:>18.4f}{held_out[1]:>10.4f}  {UNITS[name]}"
             )
-        return "\n".join([*lines, "", *self.remarks, self.verdict()])
+        notes = [] if self.has_intervals else [NO_INTERVALS]
+        return "\n".join([*lines, "", *notes, *self.remarks, self.verdict()])
 
 
 def identify(
@@ -175,24 +216,28 @@ def identify(
     before = start or MotorConfig()
     measured, commands = measured.in_joint_order(), commands.in_joint_order()
     recorded = align(measured, commands, train_share, timestep, without)
+    mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     fit = MotorFit(recorded, base, before, fitted, progress)
     after = fit.run()
-    estimates = tuple(
-        Estimated(name, quantity(name).unit, value_of(before, name), value_of(after, name), fit.half_width.get(name))
-        for name in fit.names
-    )
-    return Identification(
+    found = Identification(
         measured.source.name,
         commands.source.name,
         base,
         recorded,
-        estimates,
+        (),
         before,
         after,
         fit.predict(before),
         fit.predict(after),
         remarks(recorded, measured, commands),
+        mismatches,
     )
+    estimates = []
+    for name in fit.names:
+        width = fit.half_width.get(name)
+        values = quantity(name).unit, value_of(before, name), value_of(after, name)
+        estimates.append(Estimated(name, *values, width if found.has_intervals else None, width is not None))
+    return replace(found, estimates=tuple(estimates))
 
 
 def pooled(rms: NDArray[np.float64]) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.colours import BLUE, INK, ORANGE
-from quadruped_env.evaluation.identification.identify import Identification, pooled
+from quadruped_env.evaluation.identification.identify import NO_INTERVALS, Identification, pooled
 from quadruped_env.evaluation.identification.recorded import UNITS, columns
 from quadruped_env.evaluation.pages.page import REPORT_FILE, circumstances, figure, write_html
 from quadruped_env.evaluation.plots.joints import Line, joint_panels
@@ -17,6 +17,10 @@ from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION
 
 MOTORS_FILE: Final = "motors.json"
 NUMBERS_FILE: Final = "identification.json"
+_INTERVALS: Final = (
+    "Intervals allow for what is left unexplained to hang together over a second, between signals and between joints; "
+    "not for forces that no motor makes."
+)
 
 
 def identification_files(directory: Path) -> list[Path]:
@@ -45,7 +49,7 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
     context = {
         "title": f"Motors identified from {Path(found.source).name}",
         "headline": found.verdict(),
-        "level": "good" if found.helps else "poor",
+        "level": "good" if found.helps and found.base_fits else "poor",
         "remarks": found.remarks,
         "tables": [_motors_table(found), _errors_table(found), _joints_table(found)],
         "figures": _figures(found),
@@ -58,14 +62,17 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
 def _motors_table(found: Identification) -> dict[str, Any]:
     rows = []
     for estimate in found.estimates:
-        interval = "not determined" if estimate.half_width is None else f"± {estimate.half_width:.2g}"
+        interval = "not determined" if not estimate.determined else "unknown"
+        if estimate.half_width is not None:
+            interval = f"± {estimate.half_width:.2g}"
         rows.append([estimate.name, f"{estimate.before:.4g}", f"{estimate.after:.4g}", interval, estimate.unit])
     return {
         "title": "The motors",
         "head": ["", "before", "after", "95 % interval", "unit"],
         "rows": rows,
-        "note": "Intervals hold if what is left unexplained is noise. What the recording does not determine stays as "
-        "it was: a motor's strength shows only where a motor is at its limit.",
+        "note": (_INTERVALS if found.has_intervals else NO_INTERVALS)
+        + " What the recording does not determine stays as it was: a motor's strength shows only where a motor is at "
+        "its limit.",
     }
 
 

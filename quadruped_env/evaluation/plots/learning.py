@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.plots.canvas import draw_figure, looks
 
@@ -25,6 +26,7 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
     Raises:
         QuadrupedError: if the file is not a table of numbers with a column `timesteps`.
     """
+    check_regular(path, "remove it to make the report without a learning curve")
     try:
         with path.open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file)
@@ -32,7 +34,7 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
             rows = list(reader)
             # A line that a killed run left unfinished has fewer cells: those are None.
             columns = {name: np.array([float(row[name] or math.nan) for row in rows]) for name in names}
-    except (ValueError, csv.Error) as error:
+    except (ValueError, OSError, csv.Error) as error:
         raise QuadrupedError(f"{path}: {error}; remove the file to make the report without a learning curve") from error
     if "timesteps" not in columns:
         raise QuadrupedError(f"{path}: expected a column 'timesteps'; found {', '.join(names) or 'an empty file'}")

@@ -15,7 +15,7 @@ from typing import Any, Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.salvage import mcap, ros1, sqlite3
-from quadruped_env.trajectory.salvage.found import Message, Topic, zstd
+from quadruped_env.trajectory.salvage.found import Message, Topic, zstd, zstd_has_checksum
 
 DIRECTORY: Final = "dir"
 MCAP: Final = ".mcap"
@@ -31,8 +31,8 @@ _PAGE: Final = 4096
 """Bytes that SQLite writes at once."""
 
 
-def messages(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
-    """Time of recording in ns and bytes of every joint state that can be read.
+def messages(reading: Reading, storage: str) -> Iterator[Message]:
+    """Every joint state that can be read.
 
     Raises:
         QuadrupedError: if there is no topic of joint states, or several to choose from.
@@ -47,7 +47,7 @@ def messages(reading: Reading, storage: str) -> Iterator[tuple[int, bytes]]:
     keys = {key for key, topic in topics.items() if topic.name == wanted}
     for path, found in _scan(reading, storage):
         if isinstance(found, Message) and (path, found.topic) in keys:
-            yield found.time, found.data
+            yield found
 
 
 def first_damage(reading: Reading, storage: str) -> str:
@@ -101,6 +101,8 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
     plain = Path(stack.enter_context(tempfile.TemporaryDirectory())) / path.stem
     with path.open("rb") as source, plain.open("wb") as target:
         decompressor = zstd().ZstdDecompressor()
+        head = source.read(8)
+        source.seek(0)
         while not decompressor.eof:
             part = source.read(_STEP) if decompressor.needs_input else None
             try:
@@ -115,6 +117,9 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
                     raise reading.error(None, f"{where}; keep what can be read (--salvage)")
                 reading.note(where)
                 break
+        else:
+            if zstd_has_checksum(head):
+                reading.checked_files.add(plain)
     return plain
 
 
@@ -133,8 +138,12 @@ def _scan(reading: Reading, storage: str) -> Iterator[tuple[Path, Topic | Messag
 
 def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | Message]:
     """Topics and messages of one file, up to where nothing makes sense any more."""
+    checked = path in reading.checked_files
     try:
-        yield from _SCANNERS[storage](path, reading)
+        for found in _SCANNERS[storage](path, reading):
+            yield replace(found, checked=True) if checked and isinstance(found, Message) else found
+    except OSError as error:
+        raise reading.error(None, f"{path.name} cannot be read ({error.strerror})") from error
     except (struct.error, LookupError, ValueError, OverflowError, MemoryError) as error:
         reading.note(f"{path.name}: what follows is damaged: {error!r}")
 

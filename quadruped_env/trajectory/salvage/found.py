@@ -32,6 +32,8 @@ class Message:
     time: int
     """ns of recording"""
     data: bytes
+    checked: bool = False
+    """Whether a checksum says that these are the bytes that were recorded"""
 
 
 def zstd() -> Any:
@@ -47,21 +49,27 @@ def zstd() -> Any:
     return reader.zstd
 
 
-def decompress(data: bytes, compression: str, size: int) -> bytes:
-    """As much as can be read of compressed data; ValueError if nothing can."""
+def zstd_has_checksum(data: bytes) -> bool:
+    """Whether a zstd frame that begins so ends with a checksum of its content (RFC 8878, section 3.1.1.1.1)."""
+    return data.startswith(ZSTD_MAGIC) and len(data) > 4 and bool(data[4] & 0x04)
+
+
+def decompress(data: bytes, compression: str, size: int) -> tuple[bytes, bool]:
+    """As much as can be read of compressed data, and whether a checksum within it holds; ValueError if nothing can."""
     if size > MAX_SIZE:
         raise ValueError(f"it claims {size} bytes")
     if not compression:
-        return data[:size]
+        return data[:size], False
     decompressor: Any
     if compression == "zstd":
-        decompressor = zstd().ZstdDecompressor()
+        decompressor, has_checksum = zstd().ZstdDecompressor(), zstd_has_checksum(data)
     elif compression == "bz2":
-        decompressor = bz2.BZ2Decompressor()
+        decompressor, has_checksum = bz2.BZ2Decompressor(), True
     elif compression == "lz4":
         from lz4.frame import LZ4FrameDecompressor
 
-        decompressor = LZ4FrameDecompressor()
+        # https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md: the flag C.Checksum
+        decompressor, has_checksum = LZ4FrameDecompressor(), len(data) > 4 and bool(data[4] & 0x04)
     else:
         raise ValueError(f"unknown compression {compression!r}")
     plain = bytearray()
@@ -74,4 +82,5 @@ def decompress(data: bytes, compression: str, size: int) -> bytes:
         # The libraries' own types of error, whichever it is.
         except Exception:
             break
-    return bytes(plain)
+    # Whether the checksum holds, the libraries see at the end.
+    return bytes(plain), has_checksum and bool(decompressor.eof)

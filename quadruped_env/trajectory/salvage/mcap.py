@@ -21,7 +21,7 @@ _COMPRESSIONS: Final = (b"", b"lz4", b"zstd")
 def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
     """Topics and messages in the order of the file."""
     schemas: dict[int, str] = {}
-    for op, data in _records(path, reading):
+    for op, data, checked in _records(path, reading):
         try:
             if op == _SCHEMA:
                 (key,) = struct.unpack_from("<H", data)
@@ -31,13 +31,13 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
                 yield Topic(key, _text(data, 4)[0], schemas.get(schema, ""))
             elif op == _MESSAGE:
                 key, _, time, _ = struct.unpack_from("<HIQQ", data)
-                yield Message(key, time, data[22:])
+                yield Message(key, time, data[22:], checked)
         except (struct.error, UnicodeDecodeError):
             reading.note(f"{path.name}: a damaged record was left out")
 
 
-def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes]]:
-    """Records that hold something, those within chunks included."""
+def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
+    """Records that hold something, those within chunks included, and whether the checksum of their chunk holds."""
     with path.open("rb") as file:
         if file.read(len(_MAGIC)) != _MAGIC:
             reading.note(f"{path.name}: the beginning is damaged")
@@ -57,7 +57,7 @@ def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes]]:
             if op == _CHUNK:
                 yield from _chunk_records(file.read(min(length, size)), whole, f"{path.name}: byte {start}", reading)
             elif whole and op in {_SCHEMA, _CHANNEL, _MESSAGE}:
-                yield op, file.read(length)
+                yield op, file.read(length), False
             following = start + 9 + length if whole else _next_chunk(file, start + 1, size)
             if following is None:
                 return
@@ -84,12 +84,12 @@ def _next_chunk(file: BinaryIO, start: int, size: int) -> int | None:
     return None
 
 
-def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> Iterator[tuple[int, bytes]]:
+def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
     """Records of a chunk, up to where it is cut off; none if its checksum is wrong."""
     try:
         _, _, size, checksum = struct.unpack_from("<QQQI", data)
         compression, at = _text(data, 28)
-        plain = decompress(data[at + 8 :], compression, size)
+        plain, checked = decompress(data[at + 8 :], compression, size)
     except (struct.error, UnicodeDecodeError, ValueError) as error:
         reading.note(f"{where}: a chunk was left out: {error}")
         return
@@ -97,12 +97,13 @@ def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> It
     if (whole and not complete) or (complete and checksum and crc32(plain) != checksum):
         reading.note(f"{where}: a chunk is damaged, by its size or checksum, and was left out")
         return
+    checked = complete and (checked or checksum != 0)
     at = 0
     while at + 9 <= len(plain):
         op, length = struct.unpack_from("<BQ", plain, at)
         if at + 9 + length > len(plain):
             return
-        yield op, plain[at + 9 : at + 9 + length]
+        yield op, plain[at + 9 : at + 9 + length], checked
         at += 9 + length
 
 

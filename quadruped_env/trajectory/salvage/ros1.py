@@ -22,8 +22,10 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
         yield from _records(file, path.stat().st_size, path.name, reading)
 
 
-def _records(file: BinaryIO, size: int, name: str, reading: Reading) -> Iterator[Topic | Message]:
-    """Topics and messages from where the file stands; a chunk is a file within the file."""
+def _records(
+    file: BinaryIO, size: int, name: str, reading: Reading, checked: bool = False
+) -> Iterator[Topic | Message]:
+    """Topics and messages from where the file stands; a chunk, `checked` or not, is a file within the file."""
     while file.tell() < size:
         start = file.tell()
         if not isinstance(file, BytesIO):
@@ -37,14 +39,15 @@ def _records(file: BinaryIO, size: int, name: str, reading: Reading) -> Iterator
             op = fields["op"][0]
             if op == _CHUNK:
                 compression = fields["compression"].decode().removeprefix("none")
-                plain = decompress(data, compression, struct.unpack("<I", fields["size"])[0])
-                yield from _records(BytesIO(plain), len(plain), f"{name}: chunk at byte {start}", reading)
+                plain, held = decompress(data, compression, struct.unpack("<I", fields["size"])[0])
+                yield from _records(BytesIO(plain), len(plain), f"{name}: chunk at byte {start}", reading, held)
             elif op == _CONNECTION and whole:
                 kind = _fields(data)["type"].decode()
                 yield Topic(struct.unpack("<I", fields["conn"])[0], fields["topic"].decode(), kind)
             elif op == _MESSAGE and whole:
                 sec, nanosec = struct.unpack("<II", fields["time"])
-                yield Message(struct.unpack("<I", fields["conn"])[0], sec * 1_000_000_000 + nanosec, data)
+                time = sec * 1_000_000_000 + nanosec
+                yield Message(struct.unpack("<I", fields["conn"])[0], time, data, checked)
         except (struct.error, KeyError, IndexError, ValueError) as error:
             reading.note(f"{name}: damaged from byte {start} on: {error!r}")
             return

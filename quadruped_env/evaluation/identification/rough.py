@@ -1,0 +1,156 @@
+"""Least squares on a rough error: a search that is not caught, and intervals that hold.
+
+The error of a simulated recording is smooth but for jumps: in one physics step a motor at its limit brakes or does not,
+and a joint then moves another way for a tenth of a second. A gradient sees nothing of what is behind a jump, and a
+difference across one takes it for a steep slope. So the search draws candidates from where the parameters are likely to
+be, and derivatives are medians of differences over several neighbouring steps.
+"""
+
+from collections.abc import Callable
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+Residuals = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+"""Points (n, P) -> what they leave unexplained, (n, T, S) for T measurements of S signals"""
+
+_STEPS: Final = (0.02, 0.005)
+"""Of the differences in the search, by turns, relative to the coordinate"""
+_LEAST: Final = 0.5
+"""The size from which on steps are relative; coordinates are near 1"""
+_SHARES: Final = (1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.06)
+"""Of a Gauss-Newton step that are tried"""
+_DRAWS: Final = 48
+"""Candidates drawn at random in each round"""
+_WIDEST: Final = 60.0
+"""Standard errors that a candidate may lie away: jumps make these look smaller than they are"""
+_ROUNDS: Final = 24
+_PATIENCE: Final = 4
+"""Rounds without gain that end a search"""
+_GAIN: Final = 1e-4
+"""Relative decrease of the error that counts as gain"""
+_FINE_STEP: Final = 0.005
+_FINE_STEPS: Final = 4
+"""To either side of the optimum, of the differences whose median is the derivative"""
+_BLOCKS: Final = (0.25, 1.0)
+"""s; time in which what is unexplained may hang together"""
+_LEVEL: Final = 0.975
+
+
+def search(
+    residuals: Residuals, start: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64], tell: Any
+) -> NDArray[np.float64]:
+    """The best point (P,) that can be found from a start, within bounds; `tell` is called in every round."""
+    rng = np.random.default_rng(0)
+    point = start
+    waited = 0
+    for number in range(_ROUNDS):
+        step = _STEPS[number % len(_STEPS)] * np.maximum(np.abs(point), _LEAST)
+        up, down = np.minimum(point + step, high), np.maximum(point - step, low)
+        ends = np.concatenate([point + np.diag(up - point), point + np.diag(down - point), point[None]])
+        left = residuals(ends)
+        count, signals = left.shape[1], int(left[-1].any(axis=0).sum())
+        left = left.reshape(len(ends), -1)
+        size = len(point)
+        jacobian = ((left[:size] - left[size:-1]) / (up - down)[:, None]).T
+        error = float(left[-1] @ left[-1])
+        newton, spread = _newton(jacobian, left[-1])
+        spread *= np.sqrt(error / max(count * signals, 1))
+        factors = np.exp(rng.uniform(0.0, np.log(_WIDEST), (_DRAWS, 1)))
+        drawn = rng.uniform(0.0, 1.0, (_DRAWS, 1)) * newton + factors * (rng.normal(size=(_DRAWS, size)) @ spread.T)
+        candidates = point + np.concatenate([np.outer(_SHARES, newton), drawn])
+        # Not farther than half and double: a candidate from a badly determined direction may be anywhere.
+        candidates = np.clip(candidates, np.maximum(0.5 * point, low), np.minimum(2.0 * np.maximum(point, 0.1), high))
+        errors = (residuals(candidates).reshape(len(candidates), -1) ** 2).sum(axis=1)
+        best = int(errors.argmin())
+        waited = 0 if errors[best] < (1.0 - _GAIN) * error else waited + 1
+        if errors[best] < error:
+            point = candidates[best]
+        tell()
+        if waited == _PATIENCE:
+            break
+    return point
+
+
+def derivatives(
+    residuals: Residuals, point: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Derivatives (T, S, P) at a point without the jumps around it, and what it leaves unexplained (T, S)."""
+    places = np.arange(-_FINE_STEPS, _FINE_STEPS + 1)
+    columns = []
+    step = _FINE_STEP * np.maximum(np.abs(point), _LEAST)
+    for i in range(len(point)):
+        points = np.tile(point, (len(places), 1))
+        points[:, i] = np.clip(point[i] + places * step[i], low[i], high[i])
+        left = residuals(points)
+        if i == 0:
+            here = left[_FINE_STEPS]
+        differences = np.diff(points[:, i])
+        moved = differences > 0.0
+        columns.append(np.median(np.diff(left, axis=0)[moved] / differences[moved, None, None], axis=0))
+    return np.stack(columns, axis=-1), here
+
+
+def half_widths(
+    jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int
+) -> NDArray[np.float64]:
+    """Half-widths (P,) of 95 % intervals; infinite for what does not show.
+
+    What is left unexplained is no white noise: it hangs together over time, between the signals of a joint and between
+    joints, and joints differ. So the intervals are the widest of several sandwich estimates, each of which takes what
+    is unexplained as independent between other groups of measurements (time blocks of each joint, time blocks, joints;
+    https://doi.org/10.3368/jhr.50.2.317). To that comes the step to where a smooth error would have its optimum.
+
+    Args:
+        jacobian: derivatives (T, S, P) of what is unexplained.
+        left: what is unexplained (T, S).
+        times: s, of the measurements (T,).
+        joints: number of joints; signals are in the order of kinds, and of joints in each.
+    """
+    from scipy.stats import t as student
+
+    size = jacobian.shape[-1]
+    known = np.abs(jacobian).sum(axis=(0, 2)) > 0.0
+    flat, rest = jacobian[:, known].reshape(-1, size), left[:, known].ravel()
+    scale = np.linalg.norm(flat, axis=0)
+    if not scale.all():
+        return np.where(scale > 0.0, np.nan, np.inf)
+    values, vectors = np.linalg.eigh((flat / scale).T @ (flat / scale))
+    if values[0] < 1e-12 * values[-1]:
+        return np.where(np.abs(vectors[:, 0]) > 1e-6, np.inf, np.nan)
+    inverse = vectors / values @ vectors.T / np.outer(scale, scale)
+    degrees = max(len(rest) - size, 1)
+    widths = [student.ppf(_LEVEL, degrees) * np.sqrt(np.diag(inverse) * (rest @ rest) / degrees)]
+    # (T, kinds, joints, P): scores of each measurement, of which all signals of a joint belong together.
+    scores = (jacobian * left[..., None]).reshape(len(left), -1, joints, size).sum(axis=1)
+    for seconds in _BLOCKS:
+        block = (times / seconds).astype(np.intp)
+        sums = np.zeros((block.max() + 1, joints, size))
+        np.add.at(sums, block, scores)
+        widths.append(_clustered(inverse, sums.reshape(-1, size), joints * len(sums) - 1))
+        if len(sums) > size:
+            widths.append(_clustered(inverse, sums.sum(axis=1), len(sums) - 1))
+    moving = int(np.count_nonzero(np.abs(scores).sum(axis=(0, 2))))
+    # A number for the hips shows in half of the joints.
+    widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // 2 - 1, 1)))
+    newton = inverse @ (flat.T @ rest)
+    return np.max(widths, axis=0) + np.abs(newton)
+
+
+def _clustered(inverse: NDArray[np.float64], sums: NDArray[np.float64], degrees: int) -> NDArray[np.float64]:
+    """Half-widths from the sums of scores over groups (G, P) that are independent of each other."""
+    from scipy.stats import t as student
+
+    spread = sums @ inverse
+    result: NDArray[np.float64] = student.ppf(_LEVEL, degrees) * np.sqrt((spread**2).sum(axis=0))
+    return result
+
+
+def _newton(jacobian: NDArray[np.float64], left: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
+    """A Gauss-Newton step (P,), and a root (P, P) of the inverse of the squared Jacobian."""
+    scale = np.maximum(np.linalg.norm(jacobian, axis=0), 1e-12)
+    values, vectors = np.linalg.eigh((jacobian / scale).T @ (jacobian / scale))
+    values = np.maximum(values, 1e-9 * values[-1])
+    root = vectors / np.sqrt(values) / scale[:, None]
+    return -root @ (root.T @ (jacobian.T @ left)), root
