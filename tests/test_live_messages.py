@@ -16,6 +16,7 @@ from quadruped_env.live.joints import JointReader
 from quadruped_env.live.mirror import Mirror, mirror_source
 from quadruped_env.live.node import Received
 from quadruped_env.live.nodes import node_module
+from quadruped_env.live.pace import Pace
 from quadruped_env.live.refusals import MOST_REASONS, PERIOD, Refusals
 from quadruped_env.live.session import Session
 from quadruped_env.live.text import check_field
@@ -367,3 +368,56 @@ def test_process_that_is_sent_damaged_messages_goes_on(name, start, nodes, tmp_p
         wait_until(lambda publisher=publisher: publisher.wait_until_read(1.0), alive=node.process)
     assert node.interrupt() == 0
     assert "ended after" in node.said
+
+
+# --- the log on a terminal
+
+
+class Terminal(io.StringIO):
+    """A terminal that several nodes write to, and what it shows."""
+
+    def isatty(self):
+        return True
+
+    def lines(self):
+        shown = []
+        for line in self.getvalue().split("\n"):
+            text, column = "", 0
+            for part in re.split(r"(\r|\x1b\[K)", line):
+                if part == "\r":
+                    column = 0
+                elif part == "\x1b[K":
+                    text = text[:column]
+                else:
+                    text = text[:column] + part + text[column + len(part) :]
+                    column += len(part)
+            shown.append(text)
+        return shown
+
+
+def test_line_of_one_node_does_not_follow_the_status_line_of_another(domain_id):
+    """As of `display`, whose nodes share a terminal: the address stands in a line of its own."""
+    terminal = Terminal()
+    args = make_parser().parse_args(["list"])
+    gait, view = Session("gait", args, terminal), Session("view", args, terminal)
+    gait._status_pace = view._status_pace = Pace(1e-6)
+    with gait, view:
+        for _ in range(3):
+            gait.report("a status that is rather long")
+            view.say("the live robot: http://127.0.0.1:8080")
+            view.report("short")
+            gait.say("something")
+        view.report("short")
+    lines = terminal.lines()
+    assert lines.count("[view] the live robot: http://127.0.0.1:8080") == 3
+    assert lines.count("[gait] something") == 3
+    assert all(line.count("[") <= 1 for line in lines)
+
+
+def test_status_line_is_not_longer_than_the_terminal_is_wide(domain_id, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "40")
+    terminal = Terminal()
+    with Session("gait", make_parser().parse_args(["list"]), terminal) as session:
+        session._status_pace = Pace(1e-6)
+        session.report("x" * 200)
+        assert len(terminal.lines()[-1]) == 39
