@@ -1,12 +1,20 @@
 """Whatever is late, lost or held up, and whenever: the robot soon walks again."""
 
+import signal
+import time
+from collections import deque
+
 import numpy as np
 import pytest
-from live_delays import KINDS, PERIOD, Disturbance, Link
+from live_delays import COMMAND_PERIOD, KINDS, PERIOD, Disturbance, Link
+from waiting import wait_until
 
+from quadruped_env.live import Node
 from quadruped_env.live.pilot import Measurement, Mode, Pilot
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
+from quadruped_env.live.topics import CMD_VEL, ODOMETRY
 from quadruped_env.robot import STANCE
+from quadruped_env.ros import Qos, cdr
 from quadruped_env.task import TaskConfig
 from quadruped_env.viewer.sources import asked_source
 
@@ -160,3 +168,36 @@ def test_robot_walks_again_after_many_delays(kind):
     rng = np.random.default_rng(100 + KINDS.index(kind))
     for seconds in np.linspace(0.1, 2.0, 12):
         assert_walks_again(Disturbance(kind, 4.0 + rng.uniform(), float(seconds)))
+
+
+@pytest.mark.slow
+def test_processes_held_up_and_started_again_walk_again(start, domain_id):
+    """The controller is stopped and goes on, and is ended and started, while /cmd_vel comes all the time."""
+    node = Node("watcher")
+    velocities, odometry = node.publish(CMD_VEL), node.subscribe(ODOMETRY, Qos(1000))
+    twist = cdr.message(CMD_VEL.type_name, linear={"x": 0.5})
+    speeds = deque(maxlen=100)
+
+    def walks():
+        velocities.send(twist)
+        speeds.extend(one.twist.twist.linear.x for _, one in odometry.messages(pytest.fail))
+        return len(speeds) == speeds.maxlen and abs(np.mean(speeds) - 0.5) < 0.15
+
+    def walks_again(what):
+        speeds.clear()
+        wait_until(walks, what, interval=COMMAND_PERIOD)
+
+    try:
+        start("sim")
+        for attempt in range(4):
+            controller = start("controller")
+            walks_again(f"walking with controller {attempt}")
+            for seconds in (0.3, 0.9, 1.6):
+                controller.process.send_signal(signal.SIGSTOP)
+                # Not a wait for anything: this is the delay.
+                time.sleep(seconds)
+                controller.process.send_signal(signal.SIGCONT)
+                walks_again(f"walking after {seconds} s with controller {attempt}")
+            assert controller.interrupt() == 0
+    finally:
+        node.close()

@@ -294,6 +294,15 @@ def test_stale_states_among_fresh_ones_never_become_the_measure():
         assert bool(refusal) == bool(late)
 
 
+def test_ramp_from_joints_far_beyond_their_range_has_its_bounded_time():
+    bench = Bench()
+    bench.positions = np.full(8, 500.0)
+    bench.pass_time(0.5)
+    assert bench.mode is Mode.RAMPING
+    bench.pass_time(8.0)
+    assert bench.mode is Mode.WALKING
+
+
 def test_ramp_is_not_hurried_by_a_delay():
     """States come again after 0.9 s in which the process was held up: the ramp goes on where it was."""
     bench = Bench()

@@ -6,7 +6,7 @@ import sys
 import time
 from collections.abc import Sequence
 
-from quadruped_env.live.session import LOOK
+from quadruped_env.live.session import CLEAR_LINE, LOOK
 
 _GRACE = 5.0
 """s that a node has to end by itself"""
@@ -34,7 +34,7 @@ def launch(nodes: Sequence[Sequence[str]]) -> int:
             if process.poll() is not None
         ]
     if ended:
-        print(f"[launch] {ended[0][0]} ended; so do the others", file=sys.stderr)
+        _say(f"{ended[0][0]} ended; so do the others")
     for process in processes:
         if process.poll() is None:
             process.send_signal(signal.SIGINT)
@@ -42,10 +42,14 @@ def launch(nodes: Sequence[Sequence[str]]) -> int:
         try:
             process.wait(_GRACE)
         except subprocess.TimeoutExpired:
-            print(f"[launch] {node[0]} does not end by itself; it is killed", file=sys.stderr)
+            _say(f"{node[0]} does not end by itself; it is killed")
             process.kill()
             process.wait()
     return ended[0][1] if ended else 0
+
+
+def _say(text: str) -> None:
+    print(f"{CLEAR_LINE if sys.stderr.isatty() else ''}[launch] {text}", file=sys.stderr)
 
 
 def common(domain_id: int | None, subnet: bool, seconds: float | None, quiet: bool) -> list[str]:

@@ -24,7 +24,7 @@ from quadruped_env.live.measured import MeasuredRobot
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.standing import Rise
 from quadruped_env.policies import Controller
-from quadruped_env.robot import STANCE
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
@@ -238,7 +238,8 @@ class Pilot:
             self._fresh = 0
         if self._fresh < self.safety.fresh_states:
             return
-        self._last = measurement.positions.copy()
+        # From beyond the range the way would have no bound.
+        self._last = np.clip(measurement.positions, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
         self._rise = Rise.plan(self._last, self.safety.ramp_speed, self.safety.ramp_least)
         self._risen, self._rise_at = 0.0, (measurement.stamp, now)
         self._due = None

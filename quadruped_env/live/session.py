@@ -1,6 +1,7 @@
 """A node as a program: it says what it does and waits for, keeps a status line, and ends cleanly."""
 
 import argparse
+import shutil
 import signal
 import sys
 import time
@@ -21,6 +22,8 @@ STATUS_PERIOD_LOG: Final = 10.0
 """s between status lines elsewhere"""
 PROBLEMS_PERIOD: Final = 1.0
 """s between looks at who is on the domain"""
+CLEAR_LINE: Final = "\r\x1b[K"
+"""Clears the line of a terminal that the cursor is in"""
 _SAME_SIGNAL: Final = 0.5
 """s"""
 _ARRIVING: Final = 0.05
@@ -84,7 +87,6 @@ class Session:
         self._rates: dict[Any, Rate] = {}
         self._status_pace = Pace(STATUS_PERIOD if self._log.isatty() else STATUS_PERIOD_LOG)
         self._problems_pace = Pace(PROBLEMS_PERIOD)
-        self._status_width = 0
         self._handlers: dict[int, Any] = {}
         self._status_pace.tick()
         if refusal:
@@ -106,6 +108,9 @@ class Session:
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
         self.refuse.report(last=True)
+        if self._log.isatty():
+            # What is printed about an error does not follow a status line.
+            self._log.write(CLEAR_LINE)
         if kind is None:
             counts = [
                 f"{one.count} {verb} {one.topic.name}"
@@ -195,16 +200,14 @@ class Session:
         if not self._log.isatty():
             self.say(text)
             return
-        line = f"[{self.node.name}] {text}"
-        self._log.write(f"\r{line.ljust(self._status_width)}")
+        # A line that the terminal breaks could not be cleared.
+        width = shutil.get_terminal_size().columns - 1
+        self._log.write(f"{CLEAR_LINE}{f'[{self.node.name}] {text}'[:width]}")
         self._log.flush()
-        self._status_width = len(line)
 
     def _write(self, line: str) -> None:
-        if self._status_width:
-            self._log.write(f"\r{' ' * self._status_width}\r")
-            self._status_width = 0
-        self._log.write(line)
+        # Other nodes may share the terminal, and have their status line where this one is to be.
+        self._log.write(f"{CLEAR_LINE}{line}" if self._log.isatty() else line)
         self._log.flush()
 
     def _interrupted(self, number: int, frame: FrameType | None) -> None:

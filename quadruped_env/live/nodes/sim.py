@@ -37,6 +37,8 @@ SUMMARY: Final = "the simulated robot in real time"
 STEPS_PER_STATE: Final = 2
 _HARDEST: Final = 5.0
 """m/s"""
+_PUSH_LOG_PERIOD: Final = 1.0
+"""s between lines about pushes"""
 _OBEYS: Final = 0.5
 """s after its last command that a publisher may still be the one that is obeyed"""
 
@@ -73,14 +75,15 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     gc.collect()
     gc.freeze()
     start = time.time_ns()
-    pace = Pace(TIMESTEP)
+    pace, push_log = Pace(TIMESTEP), Pace(_PUSH_LOG_PERIOD)
     step = round(TIMESTEP * NANOSECONDS)
     fell, fell_at = False, 0.0
     while session.running:
         session.wait(pace.remaining)
         commands.take()
         for _, velocity in pushes.messages(session.refuse):
-            session.say(f"pushed by {velocity.tolist()} m/s")
+            if push_log.tick():
+                session.say(f"pushed by {velocity.tolist()} m/s")
             robot.push(velocity)
         while pace.tick():
             if robot.step():
