@@ -35,6 +35,11 @@ def main() -> int:
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
     parser.add_argument("--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON")
     args = parser.parse_args()
+    try:
+        import quadruped_env.training.ppo  # noqa: F401  (it names the extra that is missing)
+    except MissingExtraError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
     from quadruped_env.benchmarks.learning_speed import summary, time_to_walk
 
     def say(line: str) -> None:

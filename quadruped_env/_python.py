@@ -12,6 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 OLDEST = (3, 11)
+_DISTRIBUTION = "mini-quadruped"
 NEEDED = ("gymnasium", "mujoco", "numpy", "safetensors")
 
 _CHECKOUT = Path(__file__).resolve().parents[1]
@@ -79,9 +80,15 @@ def pip_command() -> str:
 
 def install_command(extra: str) -> str:
     """What installs an extra of this package for this Python."""
-    place = _from_here(_CHECKOUT) if has_programs() else ""
-    package = f"-e {shlex.quote(f'{place}[{extra}]')}" if place else shlex.quote(f"mini-quadruped[{extra}]")
-    return f"{pip_command()} {package}"
+    from importlib import metadata  # which takes longer to import than all the rest
+
+    try:
+        metadata.distribution(_DISTRIBUTION)
+    except metadata.PackageNotFoundError:
+        if has_programs():
+            # A checkout that was found without being installed.
+            return f"{pip_command()} -e {shlex.quote(f'{_from_here(_CHECKOUT)}[{extra}]')}"
+    return f"{pip_command()} '{_DISTRIBUTION}[{extra}]'"
 
 
 def pasteable(text: str | None) -> str:

@@ -29,7 +29,15 @@ class MissingExtraError(ImportError):
     """A program needs a library that an optional extra of this package brings."""
 
     def __init__(self, purpose: str, extra: str) -> None:
-        super().__init__(f"{purpose} needs the '{extra}' extra: {install_command(extra)}")
+        need = f"{purpose} needs the '{extra}' extra"
+        super().__init__(f"{need}: {install_command(extra)}")
+        self.portable = f"{need}: pip install 'mini-quadruped[{extra}]'"
+        """The message without this machine's Python, for a page that is read elsewhere"""
+
+
+def portable_message(error: Exception) -> str:
+    """An error's message for a page that is read elsewhere."""
+    return error.portable if isinstance(error, MissingExtraError) else str(error)
 
 
 class QuadrupedWarning(UserWarning):

@@ -128,7 +128,12 @@ def test_errors_name_commands_of_this_python(monkeypatch):
     python = re.escape(_python.python_command())
     with pytest.raises(QuadrupedError, match=f"train one with '{python} train/ppo.py'"):
         load_policy("nowhere")
-    assert re.search(f"{python} -m pip install -e '\\.\\[viewer\\]'", str(MissingExtraError("The viewer", "viewer")))
+    message = str(MissingExtraError("The viewer", "viewer"))
+    assert re.search(f"{python} -m pip install 'mini-quadruped\\[viewer\\]'$", message)
+    # In an interpreter that has its dependencies, but not the checkout's package.
+    monkeypatch.setattr(_python, "_DISTRIBUTION", "mini-quadruped-is-not-installed")
+    message = str(MissingExtraError("The viewer", "viewer"))
+    assert re.search(f"{python} -m pip install -e '\\.\\[viewer\\]'$", message)
 
 
 def test_without_a_checkout_the_package_is_named(monkeypatch, tmp_path):

@@ -80,9 +80,9 @@ def test_nothing_that_the_server_sends_names_a_directory_of_the_machine(tmp_path
         with pytest.raises(QuadrupedError, match=str(tmp_path)) as error:
             show.controller.set_source(0, "run damaged")
         show.panel.tell(str(error.value), bad=True)
-        page = b"".join(
-            msgspec.msgpack.encode(message.as_serializable_dict([])) for message in broadcast.message_from_id.values()
-        )
+        with broadcast.buffer_lock:
+            messages = tuple(broadcast.message_from_id.values())
+        page = b"".join(msgspec.msgpack.encode(message.as_serializable_dict([])) for message in messages)
     assert f"run {tmp_path.name}/run".encode() in page
     assert str(tmp_path).encode() not in page
     assert any("damaged/policy.json" in text for text in sent)

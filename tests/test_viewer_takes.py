@@ -10,6 +10,7 @@ from waiting import DEADLINE, wait_until
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.viewer import ViewController, find_sources
 from quadruped_env.viewer.controller import RESTART_AFTER
+from quadruped_env.viewer.panel import _status
 from quadruped_env.viewer.take import MAX_WAITING
 
 
@@ -107,6 +108,15 @@ def test_a_take_ends_at_the_longest_time_with_a_word(control, tmp_path, monkeypa
     (path,) = tmp_path.glob("results/view-*/joint_states.csv")
     assert JointTrajectory.load(path).duration == pytest.approx(0.5)
     assert controller.messages()[0] == "The recording has ended: 0.5 s is the longest; record again"
+
+
+def test_the_panel_shows_the_longest_time_of_a_take(control, monkeypatch):
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    controller = control("stand still")
+    assert "recording" not in _status(controller.view())
+    controller.start_recording()
+    controller.advance(0.1)
+    assert "recording, 0.1 of at most 300 s" in _status(controller.view())
 
 
 def test_takes_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):

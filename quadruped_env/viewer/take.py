@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
 from quadruped_env.evaluation.films.film import Motion
 from quadruped_env.evaluation.films.video import save_film
 from quadruped_env.evaluation.results import free_path
@@ -129,6 +129,6 @@ class TakeSaver:
         try:
             save_film(path, [take.motion()])
         except (QuadrupedError, MissingExtraError) as error:
-            self._tell(f"No video: {error}")
+            self._tell(f"No video: {portable_message(error)}")
         else:
             self._tell(f"Video: {path}")

@@ -6,7 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.films.film import Camera, Motion, Picture
 from quadruped_env.evaluation.films.overlay import AVERAGED
@@ -82,7 +82,7 @@ def take_pictures(
             video = encode_mp4(camera.films(motions, progress))
             stills = {failure.row: _stills(camera, motion, failure) for motion, failure in failures}
     except QuadrupedError as error:
-        return Pictures({"missing": f"No video: {error}"})
+        return Pictures({"missing": f"No video: {portable_message(error)}"})
 
     caption = f"In real time: {shown}. {OVERLAY_LEGEND}"
     return Pictures({"source": data_url("video/mp4", video), "caption": caption}, stills)
@@ -104,5 +104,5 @@ def scene(comparison: Comparison) -> dict[str, Any]:
     try:
         page = scene_html(motion)
     except MissingExtraError as error:
-        return {"missing": f"No 3D replay: {error}"}
+        return {"missing": f"No 3D replay: {portable_message(error)}"}
     return {"page": page, "caption": f"The trained policy, asked for {words(comparison.commands[command])}."}
