@@ -15,7 +15,7 @@ def main() -> int:
     """Parse the arguments and measure."""
     parser = argparse.ArgumentParser(
         description="Speed and memory of the environments and of training, each as a ratio to a bare simulation or to "
-        "another environment within this run. Prints a Markdown table and writes JSON. Takes about five minutes on two "
+        "another environment within this run. Prints a Markdown table and writes JSON. Takes about six minutes on two "
         "cores, most of it for the memory of a long training. Let nothing else run meanwhile.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )

@@ -87,8 +87,8 @@ def test_projected_gravity_is_the_closed_form_of_a_tilted_robot(roll, pitch, yaw
     expected = [math.sin(pitch), -math.sin(roll) * math.cos(pitch), -math.cos(roll) * math.cos(pitch)]
     np.testing.assert_allclose(gravity, expected, atol=1e-6)
     # The closed form in which the start's attitude is drawn is the same.
-    angles = (np.array([angle]) for angle in (roll, pitch, yaw))
-    np.testing.assert_allclose(randomization._quaternion(*angles)[0], quaternion, atol=1e-12)
+    angles = np.array([[roll, pitch, yaw]])
+    np.testing.assert_allclose(randomization._quaternion(angles)[0], quaternion, atol=1e-12)
 
 
 def test_no_column_is_stuck():

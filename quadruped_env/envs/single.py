@@ -171,7 +171,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self.task.reset(_ROW, command=command)
         if self.render_mode == "human":
             self.render()
-        return self.task.observe()[0], self._readings()
+        return self.task.observe()[0], spaces.readings(self.task, 0)
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step; see the class."""
@@ -181,7 +181,7 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
                 f"action: expected shape {self.action_space.shape}, one value per joint; found {action.shape}"
             )
         transition = self.task.step(action[None])
-        info = self._readings()
+        info: dict[str, Any] = spaces.readings(self.task, 0)
         # An array of no axes: of a NumPy bool Gymnasium's vector environments would make an array of objects.
         info["diverged"] = transition.diverged.reshape(())
         info.update(zip(self.task.reward_keys, transition.terms[0], strict=True))
@@ -200,9 +200,6 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         if self._renderer is None:
             self._renderer = self._make_renderer()
         return self._renderer.render(self.data)
-
-    def _readings(self) -> dict[str, Any]:
-        return {name: value[0] for name, value in spaces.readings(self.task).items()}
 
     def _make_renderer(self) -> SceneRenderer:
         assert self.render_mode is not None

@@ -38,27 +38,25 @@ def plain_spec(spec: EnvSpec | None) -> EnvSpec | None:
     return spec
 
 
-def readings(task: Task) -> dict[str, NDArray[Any]]:
-    """The part of `info` that describes the current state, copied, shape (N, ...) each."""
+def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any]]:
+    """The part of `info` that describes the current state, copied.
+
+    Args:
+        task: the episodes of N environments.
+        at: the index of one, whose readings have no leading axis, or the slice of all, shape (N, ...) each.
+    """
     state = task.simulation.state
     return {
-        "command": task.command.copy(),
-        "base_position": state.base_position.copy(),
-        "base_linear_velocity": state.linear_velocity_b.copy(),
-        "base_angular_velocity": state.angular_velocity_b.copy(),
-        "joint_position": state.joint_position.copy(),
-        "joint_velocity": state.joint_velocity.copy(),
-        "joint_torque": state.joint_torque.copy(),
-        "foot_force": state.foot_force.copy(),
-        "foot_contact": state.foot_force > task.config.reward.contact_threshold,
+        "command": task.command[at].copy(),
+        "base_position": state.base_position[at].copy(),
+        "base_linear_velocity": state.linear_velocity_b[at].copy(),
+        "base_angular_velocity": state.angular_velocity_b[at].copy(),
+        "joint_position": state.joint_position[at].copy(),
+        "joint_velocity": state.joint_velocity[at].copy(),
+        "joint_torque": state.joint_torque[at].copy(),
+        "foot_force": state.foot_force[at].copy(),
+        "foot_contact": state.foot_force[at] > task.config.reward.contact_threshold,
     }
-
-
-def step_info(task: Task, transition: Transition) -> dict[str, NDArray[Any]]:
-    """The whole `info` of a step, shape (N, ...) each."""
-    info = readings(task)
-    info.update(step_results(task, transition))
-    return info
 
 
 def step_results(task: Task, transition: Transition) -> dict[str, NDArray[Any]]:

@@ -27,9 +27,7 @@ class SingleSimulation:
     def _bind(self) -> None:
         self.state = State.from_sensordata(self.model, self.data.sensordata[None])
         self._ctrl = self.data.ctrl
-        # One by one: MuJoCo's list of them is slow to iterate over.
-        warnings = self.data.warning
-        self._warnings = tuple(warnings[i] for i in range(DIVERGENCE_WARNINGS.start, DIVERGENCE_WARNINGS.stop))
+        self._warnings = self.data.warning.number[DIVERGENCE_WARNINGS]
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
@@ -70,8 +68,7 @@ class SingleSimulation:
 
     def diverged(self) -> NDArray[np.bool_]:
         """See `Simulation.diverged`."""
-        failed = self._failed or any(warning.number for warning in self._warnings)
-        return np.array([failed])
+        return np.array([self._failed or np.count_nonzero(self._warnings) > 0])
 
     def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""

@@ -267,7 +267,9 @@ class Task:
             reward[restart] = 0.0
             for flags in (terminated, truncated, diverged):
                 flags[restart] = False
-        np.logical_or(terminated, truncated, out=self._finished)
+        self._finished[:] = terminated
+        if self.max_episode_steps is not None:
+            self._finished |= truncated
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def observe(self) -> NDArray[np.float32]:
