@@ -3,6 +3,7 @@
 import contextlib
 import io
 import re
+import threading
 import time
 
 import numpy as np
@@ -368,6 +369,39 @@ def test_process_that_is_sent_damaged_messages_goes_on(name, start, nodes, tmp_p
         wait_until(lambda publisher=publisher: publisher.wait_until_read(1.0), alive=node.process)
     assert node.interrupt() == 0
     assert "ended after" in node.said
+
+
+def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, monkeypatch):
+    """The states that come meanwhile are timed when they are taken, and so none of the later ones is late."""
+    read, twists = cdr.deserialize, []
+
+    def slow(data, type_name):
+        if type_name == CMD_VEL.type_name:
+            twists.append(data)
+            if len(twists) == 2:
+                # The first one is what subscribing reads. Not a wait: this is the delay.
+                time.sleep(0.6)
+        return read(data, type_name)
+
+    monkeypatch.setattr(cdr, "deserialize", slow)
+    robot = nodes("robot")
+    states, attitudes, velocities = robot.publish(JOINT_STATES), robot.publish(IMU), robot.publish(CMD_VEL)
+    args, log = make_parser().parse_args(["controller"]), io.StringIO()
+
+    def drive():
+        for publisher in (velocities, attitudes, states):
+            publisher.send_bytes(good(publisher.topic))
+        return "going to the stance" in log.getvalue()
+
+    with Session("controller", args, log) as session:
+        thread = threading.Thread(target=node_module("controller").run, args=(session, args))
+        thread.start()
+        try:
+            wait_until(drive, log.getvalue, interval=0.01)
+        finally:
+            session.stop()
+            thread.join()
+    assert len(twists) > 2
 
 
 # --- the log on a terminal
