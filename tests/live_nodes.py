@@ -6,7 +6,11 @@ import subprocess
 import sys
 import time
 
+import numpy as np
+
 from quadruped_env import JOINT_NAMES
+from quadruped_env.live.topics import IMU, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
+from quadruped_env.robot import STANCE
 from quadruped_env.ros import cdr
 
 STAMP = 1_700_000_000_123_456_789
@@ -77,6 +81,19 @@ def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, veloci
         velocity=velocity,
         effort=effort,
     )
+
+
+def usable(topic):
+    """The bytes of a message that the node can use, of now."""
+    now = time.time_ns()
+    if topic.type_name == JOINT_STATES.type_name:
+        return cdr.serialize(joint_state(now, JOINT_NAMES, STANCE, np.zeros(8), np.zeros(8)))
+    fields = {
+        IMU.name: {"header": cdr.header(now), "orientation": {"w": 1.0}},
+        ODOMETRY.name: {"header": cdr.header(now), "pose": {"pose": {"orientation": {"w": 1.0}}}},
+        JOINT_POSITIONS.name: {"data": STANCE},
+    }
+    return cdr.serialize(cdr.message(topic.type_name, **fields.get(topic.name, {})))
 
 
 def started(*arguments, **settings):
