@@ -1,5 +1,6 @@
 """Debian's Chromium under Playwright, for tests that look at a page as a person would."""
 
+import re
 import shutil
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -106,3 +107,24 @@ def still(page, picture, frames=10):
 def pixels(target, **options):
     """A picture (height, width, 3) of a page or of a part of it; options as Playwright's screenshot has them."""
     return np.asarray(Image.open(BytesIO(target.screenshot(**options))).convert("RGB"))
+
+
+def field(page, label):
+    """The number beside a slider."""
+    identity = page.locator("label", has_text=re.compile(f"^{re.escape(label)}$")).get_attribute("for")
+    return page.locator(f"[id='{identity}']").locator("xpath=..").locator("input[type=text]")
+
+
+def fill(page, label, value):
+    """Type a number into the field beside a slider."""
+
+    def filled():
+        # As a person types: of a whole text at once the field's library drops every second one, and on a busy machine
+        # a key may get lost between two renderings.
+        field(page, label).select_text()
+        field(page, label).press_sequentially(str(value), delay=20)
+        field(page, label).press("Tab")
+        draw(page)
+        return float(field(page, label).input_value()) == pytest.approx(value)
+
+    waiting.wait_until(filled, f"{value} beside {label}")

@@ -4,10 +4,14 @@ import contextlib
 import signal
 import subprocess
 import sys
+import time
 
+import numpy as np
 import waiting
 
 from quadruped_env import JOINT_NAMES
+from quadruped_env.live.topics import IMU, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
+from quadruped_env.robot import STANCE
 from quadruped_env.ros import cdr
 
 STAMP = 1_700_000_000_123_456_789
@@ -82,6 +86,19 @@ def received_from(subscription, count, alive=None):
         lambda: received.extend(subscription.take()) or len(received) >= count, f"{count} messages", alive
     )
     return received
+
+
+def usable(topic):
+    """The bytes of a message that the node can use, of now."""
+    now = time.time_ns()
+    if topic.type_name == JOINT_STATES.type_name:
+        return cdr.serialize(joint_state(now, JOINT_NAMES, STANCE, np.zeros(8), np.zeros(8)))
+    fields = {
+        IMU.name: {"header": cdr.header(now), "orientation": {"w": 1.0}},
+        ODOMETRY.name: {"header": cdr.header(now), "pose": {"pose": {"orientation": {"w": 1.0}}}},
+        JOINT_POSITIONS.name: {"data": STANCE},
+    }
+    return cdr.serialize(cdr.message(topic.type_name, **fields.get(topic.name, {})))
 
 
 def started(*arguments, **settings):

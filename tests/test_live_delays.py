@@ -1,16 +1,21 @@
 """Whatever is late, lost or held up, and whenever: the robot soon walks again."""
 
+import math
 import signal
 import time
 from collections import deque
 
 import numpy as np
 import pytest
+from live_bench import EPOCH, LEVEL, Bench
 from live_delays import COMMAND_PERIOD, KINDS, PERIOD, Disturbance, Link
 from waiting import wait_until
 
+from quadruped_env import QuadrupedError
 from quadruped_env.live import Node
-from quadruped_env.live.pilot import Measurement, Mode, Pilot
+from quadruped_env.live.commands import LIMP
+from quadruped_env.live.gate import Gate
+from quadruped_env.live.pilot import Measurement, Mode, Pilot, Safety
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.topics import CMD_VEL, ODOMETRY
 from quadruped_env.robot import STANCE
@@ -27,7 +32,7 @@ GETS_UP = 6.5
 """s, of which 5 are the longest way to the stance"""
 PHYSICAL = tuple(kind for kind in KINDS if kind != "lag")
 """Delays that a robot can stand: no policy walks on states that are old for good, if that is what a lag is"""
-LEVEL, TILTED = np.array([1.0, 0.0, 0.0, 0.0]), np.array([np.cos(0.6), np.sin(0.6), 0.0, 0.0])
+TILTED = np.array([np.cos(0.6), np.sin(0.6), 0.0, 0.0])
 BACKGROUND = (Disturbance("loss", 4.0, 0.6), Disturbance("loss", 6.5, 1.6), Disturbance("fall", 10.5, 0.7))
 """What brings the pilot through all its modes: it holds at 4.2 s, ramps, waits limp from 7.5 to 8.3 s, and lies"""
 
@@ -105,6 +110,90 @@ def test_pilot_delayed_in_many_ways_follows_the_command_within_3_s():
     trials += [[random_delay(rng.choice(KINDS), rng) for _ in range(rng.integers(2, 5))] for _ in range(200)]
     for delays in trials:
         assert follows_after(*delays) <= WALKS_WITHIN, delays
+
+
+# --- by hand
+
+
+def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_measure():
+    """The stream goes on, 0.3 s late: as good as silence at first. Limp, the robot may be moved on what there is."""
+    bench = Bench().walk()
+    begin, late, refused = bench.now, 0.3, []
+    bench.now += late
+    while bench.mode is not Mode.WALKING or not refused:
+        bench.now += PERIOD
+        assert bench.now - begin < 3.0
+        try:
+            bench.feed(EPOCH + round((bench.now - late) * 1e9))
+        except QuadrupedError as error:
+            refused.append(str(error))
+        answer = bench.pilot.silent(bench.now)
+        if answer is not None:
+            bench.answers.append(answer)
+    assert len(refused) == pytest.approx(70, abs=2)
+    assert all("stale by more than 0.2 s" in reason for reason in refused)
+    assert sum(answer.target is LIMP for answer in bench.answers) == 1
+    assert "all states come 0.30 s later than before; that is taken as normal from here on" in bench.said
+
+
+def test_stale_states_among_fresh_ones_never_become_the_measure():
+    """Every other state is 0.5 s late, for long, and while nothing moves: the fresh ones stay the measure."""
+    gate = Gate("/test")
+    for i in range(1000):
+        now = 10.0 + i * PERIOD
+        late = i % 2
+        refusal = gate.refusal(round((now - 0.5 * late) * 1e9) + i, now, moving=False)
+        assert bool(refusal) == bool(late)
+
+
+def test_ramp_from_joints_far_beyond_their_range_has_its_bounded_time():
+    bench = Bench()
+    bench.positions = np.full(8, 500.0)
+    bench.pass_time(0.5)
+    assert bench.mode is Mode.RAMPING
+    bench.pass_time(8.0)
+    assert bench.mode is Mode.WALKING
+
+
+def test_ramp_is_not_hurried_by_a_delay():
+    """States come again after 0.9 s in which the process was held up: the ramp goes on where it was."""
+    bench = Bench()
+    bench.pass_time(0.7)
+    before = bench.answers[-1].target
+    bench.now += 0.9
+    bench.feed()
+    after = bench.answers[-1].target
+    assert bench.mode is Mode.RAMPING
+    assert np.abs(after - before).max() <= 1.5 * Safety().ramp_speed * 0.05 + 1e-9
+
+
+def test_process_held_up_for_longer_than_the_watchdog_begins_anew():
+    """Nobody asked for a command meanwhile: the robot's own watchdog has let its motors go."""
+    bench = Bench().walk()
+    bench.now += 1.5
+    answer = bench.feed()
+    assert answer.target is LIMP
+    bench.pass_time(0.5)
+    assert bench.mode is Mode.RAMPING
+
+
+def test_sinking_robot_is_moved_after_a_while_and_one_that_is_put_up_is_not():
+    """Let go, its joints move slowly for long; a robot that fell is in somebody's hands."""
+    for fell, mode in ((False, Mode.RAMPING), (True, Mode.LIMP)):
+        bench = Bench().walk()
+        if fell:
+            bench.orientation = np.array([math.cos(0.6), math.sin(0.6), 0.0, 0.0])
+            bench.pass_time(0.5)
+            bench.orientation = LEVEL
+        else:
+            bench.pass_time(1.5, states=False)
+        for _ in range(150):
+            bench.positions = bench.positions + 0.003
+            bench.pass_time(PERIOD)
+        assert bench.mode is mode
+
+
+# --- in physics
 
 
 class Walking(Link):

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from live_bench import EPOCH, LEVEL, LYING, PERIOD, Bench, Recording
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.live.commands import LIMP, CommandWriter, limited, positions_message, read_positions, read_target
@@ -11,7 +12,7 @@ from quadruped_env.live.gate import Gate
 from quadruped_env.live.imu import read_imu
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.measured import MeasuredRobot, up_in_body
-from quadruped_env.live.pilot import Measurement, Mode, Pilot, Safety
+from quadruped_env.live.pilot import Mode, Safety
 from quadruped_env.policies import GaitController, PolicyController, load_policy
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT, load_model
 from quadruped_env.ros import cdr
@@ -19,72 +20,6 @@ from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
 
 pytest.importorskip("rosbags")
-
-LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
-LYING = np.array([0.6, -0.3] * 4)
-PERIOD = 0.01
-EPOCH = 1_700_000_000_000_000_000
-
-
-class Recording:
-    """A controller that keeps the commands of its task, and asks for the stance, or for what a test says."""
-
-    action_mode = "position"
-    name = "recording"
-
-    def __init__(self, target=STANCE):
-        self.target = np.array(target)
-        self.commands = []
-
-    def step(self, task, observation):
-        self.commands.append(task.command[0].tolist())
-        return task.step_joint_target(self.target[None].copy())
-
-
-class Bench:
-    """A pilot, its clock, and a robot that stays where it is put."""
-
-    def __init__(self, controller=None, **safety):
-        self.controller = controller or Recording()
-        self.said = []
-        self.pilot = Pilot(self.controller, TaskConfig(), Safety(**safety), self.said.append)
-        self.now = 50.0
-        self.positions = LYING.copy()
-        self.orientation = LEVEL
-        self.answers = []
-
-    @property
-    def mode(self):
-        return self.pilot.mode
-
-    def feed(self, stamp=None, now=None):
-        """One measurement, of this time unless another one is said."""
-        stamp = EPOCH + round(self.now * 1e9) if stamp is None else stamp
-        measurement = Measurement(stamp, self.positions.copy(), np.zeros(8), self.orientation, np.zeros(3))
-        answer = self.pilot.measured(measurement, self.now)
-        if answer is not None:
-            self.answers.append(answer)
-        return answer
-
-    def pass_time(self, seconds, states=True, command=None):
-        """Time goes by, with or without measurements; returns what was answered."""
-        before = len(self.answers)
-        for _ in range(round(seconds / PERIOD)):
-            self.now += PERIOD
-            if command is not None:
-                self.pilot.command(*command, self.now)
-            if states:
-                self.feed()
-            answer = self.pilot.silent(self.now)
-            if answer is not None:
-                self.answers.append(answer)
-        return self.answers[before:]
-
-    def walk(self, command=(0.3, 0.1)):
-        """On to walking."""
-        self.pass_time(3.0, command=command)
-        assert self.mode is Mode.WALKING
-        return self
 
 
 def test_it_waits_for_fresh_states():
@@ -261,84 +196,6 @@ def test_repeated_and_reordered_states_are_refused_and_do_no_harm():
     for one, other in zip(dirty.answers, clean.answers, strict=True):
         assert one.stamp == other.stamp
         np.testing.assert_array_equal(one.target, other.target)
-
-
-def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_measure():
-    """The stream goes on, 0.3 s late: as good as silence at first. Limp, the robot may be moved on what there is."""
-    bench = Bench().walk()
-    begin, late, refused = bench.now, 0.3, []
-    bench.now += late
-    while bench.mode is not Mode.WALKING or not refused:
-        bench.now += PERIOD
-        assert bench.now - begin < 3.0
-        try:
-            bench.feed(EPOCH + round((bench.now - late) * 1e9))
-        except QuadrupedError as error:
-            refused.append(str(error))
-        answer = bench.pilot.silent(bench.now)
-        if answer is not None:
-            bench.answers.append(answer)
-    assert len(refused) == pytest.approx(70, abs=2)
-    assert all("stale by more than 0.2 s" in reason for reason in refused)
-    assert sum(answer.target is LIMP for answer in bench.answers) == 1
-    assert "all states come 0.30 s later than before; that is taken as normal from here on" in bench.said
-
-
-def test_stale_states_among_fresh_ones_never_become_the_measure():
-    """Every other state is 0.5 s late, for long, and while nothing moves: the fresh ones stay the measure."""
-    gate = Gate("/test")
-    for i in range(1000):
-        now = 10.0 + i * PERIOD
-        late = i % 2
-        refusal = gate.refusal(round((now - 0.5 * late) * 1e9) + i, now, moving=False)
-        assert bool(refusal) == bool(late)
-
-
-def test_ramp_from_joints_far_beyond_their_range_has_its_bounded_time():
-    bench = Bench()
-    bench.positions = np.full(8, 500.0)
-    bench.pass_time(0.5)
-    assert bench.mode is Mode.RAMPING
-    bench.pass_time(8.0)
-    assert bench.mode is Mode.WALKING
-
-
-def test_ramp_is_not_hurried_by_a_delay():
-    """States come again after 0.9 s in which the process was held up: the ramp goes on where it was."""
-    bench = Bench()
-    bench.pass_time(0.7)
-    before = bench.answers[-1].target
-    bench.now += 0.9
-    bench.feed()
-    after = bench.answers[-1].target
-    assert bench.mode is Mode.RAMPING
-    assert np.abs(after - before).max() <= 1.5 * Safety().ramp_speed * 0.05 + 1e-9
-
-
-def test_process_held_up_for_longer_than_the_watchdog_begins_anew():
-    """Nobody asked for a command meanwhile: the robot's own watchdog has let its motors go."""
-    bench = Bench().walk()
-    bench.now += 1.5
-    answer = bench.feed()
-    assert answer.target is LIMP
-    bench.pass_time(0.5)
-    assert bench.mode is Mode.RAMPING
-
-
-def test_sinking_robot_is_moved_after_a_while_and_one_that_is_put_up_is_not():
-    """Let go, its joints move slowly for long; a robot that fell is in somebody's hands."""
-    for fell, mode in ((False, Mode.RAMPING), (True, Mode.LIMP)):
-        bench = Bench().walk()
-        if fell:
-            bench.orientation = np.array([math.cos(0.6), math.sin(0.6), 0.0, 0.0])
-            bench.pass_time(0.5)
-            bench.orientation = LEVEL
-        else:
-            bench.pass_time(1.5, states=False)
-        for _ in range(150):
-            bench.positions = bench.positions + 0.003
-            bench.pass_time(PERIOD)
-        assert bench.mode is mode
 
 
 def test_late_states_at_the_beginning_do_not_set_the_measure():

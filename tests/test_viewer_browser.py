@@ -5,6 +5,7 @@ import re
 import browser
 import numpy as np
 import pytest
+from browser import field, fill
 from viewing import showing
 from waiting import wait_until
 
@@ -68,27 +69,6 @@ def paused(stage):
     yield controller, page
     controller.set_source(0, "policy flat")
     controller.paused = False
-
-
-def field(page, label):
-    """The number beside a slider."""
-    identity = page.locator("label", has_text=re.compile(f"^{re.escape(label)}$")).get_attribute("for")
-    return page.locator(f"[id='{identity}']").locator("xpath=..").locator("input[type=text]")
-
-
-def fill(page, label, value):
-    """Type a number into the field beside a slider."""
-
-    def filled():
-        # As a person types: of a whole text at once the field's library drops every second one, and on a busy machine
-        # a key may get lost between two renderings.
-        field(page, label).select_text()
-        field(page, label).press_sequentially(str(value), delay=20)
-        field(page, label).press("Tab")
-        browser.draw(page)
-        return float(field(page, label).input_value()) == pytest.approx(value)
-
-    until(filled, page)
 
 
 def choose(page, label, option):

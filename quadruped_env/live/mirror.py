@@ -7,13 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.gaits import read_settings, settings_message
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node, Refused, message_reader
-from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig, Transition
+from quadruped_env.viewer.controller import Offered
+from quadruped_env.viewer.gaits import GaitSettings
 from quadruped_env.viewer.sources import Source
 
 NAME: Final = "live robot"
@@ -23,6 +26,8 @@ _ODOMETRY_LASTS: Final = 1.0
 _STOP: Final = 1.0
 """s for which a zero command is repeated; then others may steer"""
 _COMMAND_PERIOD: Final = 0.1
+_CHANGING: Final = 1.0
+"""s after a change of the gait's settings"""
 _FARTHEST: Final = 1e6
 """m, m/s or rad/s; nothing is drawn beyond"""
 _SHORTEST: Final = 1e-3
@@ -44,6 +49,10 @@ class Mirror:
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
+        self._gaits = node.publish(GAIT)
+        self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read_settings))
+        self._settings: GaitSettings | None = None
+        self._changed_at = -_CHANGING
         self._joints = Joints(0, STANCE, np.zeros(8), None)
         self._pose = resting_pose(STANCE)
         self._twist = np.zeros(6)
@@ -77,6 +86,25 @@ class Mirror:
         return transition
 
     @property
+    def settings(self) -> GaitSettings | None:
+        """The settings of the `gait` node's gait; None while there is no such node."""
+        return self._settings if self._gaits.readers else None
+
+    @settings.setter
+    def settings(self, settings: GaitSettings) -> None:
+        self._gaits.send(settings_message(settings))
+        self._settings, self._changed_at = settings, time.monotonic()
+
+    def complaints(self) -> list[str]:
+        """Nothing: the `gait` node says what its gait asks for beyond the robot's limits."""
+        return []
+
+    def offered(self) -> Offered:
+        """What a person can do: commands and pushes where a node takes them; the clock is that of a simulation."""
+        commands, pushes = bool(self._velocities.readers), bool(self._pushes.readers)
+        return Offered(command=commands, push=pushes, clock=pushes, sources=False)
+
+    @property
     def hears(self) -> bool:
         """Whether joint states have come."""
         return self._states.count > 0
@@ -89,6 +117,10 @@ class Mirror:
         if newest is not None:
             self._odometry_at = now
             self._pose, self._twist = newest[1]
+        settings = self._gait_settings.newest(self._refused)
+        # While a slider is dragged, what comes is what it was before.
+        if settings is not None and now - self._changed_at > _CHANGING:
+            self._settings = settings[1]
 
     def _pass_push_on(self, velocity: NDArray[np.float64]) -> None:
         """Send what somebody added to the base's velocity (3,) since it was put where it is: a push in the viewer."""

@@ -2,6 +2,7 @@
 
     waiting --fresh states--> ramping --at the stance--> walking
     ramping, walking --no state for 0.2 s--> holding --for 1 s--> limp --> waiting
+    ramping, walking --this process was held up for 1 s--> limp
     ramping, walking --fallen--> limp
     holding --fresh states--> ramping
 

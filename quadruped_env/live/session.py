@@ -27,7 +27,7 @@ CLEAR_LINE: Final = "\r\x1b[K"
 _SAME_SIGNAL: Final = 0.5
 """s"""
 _ARRIVING: Final = 0.05
-"""s after the end in which a message that was acknowledged becomes one that can be taken"""
+"""s that the turns go on after the end: what was acknowledged may take a moment to be there"""
 _REMEMBERED: Final = 256
 """Lines that `say_once` keeps"""
 
@@ -142,8 +142,8 @@ class Session:
     def turns(self, seconds: float = LOOK) -> Iterator[None]:
         """The turns of a node's loop: each begins by waiting for a message, or for a time, and ends by taking all.
 
-        One more turn follows the end of the session. Without it, messages would be lost that were received, and
-        acknowledged to their publisher, between the last taking and the signal.
+        The turns go on for a moment after the end of the session. Without that, messages would be lost that were
+        received, and acknowledged to their publisher, between the last taking and the signal.
 
         Args:
             seconds: to wait for a message, at most `LOOK`.
@@ -151,8 +151,10 @@ class Session:
         while self.running:
             self.wait(seconds)
             yield
-        self.wait(_ARRIVING)
-        yield
+        end = time.monotonic() + _ARRIVING
+        while (remaining := end - time.monotonic()) > 0.0:
+            self.wait(remaining)
+            yield
 
     def say(self, text: str) -> None:
         """Write a line to the log."""

@@ -49,6 +49,10 @@ JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msg
 """Joint targets as `forward_position_controller` of ros2_control takes them: rad, in the order of `JOINT_NAMES`"""
 PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
 """To `sim`: velocity in m/s that is added to the base's, in the world's axes"""
+GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST)
+"""To `gait`: amplitude as a multiple of the preset's, frequency in Hz, phases of LF, RF, LH and RH in cycles"""
+GAIT_SETTINGS: Final = Topic("/gait/settings", "std_msgs/msg/Float64MultiArray", LATCHED_QOS)
+"""From `gait`: the same numbers, as they are now"""
 
 TOPICS: Final = {
     topic.name: topic
@@ -64,5 +68,7 @@ TOPICS: Final = {
         JOINT_COMMANDS,
         JOINT_POSITIONS,
         PUSH,
+        GAIT,
+        GAIT_SETTINGS,
     )
 }

@@ -53,6 +53,18 @@ Command = tuple[float, float]
 
 
 @dataclass(frozen=True)
+class Offered:
+    """What a person can do here. Not everything has an effect on a robot that only sends messages."""
+
+    command: bool = True
+    push: bool = True
+    clock: bool = True
+    """Pause, step and reset"""
+    sources: bool = True
+    """Choose what drives the robots, how fast they are played and what is random; fixed from the start"""
+
+
+@dataclass(frozen=True)
 class RobotView:
     """A robot at one moment, to draw it; copies."""
 
@@ -127,6 +139,7 @@ class ViewController:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
         self.sources = sources
         self.command_ranges = CommandConfig()
+        self.offered = Offered()
         self._lock = threading.RLock()
         self._messages: deque[str] = deque(maxlen=_MESSAGES)
         self._saver = TakeSaver(results, self._messages.append)

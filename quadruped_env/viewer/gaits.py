@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Final, Self
+from typing import Final, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,6 +70,18 @@ def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
 
 def _scaled(amplitude: float | tuple[float, ...], factor: float) -> float | tuple[float, ...]:
     return tuple(factor * a for a in amplitude) if isinstance(amplitude, tuple) else factor * amplitude
+
+
+@runtime_checkable
+class HasGait(Protocol):
+    """A controller whose scripted gait a person may change."""
+
+    settings: GaitSettings | None
+    """What the gait is now; None while there is none"""
+
+    def complaints(self) -> list[str]:
+        """What the gait asks for beyond the robot's limits."""
+        ...
 
 
 class EditableGaitController:

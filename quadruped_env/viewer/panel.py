@@ -61,17 +61,25 @@ class Panel:
         self._record = gui.add_button(RECORD, color="red", icon="player-record")
         self._on(self._record, self._toggle_recording)
         tabs = gui.add_tab_group()
-        with tabs.add_tab("Drive"):
-            self._add_command()
-            self._add_push()
-            self._add_playback()
-        with tabs.add_tab("Robots"):
-            self._add_robots()
-            self._add_gait()
-            self._add_randomization()
+        self._sources: list[Any] = []
+        if controller.offered.sources:
+            with tabs.add_tab("Drive"):
+                self._add_command()
+                self._add_push()
+                self._add_playback()
+            with tabs.add_tab("Robots"):
+                self._add_robots()
+                self._add_gait()
+                self._add_randomization()
+        else:
+            with tabs.add_tab("Drive"):
+                self._add_gait()
+                self._add_command()
+                self._add_push()
         with tabs.add_tab("Show"):
             self._add_overlays()
         self._add_keys()
+        self._show_offered()
         self._show_robots()
 
     def tell(self, message: str, bad: bool = False) -> None:
@@ -96,7 +104,10 @@ class Panel:
         # The show goes on while a browser's wish takes its time.
         if self._lock.acquire(blocking=False):
             try:
+                self._show_offered()
                 self._show_command()
+                if self._controller.gait != self._shown_gait:
+                    self._show_gait()
             finally:
                 self._lock.release()
 
@@ -105,7 +116,8 @@ class Panel:
     def _add_command(self) -> None:
         gui, ranges = self._server.gui, self._controller.command_ranges
         velocity, yaw_rate = self._controller.command
-        with gui.add_folder("Command"):
+        self._command_folder = gui.add_folder("Command")
+        with self._command_folder:
             low, high = ranges.forward_velocity
             self._velocity = gui.add_slider("Forward, m/s", min=low, max=high, step=0.01, initial_value=velocity)
             low, high = ranges.yaw_rate
@@ -116,7 +128,8 @@ class Panel:
 
     def _add_push(self) -> None:
         gui = self._server.gui
-        with gui.add_folder("Push"):
+        self._push_folder = gui.add_folder("Push")
+        with self._push_folder:
             self._direction = gui.add_slider(
                 "To, degrees", min=-180, max=180, step=5, initial_value=90,
                 hint="0 pushes forwards, 90 to the left, -90 to the right, 180 backwards.",
@@ -184,9 +197,9 @@ class Panel:
             ("Turn left", "arrowleft", lambda: self._nudge(0, 1)),
             ("Turn right", "arrowright", lambda: self._nudge(0, -1)),
             ("Stand", "0", self._stand),
-            ("Pause or resume", "space", self._controller.toggle_pause),
-            ("One step", "N", self._controller.step),
-            ("Reset", "R", self._controller.reset),
+            ("Pause or resume", "space", lambda: self._press(PAUSE)),
+            ("One step", "N", lambda: self._press(STEP)),
+            ("Reset", "R", lambda: self._press(RESET)),
             ("Push", "P", self._push),
             ("Record or save", "V", self._toggle_recording),
         ):
@@ -196,6 +209,8 @@ class Panel:
     # --- what they do
 
     def _press(self, button: str) -> None:
+        if not self._controller.offered.clock:
+            return
         actions = {STEP: self._controller.step, RESET: self._controller.reset}
         actions.get(button, self._controller.toggle_pause)()
 
@@ -211,6 +226,8 @@ class Panel:
         self._shown_command = self._controller.set_command(self._velocity.value, self._yaw_rate.value)
 
     def _nudge(self, forward: int, left: int) -> None:
+        if not self._controller.offered.command:
+            return
         self._controller.nudge(forward, left)
         self._show_command()
 
@@ -222,6 +239,8 @@ class Panel:
         self._scene.visible[name] = box.value
 
     def _push(self) -> None:
+        if not self._controller.offered.push:
+            return
         direction = math.radians(self._direction.value)
         self._controller.push(direction, self._strength.value)
         self._scene.show_push(direction, self._strength.value)
@@ -242,6 +261,7 @@ class Panel:
         gait = self._controller.gait
         if gait is not None:
             self._controller.set_gait(replace(gait, **changes))
+            self._shown_gait = self._controller.gait
 
     def _shown_phases(self) -> tuple[float, ...]:
         return tuple(slider.value for slider in self._phases)
@@ -260,6 +280,13 @@ class Panel:
 
         self._show(show)
 
+    def _show_offered(self) -> None:
+        """Hide what would have no effect."""
+        offered = self._controller.offered
+        _set(self._clock_buttons, "visible", offered.clock)
+        _set(self._command_folder, "visible", offered.command)
+        _set(self._push_folder, "visible", offered.push)
+
     def _show_robots(self) -> None:
         names = self._controller.robots
 
@@ -268,11 +295,12 @@ class Panel:
                 _set(dropdown, "value", names[index] if index < len(names) else NONE)
             _set(self._watched, "options", tuple(str(i + 1) for i in range(len(names))))
 
-        self._show(show)
+        if self._sources:
+            self._show(show)
         self._show_gait()
 
     def _show_gait(self) -> None:
-        gait = self._controller.gait
+        gait = self._shown_gait = self._controller.gait
         self._gait_folder.visible = gait is not None
         if gait is None:
             return

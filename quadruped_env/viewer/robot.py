@@ -15,7 +15,7 @@ from quadruped_env.evaluation.metrics import heading_of
 from quadruped_env.robot import load_model
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task
-from quadruped_env.viewer.gaits import EditableGaitController, GaitSettings
+from quadruped_env.viewer.gaits import GaitSettings, HasGait
 from quadruped_env.viewer.sample import Sample, sample
 from quadruped_env.viewer.sources import Source
 
@@ -74,17 +74,17 @@ class Robot:
     @property
     def gait(self) -> GaitSettings | None:
         """The settings of its scripted gait; None if it has none."""
-        return self._controller.settings if isinstance(self._controller, EditableGaitController) else None
+        return self._controller.settings if isinstance(self._controller, HasGait) else None
 
     @gait.setter
     def gait(self, settings: GaitSettings) -> None:
-        if not isinstance(self._controller, EditableGaitController):
+        if not isinstance(self._controller, HasGait) or self._controller.settings is None:
             raise QuadrupedError(f"gait: {self.source.name!r} is no scripted gait; choose one to change its gait")
         self._controller.settings = settings
 
     def complaints(self) -> list[str]:
         """What its scripted gait asks for beyond the limits of the joints."""
-        return self._controller.complaints() if isinstance(self._controller, EditableGaitController) else []
+        return self._controller.complaints() if isinstance(self._controller, HasGait) else []
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
         """Begin an episode at the origin, facing along x. Robots with the same seed start alike."""

@@ -8,8 +8,8 @@
 Waits for fresh states, goes slowly from where the joints are to the stance, and then follows /cmd_vel; without one
 newer than 0.5 s it stands. Holds when no state comes for 0.2 s, and lets the robot go limp after 1 s, or when it has
 fallen; afterwards it waits for fresh states again. Never asks for more than the joints' range and 5 rad/s. States with
-NaN, other names or counts, or stamps that are old or repeated are refused, and said. Each command bears the stamp of
-the state that it answers.
+NaN, other names or counts, or stamps that are old or repeated are refused, and said; while the robot is limp, states
+that are all late are taken as they come after 0.5 s. Each command bears the stamp of the state that it answers.
 """
 
 import argparse

@@ -3,6 +3,11 @@
     python -m quadruped_env.live gait                    the tutorial's own gait
     python -m quadruped_env.live gait --preset trot --commands      trots, beside `sim`
 
+Amplitude, frequency and phases can be changed while it runs, by the sliders of `view` or by a message: amplitude as a
+multiple of the preset's, Hz, and the phase of each leg in cycles (LF, RF, LH, RH):
+
+    ros2 topic pub --once /gait std_msgs/msg/Float64MultiArray "{data: [1.5, 0.5, 0, 0.5, 0.5, 0]}"
+
 Positions and velocities are those of the gait's formula at the time since the start, which the stamps tell. As commands
 the gait is faded in over 2 s from where the joints are; nobody looks after the robot then: `controller trot` does.
 """
@@ -15,14 +20,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import PRESETS, SinusoidalGait
+from quadruped_env.gait import PRESETS
 from quadruped_env.live.commands import CommandWriter, limited
+from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.joints import JointReader
+from quadruped_env.live.node import message_reader
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.live.sole import SolePublisher
 from quadruped_env.live.stamps import NANOSECONDS
-from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.joint_state import Encoder
@@ -49,7 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Publish until the session ends."""
-    gait = SinusoidalGait.preset(arguments.preset)
+    gait = _SteeredGait(session, arguments.preset)
     rate = arguments.rate or (COMMAND_RATE if arguments.commands else RATE)
     if not 0.1 <= rate <= 1000.0:
         raise QuadrupedError(f"--rate: expected 0.1 to 1000 Hz; found {rate:g}")
@@ -62,7 +69,30 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _send_states(session: Session, gait: SinusoidalGait, period: float) -> None:
+class _SteeredGait(AdjustableGait):
+    """A gait with the settings that come on /gait; says on /gait/settings what they are."""
+
+    def __init__(self, session: Session, preset: str) -> None:
+        super().__init__(preset)
+        self._session = session
+        self._wanted = session.node.subscribe(GAIT, read=message_reader(GAIT, read_settings))
+        self._actual = session.node.publish(GAIT_SETTINGS)
+        self._actual.send(settings_message(self.settings))
+
+    def take(self, t: float) -> None:
+        """Take the settings that have come, from a time in s on."""
+        newest = self._wanted.newest(self._session.refuse)
+        if newest is not None:
+            self.change(newest[1], t)
+            self._actual.send(settings_message(self.settings))
+
+    def report(self) -> None:
+        """Keep the session's status line."""
+        complaints = self.violations()
+        self._session.report(f"beyond the robot's limits: {complaints[0]}" if complaints else "")
+
+
+def _send_states(session: Session, gait: _SteeredGait, period: float) -> None:
     sole = SolePublisher(session)
     sole.check()
     states = session.node.publish(JOINT_STATES)
@@ -71,15 +101,15 @@ def _send_states(session: Session, gait: SinusoidalGait, period: float) -> None:
     while session.running:
         session.wait(pace.remaining)
         sole.watch()
-        tick = pace.ticks
+        t = pace.ticks * period
+        gait.take(t)
         if pace.tick():
-            t = tick * period
             stamp = start + round(t * NANOSECONDS)
             states.send_bytes(encode(stamp, gait.positions(t).tobytes(), gait.velocities(t).tobytes(), efforts))
-        session.report()
+        gait.report()
 
 
-def _send_commands(session: Session, gait: SinusoidalGait, period: float) -> None:
+def _send_commands(session: Session, gait: _SteeredGait, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
     reader = JointReader(JOINT_STATES.name, ["positions"])
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
@@ -91,6 +121,7 @@ def _send_commands(session: Session, gait: SinusoidalGait, period: float) -> Non
         newest = states.newest(session.refuse)
         if newest is not None:
             first = newest[1].positions
+        gait.take(0.0)
         session.report()
     if first is None:
         return
@@ -99,12 +130,12 @@ def _send_commands(session: Session, gait: SinusoidalGait, period: float) -> Non
     while session.running:
         session.wait(pace.remaining)
         states.take()
-        tick = pace.ticks
+        t = pace.ticks * period
+        gait.take(t)
         if pace.tick():
-            t = tick * period
             share = min(t / FADE, 1.0)
             last = limited(first + share * (gait.positions(t) - first), last, period)
             commands.send_bytes(write(start + round(t * NANOSECONDS), last))
-        session.report()
+        gait.report()
     commands.send_bytes(write(time.time_ns(), None))
     commands.wait_until_read(0.5)

@@ -1,7 +1,8 @@
 """The robot of the live topics in the browser: what RViz shows, with plots, and arrow keys that steer it.
 
 Draws the robot of /joint_states where /odom says it is, or on its feet where nobody says. The sliders and the arrow
-keys send /cmd_vel, the push button /push. The page is for browsers on this machine; the log says its address.
+keys send /cmd_vel, the push button /push, the sliders of the scripted gait /gait; each is there while a node takes what
+it sends. The page is for browsers on this machine; the log says its address.
 """
 
 import argparse
@@ -29,12 +30,17 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     source = mirror_source(mirror)
     controller = ViewController({source.name: source}, [NAME], RESULTS)
     controller.restart_after_fall = False
+    controller.offered = mirror.offered()
     show = Show(controller, port=arguments.port)
     try:
         session.say(f"the live robot: {show.address}")
         while session.running:
             began = time.monotonic()
             show.run(LOOK)
+            controller.offered = mirror.offered()
+            if controller.paused and not controller.offered.clock:
+                # The simulation that could be paused has gone, and the button with it.
+                controller.paused = False
             session.wait_for("" if mirror.hears else JOINT_STATES.name)
             for message in controller.messages():
                 session.say(message)

@@ -1,0 +1,190 @@
+"""No message of any size or content ends a node."""
+
+import contextlib
+import io
+import time
+
+import numpy as np
+import pytest
+from live_nodes import usable
+from waiting import wait_until
+
+from quadruped_env import QuadrupedError
+from quadruped_env.live.__main__ import make_parser
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.mirror import Mirror, mirror_source
+from quadruped_env.live.node import Received
+from quadruped_env.live.nodes import node_module
+from quadruped_env.live.session import Session
+from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES, TOPICS
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
+from quadruped_env.ros import Qos
+from quadruped_env.viewer import ViewController
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+
+def damaged(rng, topic):
+    """Bytes of any content and size: random, or of a message that is cut, longer, changed, full of extreme values."""
+    example = usable(topic)
+    kind = rng.integers(6)
+    if kind == 0:
+        return rng.bytes(int(rng.integers(0, 200)))
+    if kind == 1:
+        return example[: rng.integers(0, len(example))]
+    if kind == 2:
+        return example + rng.bytes(int(rng.integers(1, 100_000)))
+    if kind == 3:
+        data = bytearray(example)
+        for at in rng.integers(4, len(data), rng.integers(1, 9)):
+            data[at] = rng.integers(256)
+        return bytes(data)
+    if kind == 4:
+        # Counts of sequences and lengths of texts beyond the end.
+        data = bytearray(example)
+        at = 4 * rng.integers(1, len(data) // 4)
+        data[at : at + 4] = int(rng.choice([0, 1, 7, 9, 2**16, 2**31 - 1, 2**32 - 1])).to_bytes(4, "little")
+        return bytes(data)
+    data = bytearray(example)
+    value = rng.choice([np.nan, np.inf, -np.inf, 1e308, -1e308, 1e30, 999.0, 5e-324, -0.0])
+    words = np.frombuffer(data[4 : 4 + 8 * ((len(data) - 4) // 8)], dtype="<f8").copy()
+    words[rng.random(len(words)) < rng.random()] = value
+    data[4 : 4 + words.nbytes] = words.tobytes()
+    return bytes(data)
+
+
+class Swamped(Session):
+    """A session whose node gets what a test puts into its subscriptions, in place of what others send."""
+
+    def __init__(self, arguments, log, rng, turns, size=3):
+        super().__init__(arguments.node, arguments, log)
+        self.turns_left = turns
+        self._rng = rng
+        self._size = size
+        self._real_subscribe = self.node.subscribe
+        self.node.subscribe = self._subscribe
+
+    def _subscribe(self, topic, *rest, **options):
+        subscription = self._real_subscribe(topic, *rest, **options)
+        if options.get("ignore_own"):
+            return subscription
+
+        def take():
+            if self.turns_left <= 0:
+                return []
+            datas = [damaged(self._rng, topic) for _ in range(self._size)] + [usable(topic)]
+            found = [Received(data, 0, 1, time.monotonic()) for data in datas]
+            subscription.count += len(found)
+            return found
+
+        subscription.take = take
+        return subscription
+
+    def report(self, *details):
+        super().report(*details)
+        self.turns_left -= 1
+        if self.turns_left <= 0:
+            self.stop()
+
+    def wait(self, seconds=0.0):
+        return super().wait(min(seconds, 0.001))
+
+
+NODES = {
+    "sim": ["sim"],
+    "controller": ["controller"],
+    "state": ["state"],
+    "gait": ["gait", "--commands"],
+    "echo": ["echo", "/joint_states", "--field", "position.3"],
+}
+
+
+@pytest.mark.parametrize("name", NODES)
+def test_node_swamped_with_damaged_messages_goes_on(name, nodes, capsys):
+    run_swamped(NODES[name], nodes, turns=100)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NODES)
+def test_node_swamped_with_many_damaged_messages_goes_on(name, nodes, capsys):
+    run_swamped(NODES[name], nodes, turns=3000, seed=1)
+
+
+def run_swamped(arguments, nodes, turns, seed=0):
+    if arguments[0] == "echo":
+        # It subscribes to what is published.
+        nodes().publish(JOINT_STATES)
+    args, log = make_parser().parse_args(arguments), io.StringIO()
+    with Swamped(args, log, np.random.default_rng(seed), turns) as session:
+        assert node_module(arguments[0]).run(session, args) == 0
+    assert session.turns_left <= 0
+    assert session.refuse.count > 0
+    said = log.getvalue()
+    assert "refused: /" in said
+    assert len(said.splitlines()) < 40 + 2 * turns / 10
+    return session
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_viewer_swamped_with_damaged_messages_goes_on(nodes, tmp_path, seed):
+    """And what it then draws is finite, whatever came before."""
+    node, rng, refused = nodes(), np.random.default_rng(seed), []
+    mirror = Mirror(node, refused.append)
+    for subscription in node.subscriptions:
+        topic = subscription.topic
+        subscription.take = lambda topic=topic: [Received(damaged(rng, topic), 0, 1) for _ in range(3)]
+    source = mirror_source(mirror)
+    show = ViewController({source.name: source}, [source.name], tmp_path)
+    show.restart_after_fall = False
+    for _ in range(200):
+        show.advance(0.02)
+        now = show.view().robots[0].now
+        assert np.isfinite(now.base_pose).all()
+        assert np.isfinite(now.joint_position).all()
+    show.close()
+    assert len(refused) > 200
+
+
+def test_controller_swamped_with_damaged_messages_sends_only_finite_targets(nodes):
+    """Among the good ones there are damaged ones that look well: what it commands stays within the joints' range."""
+    commands = nodes().subscribe(JOINT_COMMANDS, Qos(5000), read=JointReader(JOINT_COMMANDS.name))
+    run_swamped(NODES["controller"], nodes, turns=400, seed=5)
+    targets = [one.positions for _, one in commands.messages(pytest.fail) if one.positions is not None]
+    assert np.all(np.array(targets) <= JOINT_POSITION_HIGH)
+    assert np.all(np.array(targets) >= JOINT_POSITION_LOW)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["sim", "controller", "state", "view", "gait", "hz", "record"])
+def test_process_that_is_sent_damaged_messages_goes_on(name, start, nodes, tmp_path):
+    """Over the wire, on every topic that it listens to."""
+    options = {"gait": ["--commands"], "view": ["--port", "0"], "record": ["-o", str(tmp_path / "bag")]}
+    rng = np.random.default_rng(3)
+    sender = nodes("sender")
+    # Beside another robot a simulator would refuse to run.
+    publishers = [
+        sender.publish(topic, Qos(100)) for topic in TOPICS.values() if topic is not JOINT_STATES or name != "sim"
+    ]
+    node = start(name, *options.get(name, []))
+    reads = name not in ("hz", "record")
+    sent = 0
+
+    def swamp():
+        nonlocal sent
+        for publisher in publishers:
+            if publisher.readers:
+                data = damaged(rng, publisher.topic)
+                # With another beginning or length DDS takes the whole packet for damaged, and the node gets nothing.
+                data = b"\x00\x01\x00\x00" + data[4 : 4 * (len(data) // 4)]
+                with contextlib.suppress(QuadrupedError):
+                    publisher.send_bytes(data)
+                publisher.send_bytes(usable(publisher.topic))
+                sent += 1
+        return sent > 300 and ("refused" in node.said or not reads)
+
+    wait_until(swamp, lambda: node.said, alive=node.process)
+    for publisher in publishers:
+        wait_until(lambda publisher=publisher: publisher.wait_until_read(1.0), alive=node.process)
+    assert node.interrupt() == 0
+    assert "ended after" in node.said

@@ -1,0 +1,161 @@
+"""The published gait, changed while it runs: by messages, by the viewer, and in the browser."""
+
+import numpy as np
+import pytest
+from browser import fill
+from waiting import wait_until
+
+from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
+from quadruped_env.live.joints import JointReader
+from quadruped_env.live.mirror import Mirror, mirror_source
+from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, PUSH
+from quadruped_env.ros import Qos, cdr
+from quadruped_env.viewer import ViewController
+from quadruped_env.viewer.controller import Offered
+from quadruped_env.viewer.gaits import GaitSettings, edited
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+CHANGED = GaitSettings(0.5, 1.25, (0.0, 0.25, 0.5, 0.75))
+
+
+def test_adjustable_gait_unchanged_is_the_preset():
+    gait, preset = AdjustableGait("article"), SinusoidalGait.preset("article")
+    for t in (0.0, 0.05, 123.45):
+        np.testing.assert_array_equal(gait.positions(t), preset.positions(t))
+        np.testing.assert_array_equal(gait.velocities(t), preset.velocities(t))
+
+
+def test_adjustable_gait_with_another_frequency_goes_on_where_it_is():
+    gait = AdjustableGait("walk")
+    for t, frequency in ((3.3, 2.0), (4.7, 0.3), (5.1, 1.0)):
+        before = gait.positions(t)
+        gait.change(GaitSettings(1.0, frequency, gait.settings.phases), t)
+        np.testing.assert_allclose(gait.positions(t), before, atol=1e-9)
+        numeric = (gait.positions(t + 1e-6) - gait.positions(t - 1e-6)) / 2e-6
+        np.testing.assert_allclose(gait.velocities(t), numeric, atol=1e-5)
+
+
+def test_settings_are_read_as_they_are_written():
+    assert read_settings(settings_message(CHANGED)) == CHANGED
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        ([], "holds 0 numbers; send 6: amplitude"),
+        ([1.0] * 7, "holds 7 numbers; send 6: amplitude"),
+        ([9.0, 1.0, 0.0, 0.0, 0.0, 0.0], "amplitude must be in 0 to 2; found 9"),
+        ([np.nan, 1.0, 0.0, 0.0, 0.0, 0.0], "amplitude must be in 0 to 2; found nan"),
+        ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], "frequency must be in 0.1 to 4; found 0"),
+        ([1.0, 1.0, np.inf, 0.0, 0.0, 0.0], "phases must be 4 finite numbers"),
+    ],
+)
+def test_settings_that_are_none_are_refused(data, words):
+    with pytest.raises(QuadrupedError, match=words):
+        read_settings(cdr.message(GAIT.type_name, data=data))
+
+
+def test_gait_takes_settings_and_says_which_it_has(start, nodes):
+    node = nodes()
+    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name))
+    actual, wanted = node.subscribe(GAIT_SETTINGS, read=lambda data: data), node.publish(GAIT)
+    gait = start("gait")
+    found = []
+
+    def says():
+        found.extend(read_settings(cdr.deserialize(one.data, GAIT.type_name)) for one in actual.take())
+        return found
+
+    wait_until(says, alive=gait.process)
+    assert found == [GaitSettings.of("article")]
+    wait_until(lambda: wanted.readers, alive=gait.process)
+    wanted.send(cdr.message(GAIT.type_name, data=[1.0]))
+    wait_until(lambda: "refused: /gait: holds 1 numbers; send 6" in gait.said, lambda: gait.said, alive=gait.process)
+    wanted.send(settings_message(CHANGED))
+    wait_until(lambda: says()[-1] == CHANGED, alive=gait.process)
+    states.take()
+    received = []
+    wait_until(lambda: received.extend(states.messages(pytest.fail)) or len(received) > 25, alive=gait.process)
+    assert gait.interrupt() == 0
+    # The first ones may have been on their way before.
+    received = received[5:]
+    # At which phase it was changed is not known here: it is that of the first state.
+    changed = edited(SinusoidalGait.preset("article"), CHANGED)
+    times = 1e-9 * (np.array([one.stamp for _, one in received]) - received[0][1].stamp)
+    candidates = np.linspace(0.0, 1.0 / CHANGED.frequency, 8001)
+    errors = [np.abs(changed.positions(at) - received[0][1].positions).max() for at in candidates]
+    at = candidates[int(np.argmin(errors))]
+    positions = [one.positions for _, one in received]
+    np.testing.assert_allclose(positions, changed.positions(at + times), atol=2e-3)
+
+
+def test_viewer_offers_what_has_a_node_that_takes_it(nodes, tmp_path):
+    robot, mirror = nodes("robot"), Mirror(nodes("viewer"))
+    source = mirror_source(mirror)
+    show = ViewController({source.name: source}, [source.name], tmp_path)
+    assert mirror.offered() == Offered(command=False, push=False, clock=False, sources=False)
+    assert show.gait is None
+    with pytest.raises(QuadrupedError, match="no scripted gait"):
+        show.set_gait(CHANGED)
+    robot.subscribe(CMD_VEL)
+    wait_until(lambda: mirror.offered() == Offered(command=True, push=False, clock=False, sources=False))
+    robot.subscribe(PUSH)
+    wait_until(lambda: mirror.offered() == Offered(command=True, push=True, clock=True, sources=False))
+    wanted = robot.subscribe(GAIT, read=lambda data: cdr.deserialize(data, GAIT.type_name))
+    robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
+    wait_until(lambda: show.advance(0.02) and show.gait == CHANGED)
+    other = GaitSettings(1.5, 1.25, CHANGED.phases)
+    show.set_gait(other)
+    assert show.gait == other
+    received = []
+    wait_until(lambda: received.extend(wanted.messages(pytest.fail)) or received)
+    assert read_settings(received[-1][1]) == other
+    show.close()
+
+
+@pytest.mark.slow
+def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, nodes, page, tmp_path):
+    """The tutorial's last exercise: amplitude, frequency and phases; no physics, and so nothing to push or pause."""
+    pytest.importorskip("viser")
+    states = nodes().subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name))
+    display = start("display", "--preset", "walk", "--port", "0")
+    address = wait_until(
+        lambda: next((line.split()[-1] for line in display.said.splitlines() if "http://" in line), None),
+        lambda: display.said,
+        alive=display.process,
+    )
+    page.goto(f"{address}/?fixedDpr=1")
+    page.get_by_text("Amplitude", exact=True).wait_for()
+    for label in ("Forward, m/s", "Strength, m/s", "Speed", "Robot 1", "Randomize"):
+        assert not page.get_by_text(label, exact=True).filter(visible=True).count(), label
+    for button in ("Pause", "Reset", "Step", "Push"):
+        assert not page.get_by_role("button", name=button, exact=True).filter(visible=True).count(), button
+
+    def amplitude():
+        """Of the first hip over the last states, rad."""
+        found = [one.positions[0] for _, one in states.messages(pytest.fail)]
+        swing.extend(found)
+        return np.ptp(swing[-40:]) / 2 if len(swing) >= 40 else None
+
+    swing = []
+    full = wait_until(amplitude, alive=display.process)
+    fill(page, "Amplitude", 0.5)
+    wait_until(lambda: abs(amplitude() / full - 0.5) < 0.1, alive=display.process)
+    fill(page, "Frequency, Hz", 2.0)
+    fill(page, "Phase RF, cycles", 0.3)
+    settings = nodes().subscribe(GAIT_SETTINGS, read=lambda data: read_settings(cdr.deserialize(data, GAIT.type_name)))
+    last = []
+    wait_until(
+        lambda: (
+            last.extend(one for _, one in settings.messages(pytest.fail))
+            or (last and (last[-1].frequency, last[-1].phases[1]) == (2.0, 0.3))
+        ),
+        lambda: f"other settings; they are {last}",
+        alive=display.process,
+    )
+    page.screenshot(path=str(tmp_path / "display.png"))
+    assert page.watched.errors == []
+    assert display.interrupt() == 0
