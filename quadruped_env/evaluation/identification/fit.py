@@ -89,12 +89,11 @@ class MotorFit:
             values = self._find_delay(values)
             self._horizon = np.inf
         while values:
-            values, _ = self._solve(values)
+            values = self._solve(values)
             # The most likely motors, if what is left unexplained is noise.
             self._weights = self._inverse_spread(
                 self.predict(with_values(self.start, values))[self.recorded.train] - train
             )
-            values, _ = self._solve(values)
             values = self._search(values)
             self.half_width = self._intervals(values)
             if len(self.half_width) == len(values):
@@ -187,23 +186,21 @@ class MotorFit:
 
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
         """The error of the best values at a fixed delay, and they."""
-        found, _ = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
+        found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
         return self._error(found), found
 
     def _error(self, values: Mapping[str, float]) -> float:
         """The sum of the squares that the fit minimizes."""
-        return float((self._residuals(values)[0] ** 2).sum())
-
-    def _residuals(self, values: Mapping[str, float]) -> Any:
         parameters = self._parameters(values)
-        return self._residual_function()(parameters.as_vector(), parameters)[0]
+        residuals = self._residual_function()(parameters.as_vector(), parameters)[0]
+        return float((residuals[0] ** 2).sum())
 
     def _solve(
         self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
-    ) -> tuple[dict[str, float], NDArray[np.float64]]:
-        """Values at an optimum, and the Jacobian there."""
+    ) -> dict[str, float]:
+        """Values at an optimum, or where the error's roughness holds the optimizer."""
         parameters = self._parameters(values, frozen)
-        found, result = self.sysid.optimize(
+        found, _ = self.sysid.optimize(
             parameters,
             self._residual_function(),
             optimizer="mujoco",
@@ -215,7 +212,7 @@ class MotorFit:
             output=io.StringIO(),
             iter_callback=self._tell,
         )
-        return _values_of(found), result.jac
+        return _values_of(found)
 
     def _tell(self, trace: Sequence[Any]) -> None:
         self._iterations += 1
