@@ -29,7 +29,7 @@ from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
 from quadruped_env.robot.motors import fill_command_history
 
 _UNDETERMINED: Final = 0.5
-"""A 95 % interval that reaches this share of the value to either side, or of the scale, tells nothing."""
+"""What is determined less well than this share of the value, or of the scale, even by white noise, stays as it was."""
 _STEP: Final = 1e-3
 """of the finite differences, in coordinates"""
 _TOLERANCE: Final = 1e-4
@@ -234,8 +234,9 @@ class MotorFit:
         allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
-            widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
-            doubt = np.nan_to_num(widths / allowed[left], nan=np.inf)
+            white, widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
+            # By white noise: a number that shows is kept, however far its interval reaches.
+            doubt = np.nan_to_num(white / allowed[left], nan=np.inf)
             if doubt.max() <= 1.0:
                 names = list(values)
                 return {names[k]: float(width * scales[k]) for k, width in zip(left, widths, strict=True)}

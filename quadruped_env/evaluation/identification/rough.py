@@ -98,12 +98,13 @@ def derivatives(
 
 def half_widths(
     jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int
-) -> NDArray[np.float64]:
-    """Half-widths (P,) of 95 % intervals; infinite for what does not show.
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Half-widths (P,) of 95 % intervals if what is unexplained were white noise, and of those that hold.
 
-    What is left unexplained is no white noise: it hangs together over time, between the signals of a joint and between
-    joints, and joints differ. So the intervals are the widest of several sandwich estimates, each of which takes what
-    is unexplained as independent between other groups of measurements (time blocks of each joint, time blocks, joints;
+    The first say what the recording determines: infinite for what does not show. What is left unexplained is no white
+    noise: it hangs together over time, between the signals of a joint and between joints, and joints differ. So the
+    second are the widest of several sandwich estimates, each of which takes what is unexplained as independent between
+    other groups of measurements (time blocks of each joint, time blocks, joints;
     https://doi.org/10.3368/jhr.50.2.317). To that comes the step to where a smooth error would have its optimum.
 
     Args:
@@ -119,10 +120,10 @@ def half_widths(
     flat, rest = jacobian[:, known].reshape(-1, size), left[:, known].ravel()
     scale = np.linalg.norm(flat, axis=0)
     if not scale.all():
-        return np.where(scale > 0.0, np.nan, np.inf)
+        return (np.where(scale > 0.0, np.nan, np.inf),) * 2
     values, vectors = np.linalg.eigh((flat / scale).T @ (flat / scale))
     if values[0] < 1e-12 * values[-1]:
-        return np.where(np.abs(vectors[:, 0]) > 1e-6, np.inf, np.nan)
+        return (np.where(np.abs(vectors[:, 0]) > 1e-6, np.inf, np.nan),) * 2
     inverse = vectors / values @ vectors.T / np.outer(scale, scale)
     degrees = max(len(rest) - size, 1)
     widths = [student.ppf(_LEVEL, degrees) * np.sqrt(np.diag(inverse) * (rest @ rest) / degrees)]
@@ -139,7 +140,7 @@ def half_widths(
     # A number for the hips shows in half of the joints.
     widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // 2 - 1, 1)))
     newton = inverse @ (flat.T @ rest)
-    return np.max(widths, axis=0) + np.abs(newton)
+    return widths[0], np.max(widths, axis=0) + np.abs(newton)
 
 
 def _clustered(inverse: NDArray[np.float64], sums: NDArray[np.float64], degrees: int) -> NDArray[np.float64]:
