@@ -377,6 +377,12 @@ def test_an_incomplete_run_is_not_resumed(tiny_run, tmp_path, name):
         resumed_config(incomplete, TrainConfig())
 
 
+def training(task=None, **fields):
+    """A run's config with some fields of its own."""
+    fields = {"hidden": [8], "activation": "elu", "symmetric": True, **fields}
+    return json.dumps({"training": fields, "task": task or {"action": {}}})
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
@@ -384,6 +390,12 @@ def test_an_incomplete_run_is_not_resumed(tiny_run, tmp_path, name):
         ("{}", r"config.json: field 'training.hidden' is missing; train anew"),
         ("[]", r"config.json: field 'training.hidden' is missing; train anew"),
         ('{"training": {"hidden": [8]}}', r"config.json: field 'training.activation' is missing; train anew"),
+        ('{"training": 3}', r"config.json: field 'training.hidden' is missing; train anew"),
+        (training(hidden=5), r"config.json: training.hidden: expected a list of whole numbers.*found 5; train anew"),
+        (training(hidden=[8, "x"]), r"config.json: training.hidden: expected .*found \[8, 'x'\]"),
+        (training(activation=["elu"]), r"config.json: training.activation: expected one of tanh, .*found \['elu'\]"),
+        (training(symmetric="yes"), r"config.json: training.symmetric: expected true or false; found 'yes'"),
+        (training(task={"action": {"mode": "x"}}), r"config.json: task: .*train anew"),
     ],
 )
 def test_a_damaged_config_is_not_resumed(tiny_run, tmp_path, text, message):
