@@ -11,9 +11,12 @@ the next. Both must be on one clock.
 
 What is estimated, for hips and for knees: stall_torque (the motor's strength), kp, kd, damping, friction_loss and
 armature; and one delay for all. What the recording does not determine stays as it is, and is named. A recording is good
-if the joints move fast and to and fro, up to the motors' limits now and then, with the robot on a stand (--base fixed).
-One from the ground is worth less: with --base free contacts make the error so rough that the fit stays close to where
-it begins, and with --base fixed the ground's forces are taken for friction and inertia.
+if the joints move fast and to and fro, up to the motors' limits now and then, with the robot on a stand and its feet in
+the air (--base fixed). One from the ground is worth little: with --base fixed the ground's forces are taken for
+friction and inertia, and with --base free contacts make the error so rough that the motors found may be far off. So
+before the fit the two bases are compared; if the other one explains the recording better, the result says so, and not
+to trust the motors. Intervals are given only for a robot on a stand. They allow for what is left unexplained to hang
+together over time, between signals and between joints.
 
 Results: motors.json, which the environment takes as it is,
 

@@ -255,6 +255,10 @@ class TestColumns:
         (tmp_path / "map.toml").write_text(self.MARKED)
         text = "t,qa,qb,ta,tb\n0,0.1,0.2,2146000000.0,1\n1,0.3,0.4, - ,2\n2,2.146e+09,0.5,3,4\n3,-2.146e9,0.5,3,4\n"
         path = tmp_path / "a.csv"
+        unnamed = tmp_path / "unnamed.toml"
+        unnamed.write_text(self.MARKED.replace("missing", "# missing"))
+        with pytest.raises(QuadrupedError, match=r"degrees.*; if it stands for no value.*\(missing = 2\.146e\+09\)"):
+            load(path, text.replace(" - ", "1"), columns=unnamed)
         with pytest.raises(
             QuadrupedError, match=r"line 4, position\.a: nan is not finite; leave the row out \(--drop\)"
         ):

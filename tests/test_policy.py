@@ -249,6 +249,7 @@ DAMAGES = {
     ),
     "activation a list": (lambda d: edit_card(d, activation=["elu"]), r"policy.json: activation"),
     "layers a word": (lambda d: edit_card(d, layers="three"), r"policy.json: layers must be .*found 'three'"),
+    "card a word": (lambda d: edit_card(d, card="flat"), r"policy.json: card must be a table of facts; found 'flat'"),
     "layers zero": (lambda d: edit_card(d, layers=0), r"policy.json: layers must be .*found 0"),
     "layers too few": (
         lambda d: edit_card(d, layers=2),

@@ -76,7 +76,7 @@ class TestHalfWidths:
             disturbance *= scale
         step = np.linalg.lstsq(flat, -disturbance.ravel(), rcond=None)[0]
         left = disturbance + matrix @ step
-        return np.abs(step), half_widths(matrix, left, TIMES, JOINTS)
+        return np.abs(step), half_widths(matrix, left, TIMES, JOINTS)[1]
 
     @pytest.mark.parametrize("correlation", [0.0, 0.9])
     def test_half_widths_of_white_and_of_correlated_noise_hold(self, correlation):
@@ -104,12 +104,14 @@ class TestHalfWidths:
     def test_half_widths_of_an_estimate_beside_the_optimum_reach_to_it(self):
         matrix = design()
         left = noise(np.random.default_rng(1), 0.0) + matrix @ np.array([0.3, 0.0])
-        assert half_widths(matrix, left, TIMES, JOINTS)[0] > 0.25
+        white, widths = half_widths(matrix, left, TIMES, JOINTS)
+        assert widths[0] > 0.25
+        assert white[0] < 0.1
 
     def test_half_widths_of_what_does_not_show_are_infinite(self):
         matrix = design()
         matrix[..., 1] = 0.0
-        widths = half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS)
-        assert np.isinf(widths[1])
+        for widths in half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS):
+            assert np.isinf(widths[1])
         matrix[..., 1] = -2.0 * matrix[..., 0]
         assert np.isinf(half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS)).all()

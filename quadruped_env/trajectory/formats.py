@@ -312,9 +312,11 @@ def _in_rad(trajectory: JointTrajectory, options: ReadOptions) -> JointTrajector
         size = np.abs(trajectory.positions)
         if size.max() > SUSPICIOUS:
             row, column = np.argwhere(size > SUSPICIOUS)[0]
+            value = trajectory.positions[row, column]
+            mark = f"; if it stands for no value, name it in the map (missing = {value:g})" if options.columns else ""
             raise QuadrupedError(
                 f"{trajectory.source.row(row)}, position.{trajectory.names[column]}: "
-                f"{trajectory.positions[row, column]:g} rad is more than two turns: these may be degrees. Say so "
-                f'(--degrees, or unit = "deg" in a map) to have them converted, or that they are rad (--radians)'
+                f"{value:g} rad is more than two turns: these may be degrees. Say so "
+                f'(--degrees, or unit = "deg" in a map) to have them converted, or that they are rad (--radians){mark}'
             )
     return trajectory

@@ -29,7 +29,7 @@ from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
 from quadruped_env.robot.motors import fill_command_history
 
 _UNDETERMINED: Final = 0.5
-"""A 95 % interval that reaches this share of the value to either side, or of the scale, tells nothing."""
+"""What is determined less well than this share of the value, or of the scale, even by white noise, stays as it was."""
 _STEP: Final = 1e-3
 """of the finite differences, in coordinates"""
 _TOLERANCE: Final = 1e-4
@@ -89,12 +89,11 @@ class MotorFit:
             values = self._find_delay(values)
             self._horizon = np.inf
         while values:
-            values, _ = self._solve(values)
+            values = self._solve(values)
             # The most likely motors, if what is left unexplained is noise.
             self._weights = self._inverse_spread(
                 self.predict(with_values(self.start, values))[self.recorded.train] - train
             )
-            values, _ = self._solve(values)
             values = self._search(values)
             self.half_width = self._intervals(values)
             if len(self.half_width) == len(values):
@@ -187,23 +186,21 @@ class MotorFit:
 
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
         """The error of the best values at a fixed delay, and they."""
-        found, _ = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
+        found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
         return self._error(found), found
 
     def _error(self, values: Mapping[str, float]) -> float:
         """The sum of the squares that the fit minimizes."""
-        return float((self._residuals(values)[0] ** 2).sum())
-
-    def _residuals(self, values: Mapping[str, float]) -> Any:
         parameters = self._parameters(values)
-        return self._residual_function()(parameters.as_vector(), parameters)[0]
+        residuals = self._residual_function()(parameters.as_vector(), parameters)[0]
+        return float((residuals[0] ** 2).sum())
 
     def _solve(
         self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
-    ) -> tuple[dict[str, float], NDArray[np.float64]]:
-        """Values at an optimum, and the Jacobian there."""
+    ) -> dict[str, float]:
+        """Values at an optimum, or where the error's roughness holds the optimizer."""
         parameters = self._parameters(values, frozen)
-        found, result = self.sysid.optimize(
+        found, _ = self.sysid.optimize(
             parameters,
             self._residual_function(),
             optimizer="mujoco",
@@ -215,7 +212,7 @@ class MotorFit:
             output=io.StringIO(),
             iter_callback=self._tell,
         )
-        return _values_of(found), result.jac
+        return _values_of(found)
 
     def _tell(self, trace: Sequence[Any]) -> None:
         self._iterations += 1
@@ -237,8 +234,9 @@ class MotorFit:
         allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
-            widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
-            doubt = np.nan_to_num(widths / allowed[left], nan=np.inf)
+            white, widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
+            # By white noise: a number that shows is kept, however far its interval reaches.
+            doubt = np.nan_to_num(white / allowed[left], nan=np.inf)
             if doubt.max() <= 1.0:
                 names = list(values)
                 return {names[k]: float(width * scales[k]) for k, width in zip(left, widths, strict=True)}

@@ -21,12 +21,13 @@ _LEAST: Final = 0.5
 """The size from which on steps are relative; coordinates are near 1"""
 _SHARES: Final = (1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.06)
 """Of a Gauss-Newton step that are tried"""
-_DRAWS: Final = 48
-"""Candidates drawn at random in each round"""
+_DRAWS: Final = 4
+"""Candidates drawn at random in each round, for each number that is sought"""
 _WIDEST: Final = 60.0
 """Standard errors that a candidate may lie away: jumps make these look smaller than they are"""
+_AT_ONCE: Final = 16
 _ROUNDS: Final = 24
-_PATIENCE: Final = 4
+_PATIENCE: Final = 3
 """Rounds without gain that end a search"""
 _GAIN: Final = 1e-4
 """Relative decrease of the error that counts as gain"""
@@ -44,6 +45,7 @@ def search(
     """The best point (P,) that can be found from a start, within bounds; `tell` is called in every round."""
     rng = np.random.default_rng(0)
     point = start
+    draws = _DRAWS * len(start)
     waited = 0
     for number in range(_ROUNDS):
         step = _STEPS[number % len(_STEPS)] * np.maximum(np.abs(point), _LEAST)
@@ -57,12 +59,14 @@ def search(
         error = float(left[-1] @ left[-1])
         newton, spread = _newton(jacobian, left[-1])
         spread *= np.sqrt(error / max(count * signals, 1))
-        factors = np.exp(rng.uniform(0.0, np.log(_WIDEST), (_DRAWS, 1)))
-        drawn = rng.uniform(0.0, 1.0, (_DRAWS, 1)) * newton + factors * (rng.normal(size=(_DRAWS, size)) @ spread.T)
+        factors = np.exp(rng.uniform(0.0, np.log(_WIDEST), (draws, 1)))
+        drawn = rng.uniform(0.0, 1.0, (draws, 1)) * newton + factors * (rng.normal(size=(draws, size)) @ spread.T)
         candidates = point + np.concatenate([np.outer(_SHARES, newton), drawn])
         # Not farther than half and double: a candidate from a badly determined direction may be anywhere.
         candidates = np.clip(candidates, np.maximum(0.5 * point, low), np.minimum(2.0 * np.maximum(point, 0.1), high))
-        errors = (residuals(candidates).reshape(len(candidates), -1) ** 2).sum(axis=1)
+        # A few at a time: what all of them leave unexplained of a long recording would take a gigabyte.
+        parts = np.split(candidates, range(_AT_ONCE, len(candidates), _AT_ONCE))
+        errors = np.concatenate([(residuals(part) ** 2).sum(axis=(1, 2)) for part in parts])
         best = int(errors.argmin())
         waited = 0 if errors[best] < (1.0 - _GAIN) * error else waited + 1
         if errors[best] < error:
@@ -94,12 +98,13 @@ def derivatives(
 
 def half_widths(
     jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int
-) -> NDArray[np.float64]:
-    """Half-widths (P,) of 95 % intervals; infinite for what does not show.
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Half-widths (P,) of 95 % intervals if what is unexplained were white noise, and of those that hold.
 
-    What is left unexplained is no white noise: it hangs together over time, between the signals of a joint and between
-    joints, and joints differ. So the intervals are the widest of several sandwich estimates, each of which takes what
-    is unexplained as independent between other groups of measurements (time blocks of each joint, time blocks, joints;
+    The first say what the recording determines: infinite for what does not show. What is left unexplained is no white
+    noise: it hangs together over time, between the signals of a joint and between joints, and joints differ. So the
+    second are the widest of several sandwich estimates, each of which takes what is unexplained as independent between
+    other groups of measurements (time blocks of each joint, time blocks, joints;
     https://doi.org/10.3368/jhr.50.2.317). To that comes the step to where a smooth error would have its optimum.
 
     Args:
@@ -115,10 +120,10 @@ def half_widths(
     flat, rest = jacobian[:, known].reshape(-1, size), left[:, known].ravel()
     scale = np.linalg.norm(flat, axis=0)
     if not scale.all():
-        return np.where(scale > 0.0, np.nan, np.inf)
+        return (np.where(scale > 0.0, np.nan, np.inf),) * 2
     values, vectors = np.linalg.eigh((flat / scale).T @ (flat / scale))
     if values[0] < 1e-12 * values[-1]:
-        return np.where(np.abs(vectors[:, 0]) > 1e-6, np.inf, np.nan)
+        return (np.where(np.abs(vectors[:, 0]) > 1e-6, np.inf, np.nan),) * 2
     inverse = vectors / values @ vectors.T / np.outer(scale, scale)
     degrees = max(len(rest) - size, 1)
     widths = [student.ppf(_LEVEL, degrees) * np.sqrt(np.diag(inverse) * (rest @ rest) / degrees)]
@@ -135,7 +140,7 @@ def half_widths(
     # A number for the hips shows in half of the joints.
     widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // 2 - 1, 1)))
     newton = inverse @ (flat.T @ rest)
-    return np.max(widths, axis=0) + np.abs(newton)
+    return widths[0], np.max(widths, axis=0) + np.abs(newton)
 
 
 def _clustered(inverse: NDArray[np.float64], sums: NDArray[np.float64], degrees: int) -> NDArray[np.float64]:
