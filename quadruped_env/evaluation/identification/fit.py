@@ -28,7 +28,7 @@ from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
 from quadruped_env.robot.motors import fill_command_history
 
-_UNDETERMINED: Final = 0.5
+_UNDETERMINED: Final = 1.0
 """What is determined less well than this share of the value, or of the scale, even by white noise, stays as it was."""
 _STEP: Final = 1e-3
 """of the finite differences, in coordinates"""
