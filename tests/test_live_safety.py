@@ -310,7 +310,7 @@ def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
     simulation, robot = SingleSimulation(load_model(config.physics_timestep, config.motor)), MeasuredRobot()
     asked = []
     original = simulation.step
-    simulation.step = lambda target, substeps: (asked.append(target[0].copy()), original(target, substeps))
+    simulation.step = lambda target, *rest: (asked.append(target[0].copy()), original(target, *rest))
     real, told = Task(simulation, config), Task(robot, config)
     for task in (real, told):
         task.reset(row, seeds=[4], command=(0.4, 0.2))
