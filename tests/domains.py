@@ -6,8 +6,8 @@ import random
 import tempfile
 from pathlib import Path
 
-FIRST, LAST = 101, 200
-"""Those whose ports lie away from the domains that people use; the system may give some of the ports to others"""
+FIRST, LAST = 41, 100
+"""Beyond the domains that people use, and below those whose ports Linux gives to any program (from 32768 on)."""
 
 
 @contextlib.contextmanager

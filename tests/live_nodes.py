@@ -102,8 +102,9 @@ def usable(topic):
 
 
 def started(*arguments, **settings):
-    """A node that runs as a program of its own."""
-    return subprocess.Popen(
+    """A node that runs as a program of its own: a context."""
+    process = subprocess.Popen(
         [sys.executable, "-m", "quadruped_env.live", *arguments],
         **({"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True} | settings),
     )
+    return waiting.killed_on_failure(process)

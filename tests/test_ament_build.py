@@ -68,8 +68,9 @@ def run_node(workspace, ros2, sourced):
 
     yield run
     for process in started:
-        process.kill()
-        process.communicate()
+        # Not killed: it would leave its shared memory behind.
+        process.send_signal(signal.SIGINT)
+        output_of(process)
 
 
 def messages_of(ros2, count=COUNT):

@@ -12,7 +12,7 @@ import psutil
 import pytest
 from live_nodes import STAMP, joint_state, received_from
 from random_messages import filled
-from waiting import DEADLINE, status_of, wait_until
+from waiting import DEADLINE, killed_on_failure, status_of, wait_until
 
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
 from quadruped_env.live import TOPICS, Network, Node, Topic
@@ -64,7 +64,7 @@ while count < 50:
         count += 1
 assert answers.wait_until_read({DEADLINE})
 """
-    with subprocess.Popen([sys.executable, "-c", program]) as other:
+    with killed_on_failure(subprocess.Popen([sys.executable, "-c", program])) as other:
         wait_until(lambda: publisher.readers and subscription.writers)
         expected = [(STAMP + i, np.arange(8.0) + i) for i in range(50)]
         for stamp, positions in expected:

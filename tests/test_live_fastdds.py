@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from live_nodes import joint_state, received_from
-from waiting import output_of, status_of, wait_until
+from waiting import DEADLINE, killed_on_failure, output_of, status_of, wait_until
 
 from quadruped_env import asset_path
 from quadruped_env.live import Topic
@@ -44,13 +44,14 @@ def peer(tmp_path_factory):
     )
 
     def start(discovery, *arguments):
-        return subprocess.Popen(
+        process = subprocess.Popen(
             [program, *arguments],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
-            env=os.environ | {"PEER_DISCOVERY": discovery},
+            env=os.environ | {"PEER_DISCOVERY": discovery, "PEER_DEADLINE": str(round(DEADLINE))},
         )
+        return killed_on_failure(process)
 
     return start
 

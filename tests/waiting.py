@@ -3,6 +3,7 @@
 `TEST_TIMEOUT_SCALE=4 make test` makes every deadline four times as long.
 """
 
+import contextlib
 import os
 import subprocess
 import time
@@ -50,6 +51,17 @@ def status_of(process):
         process.kill()
         process.wait()
         raise AssertionError(f"{process.args} did not end within {DEADLINE:g} s") from None
+
+
+@contextlib.contextmanager
+def killed_on_failure(process):
+    """A process that a test ends itself; if the test fails first, it is killed, so that nothing waits for it."""
+    with process:
+        try:
+            yield process
+        except BaseException:
+            process.kill()
+            raise
 
 
 def _text(what):
