@@ -339,8 +339,7 @@ def test_damaged_files_are_refused_or_read_as_they_are(tmp_path, kind):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", WRITERS)
-@pytest.mark.parametrize("seed", [1, 2])
-def test_thousands_of_damaged_files(tmp_path, kind, seed):
-    refused, read = fuzz(tmp_path, kind, 3000, seed)
+def test_thousands_of_damaged_files(tmp_path, kind):
+    refused, read = fuzz(tmp_path, kind, 3000, seed=1)
     assert refused > 300
     assert read > 10

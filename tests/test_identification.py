@@ -291,10 +291,10 @@ class TestIdentify:
     @pytest.mark.slow
     @pytest.mark.parametrize("missing", [(), ("velocities", "efforts")])
     def test_intervals_hold_the_truth(self, missing):
-        """Over several recordings; of the intervals of 95 %, one of fifteen may miss."""
+        """Over several recordings; of the intervals of 95 %, one of ten may miss."""
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0, "hip.kd": 1.0, "knee.kd": 1.0, "delay": 0.0})
         missed = []
-        for seed in range(3):
+        for seed in range(2):
             commands = commanded(5.0, seed=seed)
             recording = without(measured(commands, TRUTH, seed=seed), *missing)
             for estimate in identify(recording, commands, start=start, fitted=["kp", "kd", "delay"]).estimates:
