@@ -304,10 +304,10 @@ class TestIdentify:
         assert len(missed) <= 1, missed
 
     @pytest.mark.slow
-    @pytest.mark.parametrize("missing", [(), ("efforts",)])
-    def test_known_motors_come_back_within_a_tenth(self, missing):
+    @pytest.mark.parametrize(("seconds", "missing"), [(10.0, ()), (20.0, ("efforts",))])
+    def test_known_motors_come_back_within_a_tenth(self, seconds, missing):
         """All of them at once, from the model file's motors, out of noise."""
-        commands = commanded(10.0)
+        commands = commanded(seconds)
         found = identify(without(measured(commands, TRUTH), *missing), commands)
         for estimate in found.estimates:
             assert estimate.half_width is not None, estimate.name
