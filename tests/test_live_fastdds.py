@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from live_nodes import joint_state, received_from
+from random_messages import random_joint_states
 from waiting import DEADLINE, killed_on_failure, output_of, status_of, wait_until
 
 from quadruped_env import asset_path
@@ -78,16 +79,8 @@ def test_all_messages_come_from_an_independent_dds(nodes, peer, discovery):
 
 @discoveries
 def test_all_messages_reach_an_independent_dds(nodes, peer, discovery):
-    rng = np.random.default_rng(0)
     publisher = nodes().publish(TO_PEER)
-    sent = []
-    for i in range(COUNT):
-        joints = i % 9
-        values = rng.normal(size=(3, joints)) * 10.0 ** rng.integers(-300, 300, (3, joints))
-        if joints:
-            values[2, 0] = np.nan
-        names = [f"joint_{rng.integers(0, 10**9)}" for _ in range(joints)]
-        sent.append((int(rng.integers(0, 2**31 * 10**9)), names, *values.tolist()))
+    sent = list(random_joint_states(COUNT))
     with peer(discovery, "receive", str(COUNT)) as process:
         wait_until(lambda: publisher.readers, alive=process)
         assert process.stdout.readline() == "ready\n"

@@ -6,7 +6,7 @@ import pty
 import numpy as np
 import pytest
 from live_nodes import joint_state, started
-from random_messages import filled
+from random_messages import filled, random_joint_states
 from waiting import output_of, status_of, wait_until
 
 from quadruped_env import asset_path
@@ -67,22 +67,10 @@ def test_topic_message_is_equal_in_both_directions(nodes, ros2, name):
     assert node.graph.problems() == []
 
 
-def random_joint_states():
-    """Fields of COUNT messages with every kind of number."""
-    rng = np.random.default_rng(0)
-    for i in range(COUNT):
-        joints = i % 9
-        values = rng.normal(size=(3, joints)) * 10.0 ** rng.integers(-300, 300, (3, joints))
-        if joints:
-            values[2, 0] = np.nan
-        names = [f"joint_{rng.integers(0, 10**9)}" for _ in range(joints)]
-        yield plain(joint_state(int(rng.integers(0, 2**31 * 10**9)), names, *values.tolist()))
-
-
 def test_every_reliable_message_arrives_with_equal_values(nodes, ros2):
     from quadruped_env.ros import cdr
 
-    sent = list(random_joint_states())
+    sent = [plain(joint_state(*message)) for message in random_joint_states(COUNT)]
     node = nodes()
     publisher, subscription = node.publish(TO_PEER), node.subscribe(FROM_PEER)
     received = []

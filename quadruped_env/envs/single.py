@@ -5,7 +5,6 @@ from typing import Any
 import gymnasium
 import mujoco
 import numpy as np
-from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
 from quadruped_env.envs import arguments, spaces
@@ -18,7 +17,7 @@ from quadruped_env.task import Task, TaskConfig
 _ROW = np.zeros(1, dtype=np.intp)
 
 
-class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
+class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """A small four-legged robot that follows velocity commands on flat ground.
 
     ## Description
@@ -134,17 +133,6 @@ class MiniQuadrupedEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self._renderer: SceneRenderer | None = None
         if render_mode == "human":
             self._renderer = self._make_renderer()
-
-    @property
-    def spec(self) -> EnvSpec | None:
-        """The specification that makes this environment again, with plain arguments."""
-        return self._spec
-
-    @spec.setter
-    def spec(self, value: EnvSpec | None) -> None:
-        self._spec = spaces.plain_spec(value)
-
-    _spec: EnvSpec | None = None
 
     @property
     def model(self) -> mujoco.MjModel:

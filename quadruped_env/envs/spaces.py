@@ -29,13 +29,21 @@ def metadata(config: TaskConfig) -> dict[str, Any]:
     return {"render_modes": list(RENDER_MODES), "render_fps": round(1.0 / config.control_timestep)}
 
 
-def plain_spec(spec: EnvSpec | None) -> EnvSpec | None:
-    """A specification whose arguments go through JSON: NumPy's values, enums and a `TaskConfig` as plain values."""
-    if spec is None:
-        return None
-    spec = copy.copy(spec)
-    spec.kwargs = plain(spec.kwargs)
-    return spec
+class PlainSpec:
+    """Base of envs whose specification goes through JSON: NumPy values, enums and `TaskConfig` become plain values."""
+
+    _spec: EnvSpec | None = None
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The specification that makes this environment again, with plain arguments."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, value: EnvSpec | None) -> None:
+        self._spec = copy.copy(value)
+        if self._spec is not None:
+            self._spec.kwargs = plain(self._spec.kwargs)
 
 
 def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any]]:

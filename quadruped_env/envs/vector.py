@@ -6,7 +6,6 @@ from typing import Any
 import gymnasium
 import mujoco
 import numpy as np
-from gymnasium.envs.registration import EnvSpec
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
@@ -21,7 +20,9 @@ from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
 
-class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]):
+class MiniQuadrupedVectorEnv(
+    spaces.PlainSpec, gymnasium.vector.VectorEnv[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]
+):
     """`MiniQuadrupedEnv` many times over, bit for bit, on a thread pool.
 
     `gymnasium.make_vec("MiniQuadruped-v0", num_envs=N)` makes it. It supports pickling and `copy.deepcopy`, also within
@@ -71,16 +72,6 @@ class MiniQuadrupedVectorEnv(gymnasium.vector.VectorEnv[NDArray[np.float32], NDA
         self._simulation = BatchSimulation(model, self.num_envs, num_threads)
         self.task = Task(self._simulation, task_config, max_episode_steps)
 
-    @property
-    def spec(self) -> EnvSpec | None:
-        """The specification that makes this environment again, with plain arguments."""
-        return self._spec
-
-    @spec.setter
-    def spec(self, value: EnvSpec | None) -> None:
-        self._spec = spaces.plain_spec(value)
-
-    _spec: EnvSpec | None = None
     # The class's, so that an env whose arguments were refused can be closed, as Gymnasium 1.2 does.
     _renderer: SceneRenderer | None = None
 
