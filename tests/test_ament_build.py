@@ -69,7 +69,7 @@ def run_node(workspace, ros2, sourced):
     yield run
     for process in started:
         # Not killed: it would leave its shared memory behind.
-        process.send_signal(signal.SIGINT)
+        process.terminate()
         output_of(process)
 
 

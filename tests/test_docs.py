@@ -2,7 +2,6 @@
 
 import re
 import shlex
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -136,7 +135,8 @@ def test_the_nodes_of_the_tutorials_page_meet(domain_id, tmp_path):
         try:
             output, _ = output_of(listening)
         finally:
-            talking.send_signal(signal.SIGINT)
+            # Not by SIGINT, which a program ignores that was started in the background.
+            talking.kill()
             listening.kill()
     heard = [int(line.removeprefix("hello ")) for line in output.splitlines()]
     assert len(heard) >= 10
