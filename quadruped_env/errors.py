@@ -16,7 +16,7 @@ _MORE: Final = "..."
 
 
 class QuadrupedError(ValueError):
-    """Bad input: the message names what was wrong, where, and how to mend it.
+    """Bad input: the message names what was wrong, where, and how to fix it.
 
     A message of over `MAX_MESSAGE` characters is cut in the middle, where values from a file stand.
     """
