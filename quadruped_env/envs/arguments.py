@@ -1,6 +1,7 @@
 """Checks of what the environments are called with: one place for the single, the vector and Stable-Baselines3's."""
 
 import dataclasses
+import os
 from collections.abc import Sequence
 from typing import Any, Final
 
@@ -10,24 +11,37 @@ from numpy.typing import NDArray
 
 from quadruped_env._plain import whole_number
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.control.velocity_command import check_command
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.commands import check_command
+from quadruped_env.task.definition import BUILT_IN, load_task_file
 
 RENDER_MODES: Final = ("human", "rgb_array")
 
 RESET_MASK: Final = "reset_mask"
 
 
-def task_config(action_mode: str | None, config: dict[str, Any] | TaskConfig | None) -> TaskConfig:
+def task_config(
+    action_mode: str | None,
+    config: dict[str, Any] | TaskConfig | None,
+    task_file: str | os.PathLike[str] | None = None,
+) -> TaskConfig:
     """The task's config from an environment's arguments.
 
+    Args:
+        action_mode: as in the config; None leaves it.
+        config: changes to the defaults; None changes nothing.
+        task_file: a user's file of terms, which is executed; None has the built-in terms, or those of a TaskConfig.
+
     Raises:
-        QuadrupedError: if the mode or a field of the config is not valid.
+        QuadrupedError: if the mode, the file or a field of the config is not valid.
     """
-    if config is None:
-        task = TaskConfig()
+    definition = config.definition if isinstance(config, TaskConfig) else BUILT_IN
+    if task_file is not None:
+        definition = load_task_file(task_file)
+    if isinstance(config, TaskConfig):
+        task = config if definition == config.definition else dataclasses.replace(config, definition=definition)
     else:
-        task = TaskConfig.from_dict(config.to_dict() if isinstance(config, TaskConfig) else config)
+        task = TaskConfig.from_dict(config or {}, definition)
     if action_mode is not None:
         mode: Any = action_mode  # checked by ActionConfig
         task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))
@@ -100,7 +114,7 @@ def reset_options(
         num_envs: number of environments; None for a single one, which takes no mask.
 
     Returns:
-        The command (2,) in m/s and rad/s that stays fixed for the episode, or None; and the environments (num_envs,)
+        The command (C,), in m/s and rad/s first, that stays fixed for the episode, or None; and the environments (num_envs,)
         to reset, or None for all.
 
     Raises:
@@ -119,7 +133,7 @@ def reset_options(
     mask = None
     if num_envs is not None and options.get(RESET_MASK) is not None:
         mask = _checked_mask(options[RESET_MASK], num_envs)
-    return None if command is None else check_command(command, config.command), mask
+    return None if command is None else check_command(command, config.commands), mask
 
 
 def _checked_mask(mask: Any, num_envs: int) -> NDArray[np.bool_]:

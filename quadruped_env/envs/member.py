@@ -58,7 +58,7 @@ class MemberEnv:
     @property
     def data(self) -> mujoco.MjData:
         """A copy of the environment's MuJoCo data."""
-        return self._env.row_data(self._index)
+        return self._env.env_data(self._index)
 
     @property
     def np_random(self) -> np.random.Generator:

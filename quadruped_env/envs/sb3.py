@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from quadruped_env.envs.member import MemberEnv
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.task import ACTION_WIDTH
 
 try:
     from stable_baselines3.common.monitor import Monitor
@@ -44,7 +43,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.render_mode = env.render_mode
         self.metadata = env.metadata
         super().__init__(env.num_envs, env.single_observation_space, env.single_action_space)
-        self._actions = np.zeros((env.num_envs, ACTION_WIDTH), dtype=np.float32)
+        self._actions = np.zeros(env.action_space.shape, dtype=np.float32)
         self.last_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._episode_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._start_time = time.time()

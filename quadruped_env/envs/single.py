@@ -1,5 +1,6 @@
 """The single environment."""
 
+import os
 from typing import Any
 
 import gymnasium
@@ -117,19 +118,20 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self,
         action_mode: str | None = None,
         config: dict[str, Any] | TaskConfig | None = None,
+        task_file: str | os.PathLike[str] | None = None,
         render_mode: str | None = None,
         width: int = 640,
         height: int = 480,
     ) -> None:
         arguments.check_render_mode(render_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config)
+        task_config = arguments.task_config(action_mode, config, task_file)
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
-        self.action_space = spaces.action_space()
-        self.observation_space = spaces.observation_space()
         self._simulation = SingleSimulation(load_model(task_config.physics_timestep, task_config.motor))
         self.task = Task(self._simulation, task_config)
+        self.action_space = spaces.action_space(self.task.control.robot)
+        self.observation_space = spaces.observation_space(self.task.control.layout)
         self._renderer: SceneRenderer | None = None
         if render_mode == "human":
             self._renderer = self._make_renderer()

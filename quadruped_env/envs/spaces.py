@@ -1,6 +1,7 @@
 """What the single and the vectorized environment share: spaces, metadata, specification, and the contents of `info`."""
 
 import copy
+import os
 from typing import Any
 
 import gymnasium
@@ -10,18 +11,19 @@ from numpy.typing import NDArray
 
 from quadruped_env._plain import plain
 from quadruped_env.envs.arguments import RENDER_MODES
-from quadruped_env.task import ACTION_WIDTH, Task, TaskConfig, Transition
-from quadruped_env.task.observations import OBSERVATION_HIGH, OBSERVATION_LOW
+from quadruped_env.control.observations import ObservationLayout
+from quadruped_env.robot import Robot
+from quadruped_env.task import Task, TaskConfig, Transition
 
 
-def action_space() -> gymnasium.Space[NDArray[np.float32]]:
-    """Joint-position targets, one a joint, in [-1, 1]."""
-    return gymnasium.spaces.Box(-1.0, 1.0, (ACTION_WIDTH,), np.float32)
+def action_space(robot: Robot) -> gymnasium.Space[NDArray[np.float32]]:
+    """Joint-position targets, one per joint, in [-1, 1]."""
+    return gymnasium.spaces.Box(-1.0, 1.0, (robot.num_joints,), np.float32)
 
 
-def observation_space() -> gymnasium.Space[NDArray[np.float32]]:
+def observation_space(layout: ObservationLayout) -> gymnasium.Space[NDArray[np.float32]]:
     """The bounds of the observation layout."""
-    return gymnasium.spaces.Box(OBSERVATION_LOW.astype(np.float32), OBSERVATION_HIGH.astype(np.float32))
+    return gymnasium.spaces.Box(layout.low.astype(np.float32), layout.high.astype(np.float32))
 
 
 def metadata(config: TaskConfig) -> dict[str, Any]:
@@ -30,7 +32,7 @@ def metadata(config: TaskConfig) -> dict[str, Any]:
 
 
 class PlainSpec:
-    """Base of envs whose specification goes through JSON: NumPy values, enums and `TaskConfig` become plain values."""
+    """Base of envs whose specification goes through JSON: NumPy values, paths, enums and `TaskConfig` become plain."""
 
     _spec: EnvSpec | None = None
 
@@ -43,7 +45,13 @@ class PlainSpec:
     def spec(self, value: EnvSpec | None) -> None:
         self._spec = copy.copy(value)
         if self._spec is not None:
-            self._spec.kwargs = plain(self._spec.kwargs)
+            self._spec.kwargs = {name: _plain_argument(value) for name, value in self._spec.kwargs.items()}
+
+
+def _plain_argument(value: Any) -> Any:
+    if isinstance(value, TaskConfig):
+        return value.to_dict()
+    return os.fspath(value) if isinstance(value, os.PathLike) else plain(value)
 
 
 def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any]]:
@@ -53,17 +61,20 @@ def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any
         task: the episodes of N environments.
         at: the index of one, whose readings have no leading axis, or the slice of all, shape (N, ...) each.
     """
-    state = task.simulation.state
+    # One copy, of which every reading is a view, is cheaper than a copy of each.
+    columns = task.simulation.sensor_columns
+    values = task.simulation.sensordata[at].copy()
+    foot_force = values[..., columns["foot_force"]]
     return {
         "command": task.command[at].copy(),
-        "base_position": state.base_position[at].copy(),
-        "base_linear_velocity": state.linear_velocity_b[at].copy(),
-        "base_angular_velocity": state.angular_velocity_b[at].copy(),
-        "joint_position": state.joint_position[at].copy(),
-        "joint_velocity": state.joint_velocity[at].copy(),
-        "joint_torque": state.joint_torque[at].copy(),
-        "foot_force": state.foot_force[at].copy(),
-        "foot_contact": state.foot_force[at] > task.config.reward.contact_threshold,
+        "base_position": values[..., columns["base_position"]],
+        "base_linear_velocity": values[..., columns["linear_velocity_b"]],
+        "base_angular_velocity": values[..., columns["angular_velocity_b"]],
+        "joint_position": values[..., columns["joint_position"]],
+        "joint_velocity": values[..., columns["joint_velocity"]],
+        "joint_torque": values[..., columns["joint_torque"]],
+        "foot_force": foot_force,
+        "foot_contact": foot_force > task.context.contact_threshold,
     }
 
 

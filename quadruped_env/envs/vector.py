@@ -1,5 +1,6 @@
 """The native vectorized environment: many robots, no loop over them."""
 
+import os
 from collections.abc import Sequence
 from typing import Any
 
@@ -30,7 +31,7 @@ class MiniQuadrupedVectorEnv(
 
     Args:
         num_envs: number of robots.
-        action_mode, config, render_mode, width, height: as for `MiniQuadrupedEnv`.
+        action_mode, config, task_file, render_mode, width, height: as for `MiniQuadrupedEnv`.
         max_episode_steps: control steps after which an episode is truncated; None never truncates.
         num_threads: threads for the physics; 0 takes every core. The numbers do not depend on it.
         autoreset_mode: when finished environments are reset, one of Gymnasium's `AutoresetMode` or its value, as in
@@ -47,6 +48,7 @@ class MiniQuadrupedVectorEnv(
         num_envs: int = 1,
         action_mode: str | None = None,
         config: dict[str, Any] | TaskConfig | None = None,
+        task_file: str | os.PathLike[str] | None = None,
         render_mode: str | None = None,
         width: int = 640,
         height: int = 480,
@@ -62,15 +64,15 @@ class MiniQuadrupedVectorEnv(
         self.render_mode = render_mode
         self.autoreset_mode = arguments.autoreset_mode(autoreset_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config)
+        task_config = arguments.task_config(action_mode, config, task_file)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
-        self.single_action_space = spaces.action_space()
-        self.single_observation_space = spaces.observation_space()
-        self.action_space = batch_space(self.single_action_space, self.num_envs)
-        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         model = load_model(task_config.physics_timestep, task_config.motor)
         self._simulation = BatchSimulation(model, self.num_envs, num_threads)
         self.task = Task(self._simulation, task_config, max_episode_steps)
+        self.single_action_space = spaces.action_space(self.task.control.robot)
+        self.single_observation_space = spaces.observation_space(self.task.control.layout)
+        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
 
     # The class's, so that an env whose arguments were refused can be closed, as Gymnasium 1.2 does.
     _renderer: SceneRenderer | None = None
@@ -146,14 +148,14 @@ class MiniQuadrupedVectorEnv(
             return None
         return tuple(self.render_one(row) for row in range(self.num_envs))
 
-    def row_data(self, index: int) -> mujoco.MjData:
+    def env_data(self, index: int) -> mujoco.MjData:
         """A copy of one environment's MuJoCo data."""
-        return self._simulation.row_data(index)
+        return self._simulation.copy_data(index)
 
     def render_one(self, index: int) -> NDArray[np.uint8]:
         """A picture (height, width, 3) of one environment; the render mode has to be `rgb_array`."""
         assert self.render_mode is not None
-        data = self.row_data(index)
+        data = self.env_data(index)
         if self._renderer is None:
             self._renderer = SceneRenderer(self._simulation.model, data, self.render_mode, *self._frame_size)
         frame = self._renderer.render(data)

@@ -1,6 +1,6 @@
 """What decides: controllers, and trained policies as data."""
 
-from quadruped_env.policies.controllers import (
+from quadruped_env.control.controllers import (
     CommandedGaitController,
     Controller,
     GaitController,

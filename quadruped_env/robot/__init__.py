@@ -16,7 +16,9 @@ from quadruped_env.robot.facts import (
 )
 from quadruped_env.robot.ground import resting_pose, sole_heights
 from quadruped_env.robot.kinematics import forward_kinematics
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
+from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.transforms import Transform, fixed_transforms, joint_transforms
 
 __all__ = [
@@ -28,12 +30,14 @@ __all__ = [
     "JOINT_POSITION_LOW",
     "LEG_NAMES",
     "LINK_NAMES",
+    "MINI_QUADRUPED",
     "STANCE",
     "STANCE_HEIGHT",
     "TOTAL_MASS",
     "VELOCITY_LIMIT",
     "JointMotor",
     "MotorConfig",
+    "Robot",
     "Transform",
     "asset_path",
     "fixed_transforms",

@@ -3,6 +3,5 @@
 from quadruped_env.simulation.batch import BatchSimulation
 from quadruped_env.simulation.interface import Simulation
 from quadruped_env.simulation.single import SingleSimulation
-from quadruped_env.simulation.state import State
 
-__all__ = ["BatchSimulation", "Simulation", "SingleSimulation", "State"]
+__all__ = ["BatchSimulation", "Simulation", "SingleSimulation"]

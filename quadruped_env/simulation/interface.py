@@ -6,7 +6,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.simulation.state import State
+from quadruped_env.readings import Readings
+from quadruped_env.robot.robot import Robot
 
 SETTLED = mujoco.mjtStage.mjSTAGE_VEL
 """Every control step ends with positions and velocities computed at the new state, ready for the next substep."""
@@ -19,7 +20,7 @@ STATE_SPEC = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
 class SimulationState(NamedTuple):
-    """All that the future of one row depends on, and its readings."""
+    """All that the future of one env depends on, and its readings."""
 
     integration: NDArray[np.float64]
     """MuJoCo's `STATE_SPEC`, (S,)"""
@@ -27,7 +28,7 @@ class SimulationState(NamedTuple):
     """Sensor data (model.nsensordata,): forces are not a function of the state alone"""
     diverged: bool
     model_fields: dict[str, NDArray[np.float64]]
-    """The row's own value of every field that was asked for with `Simulation.model_field`"""
+    """The env's own value of every field that was asked for with `Simulation.model_field`"""
 
 
 def force_columns(model: mujoco.MjModel) -> NDArray[np.bool_]:
@@ -38,47 +39,52 @@ def force_columns(model: mujoco.MjModel) -> NDArray[np.bool_]:
 class Simulation(Protocol):
     """N copies of the robot on its ground.
 
-    Both drivers give the same bits for the same calls, at any number of rows and threads.
+    Both drivers give the same bits for the same calls, at any number of envs and threads.
     """
 
     model: mujoco.MjModel
-    num_rows: int
-    state: State
-    """Live readings; see `State` for what is current when."""
+    robot: Robot
+    num_envs: int
+    readings: Readings
+    """Live readings; see `Readings` for what is current when."""
+    sensordata: NDArray[np.float64]
+    """MuJoCo's sensor data (N, model.nsensordata), of which the readings are views; live, not to be written to."""
+    sensor_columns: dict[str, slice]
+    """Field of `Readings` -> its columns of the sensor data"""
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
-        """Advance some rows (R,), or all, by `substeps` physics steps with joint targets (N, 8) in rad."""
+    def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
+        """Advance some envs (R,), or all, by `substeps` physics steps with joint targets (N, 8) in rad."""
         ...
 
-    def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
-        """Put some rows (R,) at qpos (R, 15) and qvel (R, 14), at rest otherwise; the others do not change.
+    def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+        """Put some envs (R,) at qpos (R, 15) and qvel (R, 14), at rest otherwise; the others do not change.
 
         Derives anew what depends on model fields that were written since.
         """
         ...
 
     def diverged(self) -> NDArray[np.bool_]:
-        """Which rows (N,) MuJoCo reported as diverged, or could not step, since their last reset."""
+        """Which envs (N,) MuJoCo reported as diverged, or could not step, since their last reset."""
         ...
 
-    def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
-        """Add world-frame velocity (R, 3) in m/s to the base of some rows (R,).
+    def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+        """Add world-frame velocity (R, 3) in m/s to the base of some envs (R,).
 
         The readings of velocities follow at once, those of forces and accelerations stay the last substep's.
         """
         ...
 
     def model_field(self, name: str) -> NDArray[np.float64]:
-        """A field of the model with a value per row, (N, ...), to write to before `reset`.
+        """A field of the model with a value per env, (N, ...), to write to before `reset`.
 
-        With one row it is the model's own field: a model that others use as well changes for them too.
+        With one env it is the model's own field: a model that others use as well changes for them too.
         """
         ...
 
-    def get_state(self, row: int) -> SimulationState:
-        """Take a copy of all that the future of a row depends on, and of its readings."""
+    def get_state(self, env_id: int) -> SimulationState:
+        """Take a copy of all that the future of an env depends on, and of its readings."""
         ...
 
-    def set_state(self, row: int, state: SimulationState) -> None:
+    def set_state(self, env_id: int, state: SimulationState) -> None:
         """Restore what `get_state` gave, here or in another simulation of the same model."""
         ...

@@ -6,32 +6,37 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
+from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState, force_columns
-from quadruped_env.simulation.state import State
+from quadruped_env.readings import Readings, sensor_columns
 
 
 class SingleSimulation:
-    """`Simulation` with one row."""
+    """`Simulation` with one env."""
 
-    num_rows = 1
+    num_envs = 1
 
-    def __init__(self, model: mujoco.MjModel) -> None:
+    def __init__(self, model: mujoco.MjModel, robot: Robot = MINI_QUADRUPED) -> None:
         self.model = model
+        self.robot = robot
         self.data = mujoco.MjData(model)
         self._failed = False
         self._varied_fields: set[str] = set()
         self._force_columns = force_columns(model)
+        self.sensor_columns = sensor_columns(model, robot)
         self._bind()
 
     def _bind(self) -> None:
-        self.state = State.from_sensordata(self.model, self.data.sensordata[None])
+        self.sensordata = self.data.sensordata[None]
+        self.readings = Readings.from_sensordata(self.model, self.sensordata, self.robot)
         self._ctrl = self.data.ctrl
         self._warnings = self.data.warning.number[DIVERGENCE_WARNINGS]
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int, rows: NDArray[np.intp] | None = None) -> None:
+    def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
-        if rows is not None and not len(rows):
+        if env_ids is not None and not len(env_ids):
             return
         self._ctrl[:] = joint_target[0]
         model, data = self.model, self.data
@@ -44,9 +49,9 @@ class SingleSimulation:
         except mujoco.FatalError:
             self._failed = True
 
-    def reset(self, rows: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+    def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
         """See `Simulation.reset`."""
-        if not len(rows):
+        if not len(env_ids):
             return
         data = self.data
         self._clear()
@@ -70,14 +75,14 @@ class SingleSimulation:
         """See `Simulation.diverged`."""
         return np.array([self._failed or np.count_nonzero(self._warnings) > 0])
 
-    def push(self, rows: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+    def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""
-        if not len(rows):
+        if not len(env_ids):
             return
         forces = self.data.sensordata[self._force_columns]
         self.data.qvel[:3] += velocity[0]
         mujoco.mj_step1(self.model, self.data)
-        # A velocity that makes the row diverge clears them.
+        # A velocity that makes the env diverge clears them.
         self.data.sensordata[self._force_columns] = forces
 
     def model_field(self, name: str) -> NDArray[np.float64]:
@@ -85,14 +90,14 @@ class SingleSimulation:
         self._varied_fields.add(name)
         return getattr(self.model, name)[None]
 
-    def get_state(self, row: int) -> SimulationState:
+    def get_state(self, env_id: int) -> SimulationState:
         """See `Simulation.get_state`."""
         integration = np.empty(mujoco.mj_stateSize(self.model, STATE_SPEC))
         mujoco.mj_getState(self.model, self.data, integration, STATE_SPEC)
         fields = {name: getattr(self.model, name).copy() for name in sorted(self._varied_fields)}
         return SimulationState(integration, self.data.sensordata.copy(), bool(self.diverged()[0]), fields)
 
-    def set_state(self, row: int, state: SimulationState) -> None:
+    def set_state(self, env_id: int, state: SimulationState) -> None:
         """See `Simulation.set_state`."""
         for name, values in state.model_fields.items():
             self.model_field(name)[0] = values
@@ -105,7 +110,7 @@ class SingleSimulation:
     def __getstate__(self) -> dict[str, Any]:
         # The readings are views of the data: they are made anew, or they would come back as copies.
         attributes = self.__dict__.copy()
-        del attributes["state"], attributes["_ctrl"], attributes["_warnings"]
+        del attributes["readings"], attributes["sensordata"], attributes["_ctrl"], attributes["_warnings"]
         return attributes
 
     def __setstate__(self, attributes: dict[str, Any]) -> None:

@@ -1,26 +1,44 @@
-"""What the robot should do: config, commands, observations, rewards, terminations, randomization, and the `Task`."""
+"""The task: config, terms (rewards, terminations, randomizations, commands), and the `Task` that runs episodes."""
 
+from quadruped_env.control.config import ActionConfig, Command
+from quadruped_env.control.observations import ObservationField, observation
 from quadruped_env.task.config import (
-    ActionConfig,
     CommandConfig,
     RandomizationConfig,
     RewardConfig,
     TaskConfig,
     TerminationConfig,
 )
-from quadruped_env.task.observations import OBSERVATION_LAYOUT, OBSERVATION_WIDTH
-from quadruped_env.task.task import ACTION_WIDTH, Task, Transition
+from quadruped_env.task.context import TaskContext
+from quadruped_env.task.definition import BUILT_IN, TaskDefinition, TaskFile, load_task_file
+from quadruped_env.task.randomization import Event, ModelField, Randomization
+from quadruped_env.task.task import Task, Transition
+from quadruped_env.task.terms import Parameter, RewardTerm, Termination, reward, reward_group, termination
 
 __all__ = [
-    "ACTION_WIDTH",
-    "OBSERVATION_LAYOUT",
-    "OBSERVATION_WIDTH",
+    "BUILT_IN",
     "ActionConfig",
+    "Command",
     "CommandConfig",
+    "Event",
+    "ModelField",
+    "ObservationField",
+    "Parameter",
+    "Randomization",
     "RandomizationConfig",
     "RewardConfig",
+    "RewardTerm",
     "Task",
     "TaskConfig",
+    "TaskContext",
+    "TaskDefinition",
+    "TaskFile",
+    "Termination",
     "TerminationConfig",
     "Transition",
+    "load_task_file",
+    "observation",
+    "reward",
+    "reward_group",
+    "termination",
 ]

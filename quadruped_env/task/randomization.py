@@ -1,36 +1,203 @@
-"""What differs from episode to episode, and the noise on what the robot measures."""
+"""What differs from episode to episode, and within one: a list of `Randomization`s, the built-in ones at the end."""
 
-from typing import Any, Final
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.robot import STANCE, STANCE_HEIGHT
+from quadruped_env.control.config import Range
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
-from quadruped_env.task.commands import between
-from quadruped_env.task.config import RandomizationConfig
+from quadruped_env.task.terms import Parameter
 
-START_DRAWS: Final = 8 + 8 + 6 + 3 + 2
-"""Uniform numbers in [0, 1) that one start takes: joints, joint velocities, base velocity, attitude, model."""
-
-_SIGNED: Final = (-1.0, 1.0)
-_START_CLEARANCE: Final = 0.01
-"""m between the ground and the stance at the start, so that bent legs do not begin inside the ground."""
+Floats = NDArray[np.float64]
+Law = Literal["uniform", "log_uniform", "normal"]
 
 
-def start_states(
-    draws: NDArray[np.float64], config: RandomizationConfig
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Positions (R, 15) and velocities (R, 14) to start episodes from, from uniform draws (R, START_DRAWS)."""
-    offset = between(_SIGNED, draws[:, :25]) * config.start_scale
-    qpos = np.zeros((len(draws), 15))
-    qvel = np.empty((len(draws), 14))
-    qpos[:, 2] = STANCE_HEIGHT + (_START_CLEARANCE if config.start_joint_position or config.start_tilt else 0.0)
-    qpos[:, 3:7] = _quaternion(offset[:, 22:25])
-    qpos[:, 7:] = STANCE + offset[:, 0:8]
-    qvel[:, :6] = offset[:, 16:22]
-    qvel[:, 6:] = offset[:, 8:16]
-    return qpos, qvel
+@dataclass(slots=True)
+class Event:
+    """Some envs (R,) at the start of their episodes, or in the middle of one: what a randomization may change."""
+
+    simulation: Simulation
+    robot: Robot
+    env_ids: NDArray[np.intp]
+    """(R,)"""
+    qpos: Floats
+    """The start: base position and attitude, joint positions, as MuJoCo has them, (R, 7 + J); empty within an episode"""
+    qvel: Floats
+    """(R, 6 + J)"""
+    tilt: Floats
+    """Roll, pitch and heading of the base at the start, rad (R, 3)"""
+
+
+class Apply(Protocol):
+    """Carries out a randomization."""
+
+    def __call__(self, event: Event, values: Floats) -> None:
+        """Apply values (R, width)."""
+        ...
+
+
+@dataclass(frozen=True)
+class Randomization:
+    """One quantity that is drawn anew, at every reset or at intervals within an episode."""
+
+    name: str
+    """Also its field in `config["randomization"]`"""
+    apply: Apply
+    """(event, values (R, width)); or a `ModelField`"""
+    default: Range | float | None
+    """The range to draw from: a number stands for -number to number; None or 0 draws nothing"""
+    unit: str = "1"
+    width: int | Literal["joints", "feet"] = 1
+    """Numbers per env"""
+    law: Law = "uniform"
+    """`uniform`; `log_uniform`; or `normal`, around the middle of the range with a quarter of its width as standard
+    deviation, clipped to it"""
+    valid: Parameter = field(default_factory=Parameter)
+    """What a range may hold"""
+    interval: tuple[str, Range] | None = None
+    """For one that comes again within an episode: the config's field for the seconds between, and its default"""
+
+    def columns(self, robot: Robot) -> int:
+        """Numbers per env."""
+        if self.width == "joints":
+            return robot.num_joints
+        return robot.num_legs if self.width == "feet" else self.width
+
+    def draws(self, robot: Robot) -> int:
+        """Uniform numbers per env."""
+        return self.columns(robot) * (2 if self.law == "normal" else 1)
+
+    def values(self, draws: Floats, setting: Range | float) -> Floats:
+        """Values (R, width) for uniform draws (R, draws) in [0, 1)."""
+        low, high = setting if isinstance(setting, tuple) else (-setting, setting)
+        if self.law == "uniform":
+            return between((low, high), draws)
+        if self.law == "log_uniform":
+            return np.exp(between((math.log(low), math.log(high)), draws))
+        # Box and Muller 1958, https://doi.org/10.1214/aoms/1177706645
+        first, second = np.split(draws, 2, axis=1)
+        normal = np.sqrt(-2.0 * np.log1p(-first)) * np.cos(math.tau * second)
+        return np.clip(0.5 * (low + high) + 0.25 * (high - low) * normal, low, high)
+
+
+def is_active(setting: Range | float | None) -> bool:
+    """Whether a setting of a randomization draws anything."""
+    return setting is not None and setting not in (0.0, (0.0, 0.0))
+
+
+def between(bounds: Range, draw: Floats) -> Floats:
+    """Uniform draws in [0, 1) stretched to [low, high)."""
+    low, high = bounds
+    return low + (high - low) * draw
+
+
+@dataclass(frozen=True)
+class ModelField:
+    """Changes a field of each env's own MuJoCo model.
+
+    A mass is changed together with its inertia, in proportion, as for a body of the same size.
+
+    Args:
+        field: of `MjModel`, such as `geom_friction` or `body_mass`.
+        names: bodies, geoms, joints or whatever the field has rows for; None takes all.
+        column: of a field with columns; None takes all.
+        mode: `set`, or `scale` or `add` to what the model file says.
+    """
+
+    field: str
+    names: Sequence[str] | None = None
+    column: int | None = None
+    mode: Literal["set", "scale", "add"] = "scale"
+
+    def bind(self, simulation: Simulation) -> Apply:
+        """Look the names up in a model.
+
+        Raises:
+            QuadrupedError: if the field or a name is not the model's.
+        """
+        model = simulation.model
+        kind = self.field.partition("_")[0]
+        if not isinstance(getattr(model, self.field, None), np.ndarray):
+            raise QuadrupedError(f"ModelField: {self.field!r} is no array of MuJoCo's model; see the docs of MjModel")
+        before = getattr(model, self.field).copy()
+        try:
+            rows: Any = (
+                slice(None) if self.names is None else [getattr(model, kind)(name).id for name in self.names]
+            )
+        except (AttributeError, KeyError) as error:
+            raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
+        inertia = model.body_inertia[rows].copy() if self.field == "body_mass" else None
+        ids = np.arange(len(before))[rows]
+
+        def apply(event: Event, values: Floats) -> None:
+            target = simulation.model_field(self.field)
+            old = before[ids] if self.column is None or before.ndim == 1 else before[ids, self.column]
+            # One value for all rows and columns, or one per row.
+            shaped = values.reshape(*values.shape, *([1] * (old.ndim - 1)))
+            new = {"set": shaped + 0.0 * old, "scale": shaped * old, "add": shaped + old}[self.mode]
+            where: tuple[Any, ...] = (event.env_ids[:, None], ids[None, :])
+            if self.column is not None and before.ndim > 1:
+                where = (*where, self.column)
+            target[where] = new
+            if inertia is not None:
+                simulation.model_field("body_inertia")[event.env_ids[:, None], ids[None, :]] = (
+                    new / old
+                )[..., None] * inertia
+
+        return apply
+
+
+def _joint_position(event: Event, values: Floats) -> None:
+    event.qpos[:, 7:] += values
+
+
+def _joint_velocity(event: Event, values: Floats) -> None:
+    event.qvel[:, 6:] += values
+
+
+def _base_velocity(event: Event, values: Floats) -> None:
+    event.qvel[:, :6] += values
+
+
+def _tilt(event: Event, values: Floats) -> None:
+    event.tilt[:, :2] += values
+
+
+def _heading(event: Event, values: Floats) -> None:
+    event.tilt[:, 2:] += values
+
+
+def _push(event: Event, values: Floats) -> None:
+    velocity = np.zeros((len(values), 3))
+    velocity[:, :2] = values
+    event.simulation.push(event.env_ids, velocity)
+
+
+RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
+    Randomization("start_joint_position", _joint_position, 0.1, "rad", "joints"),
+    Randomization("start_joint_velocity", _joint_velocity, 0.5, "rad/s", "joints"),
+    Randomization("start_base_velocity", _base_velocity, 0.2, "m/s, rad/s", 6),
+    Randomization("start_tilt", _tilt, 0.05, "rad", 2),
+    Randomization("start_heading", _heading, math.pi, "rad"),
+    # A contact takes the larger friction of its two geoms, so that all are set.
+    Randomization(
+        "friction", ModelField("geom_friction", column=0, mode="set"), None, valid=Parameter.positive()
+    ),
+    Randomization(
+        "payload", ModelField("body_mass", ("base_link",), mode="add"), None, "kg",
+        valid=Parameter("kg", -1.0, exclusive=True),
+    ),
+    Randomization(
+        "push_velocity", _push, 0.0, "m/s", 2, interval=("push_interval", (4.0, 8.0))
+    ),
+)
+"""Start offsets around the stance at rest, friction of foot and ground, mass on the base, and pushes."""
 
 
 # Columns of (cos roll, cos pitch, cos yaw, sin roll, sin pitch, sin yaw), of half the angles: w, x, y and z are each
@@ -41,54 +208,14 @@ _FACTORS: Final = np.array(
 _SIGNS: Final = np.array([1.0, -1.0, 1.0, -1.0])
 
 
-def _quaternion(angles: NDArray[np.float64]) -> NDArray[np.float64]:
+def attitude(angles: Floats) -> Floats:
     """Quaternions wxyz (R, 4) of roll, pitch and yaw (R, 3) in rad, turned by yaw, then pitch, then roll."""
     half = angles / 2
     factors = np.concatenate([np.cos(half), np.sin(half)], axis=1)[:, _FACTORS]
     return factors[:, 0] * factors[:, 1] * factors[:, 2] + factors[:, 3] * factors[:, 4] * factors[:, 5] * _SIGNS
 
 
-class ModelRandomizer:
-    """Writes each row's own friction and payload into its model; does nothing where neither is randomized."""
-
-    def __init__(self, simulation: Simulation, config: RandomizationConfig) -> None:
-        self._config = config
-        model = simulation.model
-        self._simulation = simulation
-        self._ground = model.geom("ground").id
-        self._base = model.body("base_link").id
-        self._mass = model.body_mass[self._base]
-        self._inertia = model.body_inertia[self._base].copy()
-
-    def apply(self, rows: NDArray[np.intp], draws: NDArray[np.float64]) -> None:
-        """Draw the models of some rows (R,) from uniform draws (R, START_DRAWS)."""
-        if self._config.friction is not None:
-            # A contact takes the larger friction of its two geoms, so both sides are set.
-            friction = self._simulation.model_field("geom_friction")
-            friction[rows, :, 0] = between(self._config.friction, draws[:, 25])[:, None]
-        if self._config.payload is not None:
-            mass = self._mass + between(self._config.payload, draws[:, 26])
-            self._simulation.model_field("body_mass")[rows, self._base] = mass
-            self._simulation.model_field("body_inertia")[rows, self._base] = (mass / self._mass)[
-                :, None
-            ] * self._inertia
-
-
-_GOLDEN: Final = np.uint64(0x9E3779B97F4A7C15)
-_MIX_1: Final = np.uint64(0xBF58476D1CE4E5B9)
-_MIX_2: Final = np.uint64(0x94D049BB133111EB)
-
-
-def counter_noise(key: NDArray[Any], step: NDArray[np.int64], width: int) -> NDArray[np.float64]:
-    """Uniform noise in [-1, 1), shape (N, width), that depends on each row's key (N,) and step (N,) alone.
-
-    A hash of a counter (SplitMix64, Steele et al. 2014, https://doi.org/10.1145/2660193.2660195) in place of one
-    generator call a row: it is drawn for all rows at once and has no state beyond the counter.
-    """
-    index = step.astype(np.uint64)[:, None] * np.uint64(width) + np.arange(1, width + 1, dtype=np.uint64)
-    z: NDArray[Any] = key[:, None] + index * _GOLDEN
-    z = (z ^ (z >> np.uint64(30))) * _MIX_1
-    z = (z ^ (z >> np.uint64(27))) * _MIX_2
-    z = z ^ (z >> np.uint64(31))
-    # The top 53 bits, as NumPy's own generators make a double.
-    return (z >> np.uint64(11)).astype(np.float64) * (2.0**-52) - 1.0
+def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:
+    """What carries a randomization out in a simulation."""
+    apply = randomization.apply
+    return apply.bind(simulation) if isinstance(apply, ModelField) else apply

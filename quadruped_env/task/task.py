@@ -1,11 +1,10 @@
-"""The task: from actions to observations, rewards and the ends of episodes, for any number of rows.
+"""The task: from actions to observations, rewards and the ends of episodes, for any number of envs.
 
-Written once, it drives the single and the vectorized environment. A row's numbers do not depend on how many rows
-there are: see the rules in CONTRIBUTING.md before changing an expression here.
+Written once, it drives the single and the vectorized environment. An env's numbers do not depend on how many envs there
+are: see the rules in CONTRIBUTING.md before changing an expression here.
 """
 
-import copy
-import math
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
@@ -15,372 +14,329 @@ from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env._plain import whole_number
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.control.velocity_command import VELOCITY, check_command
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
-from quadruped_env.task import commands, observations, randomization, rewards, terminations
-from quadruped_env.task.arrays import MINUS_ONE, ONE, any_of
 from quadruped_env.task.config import TaskConfig
+from quadruped_env.task.context import TaskContext
+from quadruped_env.task.draws import Draws
+from quadruped_env.task.episodes import Randomizer
+from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
 
-ACTION_WIDTH: Final = len(JOINT_NAMES)
+Floats = NDArray[np.float64]
+EnvIds = NDArray[np.intp]
 
-_TURN: Final = np.array(math.tau)
-_LEG_PHASES: Final = JOINT_PHASES[::2]
-_EPISODE_ARRAYS: Final = (
-    "_last_action",
-    "_smooth_velocity",
-    "_command",
-    "_moving",
-    "_progress_scale",
-    "_progress_whole",
-    "_fixed",
-    "_phase",
-    "_steps",
-    "_started",
-    "_finished",
-    "_resample_at",
-    "_push_at",
-    "_noise_key",
-    "_gait_sine",
-    "_gait_cosine",
-    "_gait_offset",
-)
+ACTION_WIDTH: Final = MINI_QUADRUPED.num_joints
 
 
 @dataclass(slots=True)
 class Transition:
-    """What one control step gave, before any reset."""
+    """Results of one control step, before any reset."""
 
     observation: NDArray[np.float32]
-    """(N, OBSERVATION_WIDTH)"""
-    reward: NDArray[np.float64]
+    """(N, width)"""
+    reward: Floats
     """(N,): the weighted terms, added in their order"""
-    terms: NDArray[np.float64]
+    terms: Floats
     """Weighted reward terms (N, T), in the order of `Task.term_names`"""
     terminated: NDArray[np.bool_]
     """(N,): fallen or diverged"""
     truncated: NDArray[np.bool_]
     """(N,): out of time"""
     diverged: NDArray[np.bool_]
-    """(N,): MuJoCo gave up on the row"""
+    """(N,): MuJoCo gave up on the env"""
 
 
 class Task:
-    """The episodes of N rows.
+    """The episodes of N envs.
 
     Args:
         simulation: N robots.
-        config: the task in numbers.
+        config: the task in numbers, and its terms.
         max_episode_steps: control steps after which an episode is truncated; None leaves that to the caller.
+        robot: what is simulated.
     """
 
-    def __init__(self, simulation: Simulation, config: TaskConfig, max_episode_steps: int | None = None) -> None:
+    def __init__(
+        self,
+        simulation: Simulation,
+        config: TaskConfig,
+        max_episode_steps: int | None = None,
+        robot: Robot = MINI_QUADRUPED,
+    ) -> None:
         if max_episode_steps is not None:
             max_episode_steps = whole_number("max_episode_steps", max_episode_steps, 1, or_none=True)
-        self.simulation = simulation
+        definition = config.definition
+        # First, so that a user's file is known before its classes are needed when this is unpickled.
         self.config = config
+        self.simulation = simulation
         self.max_episode_steps = max_episode_steps
-        n = self.num_rows = simulation.num_rows
-        self._residual = config.action.mode == "residual"
-        self._action_scale = np.array(config.action.residual_scale if self._residual else config.action.position_scale)
-        self._phase_step = np.array(math.tau * config.clock_frequency * config.control_timestep)
-        self._smoothing = np.array(1.0 - math.exp(-config.control_timestep / config.reward.velocity_time_constant))
-        self._noise = config.randomization.observation_noise * observations.OBSERVATION_NOISE
-        self._pushes = config.randomization.push_velocity > 0.0
-        self._weights = np.array(list(config.reward.weights.values()))[:, None] * config.control_timestep
-        self.term_names = tuple(config.reward.weights)
+        n = self.num_envs = simulation.num_envs
+        self.control = ControlInterface(robot, config.control, n, definition.observations)
+        self.context = TaskContext(
+            simulation.readings, self.control, config.reward.velocity_time_constant, config.reward.contact_threshold
+        )
+        self.draws = Draws(n)
+        self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
+        self._terminations = Terminations(definition.terminations, config.termination, self.context)
+        self._randomizer = Randomizer(simulation, self.control, self.draws, config)
+        self._noise = config.randomization.observation_noise > 0.0
+        self._own_terms = definition.file is not None
+        self.term_names = self._rewards.names
         self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
-        self._model_randomizer = randomization.ModelRandomizer(simulation, config.randomization)
-        self._gait = CommandedGait.tuned()
 
-        seeded = [seeding.np_random() for _ in range(n)]
-        self.generators: list[np.random.Generator] = [generator for generator, _ in seeded]
-        self.seeds: list[int] = [seed for _, seed in seeded]
-        """Each row's seed; -1 for a generator that came from elsewhere, as Gymnasium has it"""
-        self._last_action = np.zeros((n, ACTION_WIDTH))
-        self._command = np.zeros((n, 2))
-        self._smooth_velocity = np.zeros((n, 2))
-        self._moving = np.zeros(n)
-        self._progress_scale = np.zeros((n, 2))
-        self._progress_whole = np.zeros((n, 2))
-        self._fixed = np.zeros(n, dtype=np.bool_)
-        self._phase = np.zeros(n)
-        self._steps = np.zeros(n, dtype=np.int64)
-        self._started = np.zeros(n, dtype=np.bool_)
-        self._finished = np.zeros(n, dtype=np.bool_)
+        self._memory = EpisodeMemory(n)
+        self._fixed: NDArray[np.bool_] = self._memory.zeros("command_is_fixed", dtype=np.bool_)
+        self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
+        self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
+        """Envs (N,) whose episode has ended and that have not been reset since"""
         self._all_started = False
-        self._resample_at = np.zeros(n, dtype=np.int64)
-        self._push_at = np.zeros(n, dtype=np.int64)
-        self._noise_key = np.zeros(n, dtype=np.uint64)
-        self._gait_sine = np.zeros((n, ACTION_WIDTH))
-        self._gait_cosine = np.zeros((n, ACTION_WIDTH))
-        self._gait_offset = np.tile(STANCE, (n, 1))
-        self._velocity = np.zeros((n, 2))
-        self._clock = np.zeros((n, 2))
-        self._raw = np.zeros((n, observations.OBSERVATION_WIDTH))
+        self.generators: list[np.random.Generator] = []
+        """One per env; gives the env's key, from which all its draws follow"""
+        self.seeds: list[int] = []
+        """Seed of each generator; -1 for one that came from elsewhere, as Gymnasium has it"""
+        for _ in range(n):
+            generator, seed = seeding.np_random()
+            self.generators.append(generator)
+            self.seeds.append(seed)
+        self._keyed: list[np.random.Generator | None] = [None] * n
+        if self._own_terms:
+            self._check_terms()
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        # Views of the simulation's readings are made again with the simulation.
+        self.context.bind(self.simulation.readings, self.control)
 
     @property
-    def command(self) -> NDArray[np.float64]:
+    def command(self) -> Floats:
         """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2); live."""
-        return self._command
+        return self.control.command
 
     @property
-    def smooth_velocity(self) -> NDArray[np.float64]:
+    def smooth_velocity(self) -> Floats:
         """Forward velocity (m/s) and yaw rate (rad/s) averaged over about a gait cycle, (N, 2); live."""
-        return self._smooth_velocity
+        return self.context.smooth_velocity
 
     @property
-    def phase(self) -> NDArray[np.float64]:
+    def phase(self) -> Floats:
         """Phase of the gait clock in [0, 2 pi), (N,); live."""
-        return self._phase
+        return self.control.phase
 
     @property
     def steps(self) -> NDArray[np.int64]:
-        """Control steps since each row's reset, (N,); live."""
-        return self._steps
-
-    @property
-    def finished(self) -> NDArray[np.bool_]:
-        """Rows (N,) whose episode has ended and that have not been reset since; live."""
-        return self._finished
+        """Control steps since each env's reset, (N,); live."""
+        return self.control.steps
 
     def reset(
         self,
-        rows: NDArray[np.intp],
+        env_ids: EnvIds,
         seeds: Sequence[int | None] | None = None,
-        command: Sequence[float] | NDArray[np.float64] | None = None,
+        command: Sequence[float] | Floats | None = None,
     ) -> None:
-        """Begin new episodes in some rows (R,); the others do not change.
+        """Begin new episodes in some envs (R,); the others do not change.
 
         Args:
-            rows: which rows.
-            seeds: seeds of the rows' generators (R,); None lets a generator run on.
-            command: forward velocity and yaw rate that stay fixed for the episode; None samples them.
+            env_ids: which envs.
+            seeds: seeds of their generators (R,); None goes on with the generator and its next episode.
+            command: forward velocity and yaw rate that stay fixed for the episode; None draws them.
 
         Raises:
-            QuadrupedError: if the command is not one of the task's; no row has changed then.
+            QuadrupedError: if the command is not one of the task's; no env has changed then.
         """
         if command is not None:
-            command = commands.check_command(command, self.config.command)
-        if seeds is not None:
-            for row, seed in zip(rows, seeds, strict=True):
-                if seed is not None:
-                    self.generators[row], self.seeds[row] = seeding.np_random(seed)
-        config = self.config.randomization
-        # One call a row for all that an episode draws.
-        count = randomization.START_DRAWS + commands.DRAWS + 3
-        draws = np.array([self.generators[row].random(count) for row in rows])
-        start, draws = draws[:, : randomization.START_DRAWS], draws[:, randomization.START_DRAWS :]
-        qpos, qvel = randomization.start_states(start, config)
-        self._model_randomizer.apply(rows, start)
-        self.simulation.reset(rows, qpos, qvel)
+            command = check_command(command, self.config.commands)
+        for i, env_id in enumerate(env_ids):
+            if seeds is not None and seeds[i] is not None:
+                self.generators[env_id], self.seeds[env_id] = seeding.np_random(seeds[i])
+            if self._keyed[env_id] is not self.generators[env_id]:
+                self.draws.set_key(int(env_id), self.generators[env_id])
+                self._keyed[env_id] = self.generators[env_id]
+        self.draws.begin_episode(env_ids)
+        self._memory.clear(env_ids)
+        self.context.memory.clear(env_ids)
+        sampled = self._randomizer.begin_episodes(env_ids)
+        self._started[env_ids] = True
+        self._fixed[env_ids] = command is not None
+        self._set_command(env_ids, sampled if command is None else np.tile(command, (len(env_ids), 1)))
 
-        self._last_action[rows] = 0.0
-        self._smooth_velocity[rows] = 0.0
-        self._steps[rows] = 0
-        self._started[rows] = True
-        self._finished[rows] = False
-        self._phase[rows] = math.tau * draws[:, commands.DRAWS]
-        self._noise_key[rows] = (draws[:, commands.DRAWS + 1] * 2.0**53).astype(np.uint64)
-        self._push_at[rows] = self._in_steps(commands.between(config.push_interval, draws[:, commands.DRAWS + 2]))
-        self._fixed[rows] = command is not None
-        if command is None:
-            self._set_sampled_command(rows, draws[:, : commands.DRAWS])
-        else:
-            self._set_command(rows, np.broadcast_to(command, (len(rows), 2)))
-
-    def set_command(self, rows: NDArray[np.intp], command: Sequence[float] | NDArray[np.float64]) -> None:
-        """Give some rows (R,) another command within their episodes, which stays fixed from then on.
+    def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
+        """Give some envs (R,) another command within their episodes, which stays fixed from then on.
 
         Raises:
-            QuadrupedError: if the command is not one of the task's; no row has changed then.
+            QuadrupedError: if the command is not one of the task's; no env has changed then.
         """
-        command = commands.check_command(command, self.config.command)
-        self._fixed[rows] = True
-        self._set_command(rows, np.broadcast_to(command, (len(rows), 2)))
+        checked_command = check_command(command, self.config.commands)
+        self._fixed[env_ids] = True
+        self._set_command(env_ids, np.tile(checked_command, (len(env_ids), 1)))
 
     def step(self, action: ArrayLike, restart: NDArray[np.bool_] | None = None) -> Transition:
-        """Advance every row by one control step. Resets nothing but `restart`.
+        """Advance every env by one control step. Resets nothing but `restart`.
 
         Args:
-            action: (N, 8), clipped to [-1, 1].
-            restart: rows (N,) that begin a new episode in place of this step, whatever their action: their
+            action: (N, J), clipped to [-1, 1].
+            restart: envs (N,) that begin a new episode in place of this step, whatever their action: their
                 observation is the new episode's first, their reward is zero. None restarts none.
 
         Raises:
-            QuadrupedError: if a row was never reset, the action's shape is wrong or a value is not finite; no row has
+            QuadrupedError: if an env was never reset, the action's shape is wrong or a value is not finite; no env has
                 moved then.
         """
-        action = self._checked(action, "action", restart)
-        np.minimum(action, ONE, out=action)
-        np.maximum(action, MINUS_ONE, out=action)
-        self._advance_phase()
-        return self._advance(action, self._nominal() + action * self._action_scale, restart)
+        values = self._checked(action, "action", restart)
+        self.control.advance()
+        return self._move(self.control.joint_target(values), restart)
 
     def step_joint_target(self, target: ArrayLike) -> Transition:
-        """Advance every row by one control step with joint targets (N, 8) in rad: what a scripted controller does.
+        """Advance every env by one control step with joint targets (N, J) in rad, clipped to the joints' ranges.
 
         The policy's last action counts as zero.
 
         Raises:
             QuadrupedError: as `step`.
         """
-        target = self._checked(target, "joint target")
-        self._advance_phase()
-        return self._advance(np.zeros_like(target), target)
+        values = self._checked(target, "joint target")
+        self.control.advance()
+        return self._move(self.control.within_limits(values))
 
-    def _advance_phase(self) -> None:
-        self._phase += self._phase_step
-        np.remainder(self._phase, _TURN, out=self._phase)
+    def act(self, controller: Any, observation: NDArray[np.float32]) -> Transition:
+        """Advance every env by one control step with a controller's joint targets.
 
-    def _advance(
-        self, action: NDArray[np.float64], target: NDArray[np.float64], restart: NDArray[np.bool_] | None = None
-    ) -> Transition:
-        np.minimum(target, JOINT_POSITION_HIGH, out=target)
-        np.maximum(target, JOINT_POSITION_LOW, out=target)
-        self.simulation.step(target, self.config.decimation, None if restart is None else np.flatnonzero(~restart))
-        self._steps += 1
+        Args:
+            controller: see `quadruped_env.control.Controller`.
+            observation: of all envs (N, width).
 
-        state, config = self.simulation.state, self.config
+        Raises:
+            QuadrupedError: as `step`.
+        """
+        self._check_started()
+        self.control.advance()
+        target = np.array(controller.act(observation, self.control), dtype=np.float64)
+        self._check_values(target, "joint target")
+        return self._move(self.control.within_limits(target))
+
+    def _move(self, target: Floats, restart: NDArray[np.bool_] | None = None) -> Transition:
+        """Simulate one control step, judge it, and prepare the next."""
+        running = None if restart is None else np.flatnonzero(~restart)
+        self.simulation.step(target, self.config.decimation, running)
+        self.context.update()
         diverged = self.simulation.diverged()
-        terminated = (
-            terminations.tilted(state.up_b, config.termination.max_tilt)
-            | terminations.trunk_contact(state.trunk_force, config.termination.max_trunk_force)
-            | diverged
-        )
+        terminated = self._terminations(self.context, diverged)
+        self.context.fallen[:] = terminated
         if self.max_episode_steps is None:
-            truncated = np.zeros(self.num_rows, dtype=np.bool_)
+            truncated = np.zeros(self.num_envs, dtype=np.bool_)
         else:
-            truncated = self._steps >= self.max_episode_steps
-        terms = self._reward_terms(action, terminated)
+            truncated = self.steps >= self.max_episode_steps
+        terms = self._rewards(self.context)
         # Added one by one in declared order: a pairwise sum would depend on the shape of the array.
         reward = np.add.accumulate(terms, axis=0)[-1]
-
-        self._last_action[:] = action
-        self._resample_commands(restart)
-        if self._pushes:
-            self._push(restart)
+        if self._own_terms and not np.isfinite(reward).all():
+            self._refuse_reward(terms)
+        self._resample_commands(running)
+        self._randomizer.within_episodes(running)
         if restart is not None:
             self.reset(np.flatnonzero(restart))
             terms[:, restart] = 0.0
             reward[restart] = 0.0
             for flags in (terminated, truncated, diverged):
                 flags[restart] = False
-        self._finished[:] = terminated
-        if self.max_episode_steps is not None:
-            self._finished |= truncated
+        np.logical_or(terminated, truncated, out=self.finished)
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def observe(self) -> NDArray[np.float32]:
-        """The observations (N, OBSERVATION_WIDTH) of all rows, a new array."""
-        np.sin(self._phase, out=self._clock[:, 0])
-        np.cos(self._phase, out=self._clock[:, 1])
-        self._clock *= self._moving[:, None]
-        observations.raw_observation(self.simulation.state, self._last_action, self._command, self._clock, self._raw)
-        if self.config.randomization.observation_noise:
-            noise = randomization.counter_noise(self._noise_key, self._steps, observations.OBSERVATION_WIDTH)
-            self._raw += noise * self._noise
-        return observations.scale_observation(self._raw)
+        """The observations (N, width) of all envs, a new array."""
+        noise = self._randomizer.observation_noise() if self._noise else None
+        return self.control.observe(self.simulation.readings, noise)
 
-    def get_state(self, row: int) -> dict[str, Any]:
-        """All that the future of a row depends on: physics, episode, noise and random generator."""
-        state: dict[str, Any] = {name: copy.copy(getattr(self, name)[row]) for name in _EPISODE_ARRAYS}
-        state["generator"], state["seed"] = self.generators[row].bit_generator.state, self.seeds[row]
-        state["simulation"] = self.simulation.get_state(row)
-        return state
+    def get_state(self, env_id: int) -> dict[str, Any]:
+        """All that the future of an env depends on: physics, episode, draws and random generator."""
+        return {
+            "simulation": self.simulation.get_state(env_id),
+            "generator": self.generators[env_id].bit_generator.state,
+            "seed": self.seeds[env_id],
+            "keyed": self._keyed[env_id] is self.generators[env_id],
+            **{name: part.get_state(env_id) for name, part in self._parts().items()},
+        }
 
-    def set_state(self, row: int, state: dict[str, Any]) -> None:
-        """Restore what `get_state` gave: the row then goes on as it did from there."""
-        for name in _EPISODE_ARRAYS:
-            getattr(self, name)[row] = state[name]
-        self.generators[row].bit_generator.state = state["generator"]
-        self.seeds[row] = state["seed"]
-        self.simulation.set_state(row, state["simulation"])
+    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+        """Restore what `get_state` returned: the env then goes on as it did from there."""
+        for name, part in self._parts().items():
+            part.set_state(env_id, state[name])
+        self.generators[env_id].bit_generator.state = state["generator"]
+        self.seeds[env_id] = state["seed"]
+        self._keyed[env_id] = self.generators[env_id] if state["keyed"] else None
+        self.simulation.set_state(env_id, state["simulation"])
 
-    def _checked(self, action: ArrayLike, what: str, restart: NDArray[np.bool_] | None = None) -> NDArray[np.float64]:
+    def _parts(self) -> dict[str, EpisodeMemory | Draws]:
+        return {
+            "episode": self._memory,
+            "control": self.control.memory,
+            "terms": self.context.memory,
+            "randomizer": self._randomizer.memory,
+            "draws": self.draws,
+        }
+
+    def _checked(self, values: ArrayLike, what: str, restart: NDArray[np.bool_] | None = None) -> Floats:
+        """A copy of values (N, J)."""
+        self._check_started()
+        copied = np.array(values, dtype=np.float64)
+        if restart is not None and copied.shape == self.control.action.shape:
+            copied[restart] = 0.0
+        self._check_values(copied, what)
+        return copied
+
+    def _check_started(self) -> None:
         if not self._all_started:
             if not self._started.all():
                 raise QuadrupedError(
-                    f"step: call reset() first; env {np.argmin(self._started)} of {self.num_rows} has no episode yet"
+                    f"step: call reset() first; env {np.argmin(self._started)} of {self.num_envs} has no episode yet"
                 )
             self._all_started = True
-        values = np.array(action, dtype=np.float64)
-        if values.shape != self._last_action.shape:
+
+    def _check_values(self, values: Floats, what: str) -> None:
+        if values.shape != self.control.action.shape:
             raise QuadrupedError(
-                f"{what}: expected shape {self._last_action.shape}, one value a joint; found {values.shape}"
+                f"{what}: expected shape {self.control.action.shape}, one value per joint; found {values.shape}"
             )
-        if restart is not None:
-            values[restart] = 0.0
         if np.count_nonzero(np.isfinite(values)) != values.size:
-            row, column = np.argwhere(~np.isfinite(values))[0]
+            env_id, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
-                f"{what}: value {values[row, column]} for {JOINT_NAMES[column]} in row {row} is not finite"
+                f"{what}: value {values[env_id, column]} for {self.control.robot.joint_names[column]} in env {env_id} "
+                f"is not finite"
             )
-        return values
 
-    def _nominal(self) -> NDArray[np.float64]:
-        """Joint positions that a zero action asks for, rad: (8,), or (N, 8) in residual mode."""
-        if not self._residual:
-            return STANCE
-        return wave_positions(self._phase, self._gait_sine, self._gait_cosine, self._gait_offset)
+    def _check_terms(self) -> None:
+        """Compute a user's terms once, so that what does not fit is said before anything is trained."""
+        self.control.phase[:] = 0.0
+        self._rewards.check(self.context)
+        self._terminations.check(self.context)
+        layout = self.control.layout
+        for field in layout.fields:
+            shape = self.num_envs, field.width(self.control.robot)
+            read = functools.partial(field.read, self.simulation.readings, self.control)
+            checked(f"observation {field.name}", shape, read)
+        self.context.memory.clear(np.arange(self.num_envs))
 
-    def _reward_terms(self, action: NDArray[np.float64], terminated: NDArray[np.bool_]) -> NDArray[np.float64]:
-        """Weighted terms (T, N), in declared order; updates what they remember."""
-        state = self.simulation.state
-        self._velocity[:, 0] = state.linear_velocity_b[:, 0]
-        self._velocity[:, 1] = state.angular_velocity_b[:, 2]
-        self._smooth_velocity += self._smoothing * (self._velocity - self._smooth_velocity)
-        memory = rewards.Memory(
-            action=action,
-            last_action=self._last_action,
-            joint_offset=state.joint_position - STANCE,
-            command=self._command,
-            progress_scale=self._progress_scale,
-            progress_whole=self._progress_whole,
-            velocity=self._velocity,
-            smooth_velocity=self._smooth_velocity,
-            moving=self._moving,
-            clock_sine=np.sin(self._phase[:, None] + _LEG_PHASES),
-            fallen=terminated.astype(np.float64),
+    def _refuse_reward(self, terms: Floats) -> None:
+        term, env_id = np.argwhere(~np.isfinite(terms))[0]
+        raise QuadrupedError(
+            f"reward {self.term_names[term]}: {terms[term, env_id]} in env {env_id}, step {self.steps[env_id]}; return "
+            f"finite numbers"
         )
-        terms = rewards.reward_terms(state, memory, self.config.reward)
-        # One concatenation is cheaper than a write a term.
-        stacked = np.concatenate([terms[name] for name in self.term_names]).reshape(-1, self.num_rows)
-        stacked *= self._weights
-        return stacked
 
-    def _resample_commands(self, restart: NDArray[np.bool_] | None) -> None:
-        due = self._steps >= self._resample_at
+    def _resample_commands(self, running: EnvIds | None) -> None:
+        due = self.steps >= self._randomizer.command_due
         if np.count_nonzero(due):
             due &= ~self._fixed
-            rows = np.flatnonzero(due if restart is None else due & ~restart)
-            if len(rows):
-                draws = np.array([self.generators[row].random(commands.DRAWS) for row in rows])
-                self._set_sampled_command(rows, draws)
+            env_ids = np.flatnonzero(due)
+            if running is not None:
+                env_ids = np.intersect1d(env_ids, running)
+            if len(env_ids):
+                self._set_command(env_ids, self._randomizer.next_command(env_ids))
 
-    def _set_sampled_command(self, rows: NDArray[np.intp], draws: NDArray[np.float64]) -> None:
-        command, interval = commands.sample_command(draws, self.config.command)
-        self._resample_at[rows] = self._steps[rows] + self._in_steps(interval)
-        self._set_command(rows, command)
-
-    def _set_command(self, rows: NDArray[np.intp], command: NDArray[np.float64]) -> None:
-        self._command[rows] = command
-        self._moving[rows] = any_of(np.abs(command) > commands.MOVING_THRESHOLD)
-        self._progress_scale[rows], self._progress_whole[rows] = rewards.progress_scale(command)
-        if self._residual:
-            self._gait_sine[rows], self._gait_cosine[rows], self._gait_offset[rows] = self._gait.waves(command)
-
-    def _push(self, restart: NDArray[np.bool_] | None) -> None:
-        due = self._steps >= self._push_at
-        rows = np.flatnonzero(due if restart is None else due & ~restart)
-        if len(rows):
-            config = self.config.randomization
-            draws = np.array([self.generators[row].random(3) for row in rows])
-            velocity = np.zeros((len(rows), 3))
-            velocity[:, :2] = commands.between((-config.push_velocity, config.push_velocity), draws[:, :2])
-            self._push_at[rows] += self._in_steps(commands.between(config.push_interval, draws[:, 2]))
-            self.simulation.push(rows, velocity)
-
-    def _in_steps(self, seconds: NDArray[np.float64]) -> NDArray[np.int64]:
-        return np.maximum(np.rint(seconds / self.config.control_timestep), ONE).astype(np.int64)
+    def _set_command(self, env_ids: EnvIds, command: Floats) -> None:
+        self.control.set_command(env_ids, command)
+        self._rewards.command_changed(env_ids, command[:, :VELOCITY])

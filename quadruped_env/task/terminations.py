@@ -1,16 +1,39 @@
-"""When an episode is lost. Pure batched functions; True ends the row's episode."""
+"""The built-in conditions that end an episode as a fall. Their arguments are fields of `config["termination"]`."""
 
 import math
-from typing import Any
+from typing import Annotated, Final
 
-from quadruped_env.task.arrays import any_of
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.task.context import TaskContext
+from quadruped_env.task.terms import Parameter, Termination, termination
 
 
-def tilted(up_b: Any, max_tilt: float) -> Any:
-    """Whether the base leans further than max_tilt (rad), shape (N,)."""
-    return up_b[:, 2] < math.cos(max_tilt)
+@termination
+class tilted:  # noqa: N801  a term, and named as the others are
+    """The base leans more than 1 rad."""
+
+    def __init__(
+        self, context: TaskContext, max_tilt: Annotated[float, Parameter("rad", 0.0, math.pi, exclusive=True)] = 1.0
+    ) -> None:
+        self._lowest = context.xp.constant(math.cos(max_tilt))
+
+    def __call__(self, context: TaskContext) -> NDArray[np.bool_]:
+        """(N,)"""
+        return context.readings.up_b[:, 2] < self._lowest
 
 
-def trunk_contact(trunk_force: Any, max_trunk_force: float) -> Any:
-    """Whether the base or a hip presses on the ground with more than max_trunk_force (N), shape (N,)."""
-    return any_of(trunk_force > max_trunk_force)
+@termination
+class trunk_contact:  # noqa: N801
+    """The base or a hip presses on the ground with more than 1 N."""
+
+    def __init__(self, context: TaskContext, max_trunk_force: Annotated[float, Parameter("N", 0.0)] = 1.0) -> None:
+        self._most = context.xp.constant(max_trunk_force)
+
+    def __call__(self, context: TaskContext) -> NDArray[np.bool_]:
+        """(N,)"""
+        return context.xp.any(context.readings.trunk_force > self._most)
+
+
+TERMINATIONS: Final[tuple[Termination, ...]] = (tilted, trunk_contact)

@@ -1,0 +1,110 @@
+"""Controllers: from an observation to joint targets."""
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.policy import Policy
+from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.trajectory import JointTrajectory
+
+Floats = NDArray[np.float64]
+
+
+class Controller(Protocol):
+    """Computes joint targets from observations; it drives nothing."""
+
+    name: str
+    action_mode: str
+    """The action mode of the task that it must be run on"""
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """Joint targets (N, J) in rad for one control step.
+
+        Args:
+            observation: of every env (N, width).
+            control: their clocks, commands and actions, already advanced to this step.
+        """
+        ...
+
+
+class ZeroController:
+    """The zero action: it stands."""
+
+    name = "zero"
+    action_mode = "position"
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """See `Controller.act`."""
+        return control.joint_target(np.zeros_like(control.action))
+
+
+class GaitController:
+    """A scripted gait by the time since the reset, whatever the command."""
+
+    action_mode = "position"
+
+    def __init__(self, gait: SinusoidalGait, name: str) -> None:
+        self.gait = gait
+        self.name = name
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """See `Controller.act`."""
+        return self.gait.positions(control.time)
+
+
+class CommandedGaitController:
+    """The tuned gait, adapted to each env's command."""
+
+    action_mode = "position"
+
+    def __init__(self, gait: CommandedGait | None = None, name: str = "tuned") -> None:
+        self.gait = gait or CommandedGait.tuned()
+        self.name = name
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """See `Controller.act`."""
+        return self.gait.positions(self.gait.angular_frequency * control.time, control.command)
+
+
+class TrajectoryController:
+    """Plays recorded joint positions back through the motors, holding the last ones at the end.
+
+    Args:
+        trajectory: the recording; its time starts at its first timestamp.
+        name: what reports call it.
+    """
+
+    action_mode = "position"
+
+    def __init__(self, trajectory: JointTrajectory, name: str = "recording") -> None:
+        self.trajectory = trajectory
+        self.name = name
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """See `Controller.act`."""
+        return self.trajectory.positions_at(control.time)
+
+
+class PolicyController:
+    """A trained policy."""
+
+    def __init__(self, policy: Policy, name: str = "policy") -> None:
+        self.policy = policy
+        self.name = name
+        self.action_mode = policy.action_mode
+        self._checked: ControlConfig | None = None
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """See `Controller.act`.
+
+        Raises:
+            QuadrupedError: if the policy's actions mean something else in this task.
+        """
+        if control.config is not self._checked:
+            self.policy.check_control(control.config)
+            self._checked = control.config
+        return control.joint_target(self.policy.predict(observation).astype(np.float64))

@@ -1,0 +1,168 @@
+"""What lies between a policy and the joints: the same for training, for evaluation and on a real robot."""
+
+import math
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
+from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
+from quadruped_env.readings import Readings
+from quadruped_env.robot.robot import Robot
+
+Floats = NDArray[np.float64]
+
+# Numbers as arrays, and vectors with an axis for the envs: for one env, converting and broadcasting cost more than the
+# arithmetic.
+_ONE: Final = np.array(1.0)
+_MINUS_ONE: Final = np.array(-1.0)
+_CYCLE: Final = np.array(math.tau)
+_NEXT: Final = np.array(1)
+
+
+class ControlInterface:
+    """Gait clock, command, actions and observations of N robots.
+
+    One control step is `advance()`, then `joint_target(action)` if a policy acts; then the robot moves; then
+    `observe(readings)` gives the next observation. An env's numbers do not depend on N: see the rules in CONTRIBUTING.md.
+
+    Args:
+        robot: what is controlled.
+        config: time step, clock, actions and the ranges of commands.
+        num_envs: N.
+        fields: what is observed.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        config: ControlConfig,
+        num_envs: int = 1,
+        fields: Sequence[ObservationField] = OBSERVATIONS,
+    ) -> None:
+        self.robot = robot
+        self.config = config
+        self.num_envs = num_envs
+        self.layout = ObservationLayout.of(robot, fields)
+        self.memory = memory = EpisodeMemory(num_envs)
+        self.action: Floats = memory.zeros("action", robot.num_joints)
+        """The latest action in [-1, 1], (N, J); zero where joint targets come from elsewhere"""
+        self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
+        """The one before, (N, J)"""
+        self.commands: Floats = memory.zeros("commands", max(len(config.commands), VELOCITY))
+        """All that is commanded, in the order of the config's ranges, (N, C)"""
+        self.command: Floats = self.commands[:, :VELOCITY]
+        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)"""
+        self.moving: Floats = memory.zeros("moving")
+        """1.0 where a motion is commanded, else 0.0, (N,)"""
+        self.phase: Floats = memory.zeros("phase")
+        """Phase of the gait clock in [0, 2 pi), (N,)"""
+        self.steps: NDArray[np.int64] = memory.zeros("steps", dtype=np.int64)
+        """Control steps since the reset, (N,)"""
+        self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
+        self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
+        self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
+        self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
+        self._gait = CommandedGait.tuned() if config.action.mode == "residual" else None
+        self.stance: Floats = robot.stance[None]
+        """The robot's stance, rad (1, J)"""
+        self._low, self._high = robot.joint_position_low[None], robot.joint_position_high[None]
+        self._scale = np.array(config.action.scale)
+        self._phase_step = np.array(math.tau * config.clock_frequency * config.timestep)
+        self._observation_scale = self.layout.scale[None]
+        self._observation_low, self._observation_high = self.layout.low[None], self.layout.high[None]
+        self._clock = np.zeros((num_envs, 2))
+        self._raw = np.zeros((num_envs, self.layout.width))
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A view would come back as a copy.
+        return {name: value for name, value in self.__dict__.items() if name != "command"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.command = self.commands[:, :VELOCITY]
+
+    def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0) -> None:
+        """Begin anew in some envs (R,): no action, no command, and the clock at a phase (R,) in rad."""
+        self.memory.clear(env_ids)
+        self.phase[env_ids] = phase
+
+    def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
+        """Give some envs (R,) commands (R, C), or (R, 2) to leave all but the velocities as they are."""
+        self.commands[env_ids, : command.shape[1]] = command
+        velocity = command[:, :VELOCITY]
+        self.moving[env_ids] = np.logical_or.reduce(np.abs(velocity) > MOVING_THRESHOLD, -1)
+        if self._gait is not None:
+            self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
+
+    def command_of(self, name: str) -> Floats:
+        """One number of the command by name, (N,)."""
+        return self.commands[:, self._columns[name]]
+
+    @property
+    def time(self) -> Floats:
+        """When the current control step began, s since the reset, (N,)."""
+        return np.maximum(self.steps - 1, 0) * self.config.timestep
+
+    def advance(self) -> None:
+        """Begin a control step: the clock goes on, and no action is known yet."""
+        np.add(self.steps, _NEXT, self.steps)
+        np.add(self.phase, self._phase_step, self.phase)
+        np.remainder(self.phase, _CYCLE, self.phase)
+        self.previous_action[:] = self.action
+        self.action.fill(0.0)
+
+    def joint_target(self, action: Floats) -> Floats:
+        """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
+        np.minimum(action, _ONE, self.action)
+        np.maximum(self.action, _MINUS_ONE, self.action)
+        target = self.action * self._scale
+        return self.within_limits(np.add(target, self.nominal(), target))
+
+    def within_limits(self, target: Floats) -> Floats:
+        """Joint targets (N, J) in rad, clipped in place to the joints' ranges."""
+        np.minimum(target, self._high, target)
+        return np.maximum(target, self._low, target)
+
+    def nominal(self) -> Floats:
+        """Joint positions that a zero action stands for, rad: the stance (1, J), or the scripted gait (N, J)."""
+        if self._gait is None:
+            return self.stance
+        return wave_positions(self.phase, self._sine, self._cosine, self._offset)
+
+    def leg_clock(self) -> Floats:
+        """Sine of each leg's phase, (N, L): positive while the foot should swing."""
+        angle = self.phase[:, None] + _LEG_PHASES
+        return np.sin(angle, angle)
+
+    @property
+    def clock(self) -> Floats:
+        """Sine and cosine of the phase, 0 where the command is zero, (N, 2); overwritten by the next call."""
+        clock = self._clock
+        np.sin(self.phase, clock[:, 0])
+        np.cos(self.phase, clock[:, 1])
+        return np.multiply(clock, self.moving[:, None], clock)
+
+    def observe(self, readings: Readings, noise: Floats | None = None) -> NDArray[np.float32]:
+        """Observations (N, layout.width), a new array.
+
+        Args:
+            readings: of the N robots.
+            noise: added to the unscaled readings, (N, layout.width).
+        """
+        layout, raw = self.layout, self._raw
+        np.concatenate([field.read(readings, self) for field in layout.fields], 1, raw)
+        if noise is not None:
+            raw += noise
+        np.multiply(raw, self._observation_scale, raw)
+        np.minimum(raw, self._observation_high, raw)
+        np.maximum(raw, self._observation_low, raw)
+        return raw.astype(np.float32)
+
+
+_LEG_PHASES: Final = JOINT_PHASES[None, ::2]

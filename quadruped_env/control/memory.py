@@ -1,0 +1,39 @@
+"""Arrays that live as long as an episode: zero after a reset, and part of what `get_state` saves."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+
+class EpisodeMemory:
+    """The episode arrays of N envs, each registered under a name when it is made."""
+
+    def __init__(self, num_envs: int) -> None:
+        self.num_envs = num_envs
+        self._arrays: dict[str, NDArray[Any]] = {}
+
+    def zeros(self, name: str, *shape: int, dtype: DTypeLike = np.float64) -> NDArray[Any]:
+        """A new array (N, *shape) of zeros; write to it in place, never replace it.
+
+        Raises:
+            ValueError: if the name is taken.
+        """
+        if name in self._arrays:
+            raise ValueError(f"episode memory: the name {name!r} is taken")
+        self._arrays[name] = np.zeros((self.num_envs, *shape), dtype)
+        return self._arrays[name]
+
+    def clear(self, env_ids: NDArray[np.intp]) -> None:
+        """Set every array to zero for some envs (R,)."""
+        for array in self._arrays.values():
+            array[env_ids] = 0
+
+    def get_state(self, env_id: int) -> dict[str, Any]:
+        """Copies of one env's values, by name."""
+        return {name: array[env_id].copy() for name, array in self._arrays.items()}
+
+    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+        """Restore what `get_state` returned."""
+        for name, array in self._arrays.items():
+            array[env_id] = state[name]

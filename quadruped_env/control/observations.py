@@ -1,0 +1,234 @@
+"""What a policy sees: a list of fields, each with its reader, scale, bounds, noise and mirror rule."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final, Literal, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.readings import Readings
+from quadruped_env.robot.robot import Robot
+
+if TYPE_CHECKING:
+    from quadruped_env.control.interface import ControlInterface
+
+Floats = NDArray[np.float64]
+Reader = Callable[[Readings, "ControlInterface"], Floats]
+PerRobot = float | Callable[[Robot], float]
+"""A number, or a function that computes it from the robot"""
+MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class ObservationField:
+    """A group of columns: observation = clip((reading + noise) * scale, low, high).
+
+    Made by the decorator `observation`. What it reads has to be measurable on a real robot if the policy is to run
+    on one.
+    """
+
+    name: str
+    read: Reader
+    """(readings, control interface) -> reading (N, width) in `unit`"""
+    unit: str
+    mirror: MirrorRule
+    """How the reading changes when the robot is mirrored in its middle plane: one column per joint or per foot, which
+    swap sides, or one sign per column"""
+    scale: PerRobot
+    bound: PerRobot
+    """The scaled value is clipped to +-bound"""
+    noise: float
+    """Amplitude of uniform noise on the reading, in its unit, at `randomization.observation_noise` 1"""
+    description: str
+
+    def width(self, robot: Robot) -> int:
+        """Number of columns."""
+        if self.mirror == "joints":
+            return robot.num_joints
+        if self.mirror == "feet":
+            return robot.num_legs
+        return len(self.mirror)
+
+
+def observation(
+    *, unit: str, mirror: MirrorRule, scale: PerRobot = 1.0, bound: PerRobot = 1.0, noise: float = 0.0
+) -> Callable[[Reader], ObservationField]:
+    """Decorator: a function (readings, control) -> (N, width) becomes an `ObservationField` of the same name.
+
+    Args:
+        unit: of the reading.
+        mirror: `"joints"` or `"feet"` for one column per joint or foot; else one sign per column.
+        scale: factor from the reading to the observation.
+        bound: the scaled value is clipped to +-bound.
+        noise: amplitude of uniform noise on the reading, in its unit.
+    """
+
+    def decorate(read: Reader) -> ObservationField:
+        return ObservationField(
+            name=read.__name__,
+            read=read,
+            unit=unit,
+            mirror=mirror,
+            scale=scale,
+            bound=bound,
+            noise=noise,
+            description=_first_line(read),
+        )
+
+    return decorate
+
+
+def _first_line(function: Callable[..., Any]) -> str:
+    return (function.__doc__ or "").strip().partition("\n")[0]
+
+
+def _largest_joint_offset(robot: Robot) -> float:
+    """Distance of the joint limit that is farthest from the stance, rad."""
+    low, high = robot.stance - robot.joint_position_low, robot.joint_position_high - robot.stance
+    return float(np.maximum(low, high).max())
+
+
+@observation(unit="1", mirror=(1.0, -1.0, 1.0), noise=0.02)
+def projected_gravity(readings: Readings, control: "ControlInterface") -> Floats:
+    """Down, seen from the base."""
+    return -readings.up_b
+
+
+# An axial vector: mirroring turns the other two signs.
+@observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=0.25, bound=4.0, noise=0.1)
+def angular_velocity(readings: Readings, control: "ControlInterface") -> Floats:
+    """Gyroscope."""
+    return readings.angular_velocity_b
+
+
+@observation(unit="rad", mirror="joints", bound=_largest_joint_offset, noise=0.01)
+def joint_position(readings: Readings, control: "ControlInterface") -> Floats:
+    """Relative to the stance."""
+    return readings.joint_position - control.stance
+
+
+# Impacts can drive a joint faster than its motor can.
+@observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit, bound=3.0, noise=0.3)
+def joint_velocity(readings: Readings, control: "ControlInterface") -> Floats:
+    """Joint speeds."""
+    return readings.joint_velocity
+
+
+@observation(unit="1", mirror="joints")
+def last_action(readings: Readings, control: "ControlInterface") -> Floats:
+    """As clipped."""
+    return control.action
+
+
+@observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
+def command(readings: Readings, control: "ControlInterface") -> Floats:
+    """Forward velocity, yaw rate."""
+    return control.command
+
+
+# In a trot the left fore leg swings with the right hind leg, so the mirror image is half a cycle away.
+@observation(unit="1", mirror=(-1.0, -1.0))
+def gait_clock(readings: Readings, control: "ControlInterface") -> Floats:
+    """Sine and cosine of the phase; 0 when the command is zero."""
+    return control.clock
+
+
+OBSERVATIONS: Final = (
+    projected_gravity,
+    angular_velocity,
+    joint_position,
+    joint_velocity,
+    last_action,
+    command,
+    gait_clock,
+)
+"""The built-in fields, in the order of their columns."""
+
+
+@dataclass(frozen=True, eq=False)
+class ObservationLayout:
+    """The columns of an observation of one robot, computed from a list of fields.
+
+    Raises:
+        QuadrupedError: if two fields have the same name, or there is none.
+    """
+
+    robot: Robot
+    fields: tuple[ObservationField, ...] = OBSERVATIONS
+    width: int = field(init=False)
+    slices: dict[str, slice] = field(init=False)
+    """Name of a field -> its columns"""
+    scale: Floats = field(init=False)
+    """(width,), as the others"""
+    low: Floats = field(init=False)
+    high: Floats = field(init=False)
+    noise: Floats = field(init=False)
+    mirror_order: NDArray[np.intp] = field(init=False)
+    """Column that a column of the mirrored observation comes from"""
+    mirror_sign: NDArray[np.float32] = field(init=False)
+    """And its sign"""
+
+    def __post_init__(self) -> None:
+        names = [entry.name for entry in self.fields]
+        if not names or len(set(names)) < len(names):
+            raise QuadrupedError(f"observations: expected fields with names of their own; found {names}")
+        widths = [entry.width(self.robot) for entry in self.fields]
+        starts = [sum(widths[:i]) for i in range(len(widths))]
+        order, signs = [], []
+        for entry, start, width in zip(self.fields, starts, widths, strict=True):
+            columns, sign = _mirror(entry.mirror, self.robot, width)
+            order += [start + column for column in columns]
+            signs += sign
+        bounds = self._columns("bound", widths)
+        values: dict[str, Any] = {
+            "width": sum(widths),
+            "slices": {n: slice(s, s + w) for n, s, w in zip(names, starts, widths, strict=True)},
+            "scale": self._columns("scale", widths),
+            "low": -bounds,
+            "high": bounds,
+            "noise": self._columns("noise", widths),
+            "mirror_order": np.array(order),
+            "mirror_sign": np.array(signs, dtype=np.float32),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
+    def _columns(self, attribute: str, widths: Sequence[int]) -> Floats:
+        numbers = [self._number(getattr(entry, attribute)) for entry in self.fields]
+        return np.repeat(np.array(numbers, dtype=np.float64), widths)
+
+    def _number(self, value: PerRobot) -> float:
+        return float(value(self.robot) if callable(value) else value)
+
+    def document(self) -> list[dict[str, Any]]:
+        """The layout as plain values: what a policy's file says about the observations that it was trained on."""
+        return [
+            {
+                "name": entry.name,
+                "width": entry.width(self.robot),
+                "unit": entry.unit,
+                "scale": self._number(entry.scale),
+                "low": -self._number(entry.bound),
+                "high": self._number(entry.bound),
+            }
+            for entry in self.fields
+        ]
+
+    def mirror(self, observation: NDArray[np.floating]) -> NDArray[np.floating]:
+        """The observation (..., width) that the robot's mirror image would have."""
+        return observation[..., self.mirror_order] * self.mirror_sign
+
+    @classmethod
+    def of(cls, robot: Robot, fields: Sequence[ObservationField]) -> Self:
+        """A layout from any sequence of fields."""
+        return cls(robot, tuple(fields))
+
+
+def _mirror(rule: MirrorRule, robot: Robot, width: int) -> tuple[Sequence[int], list[float]]:
+    if rule == "joints":
+        return robot.joint_mirror, [1.0] * width
+    if rule == "feet":
+        return robot.foot_mirror, [1.0] * width
+    return range(width), list(rule)

@@ -1,0 +1,351 @@
+"""A trained policy as data: tensors and JSON, run on NumPy alone."""
+
+import hashlib
+import json
+import os
+import warnings
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from safetensors import SafetensorError
+from safetensors.numpy import load, save
+
+from quadruped_env._python import has_programs, program_command
+from quadruped_env.control.config import COMMANDS, Command, ControlConfig
+from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
+from quadruped_env.control.task_file import TASK_FILE, TaskFile, check_task_file, execute, merged
+from quadruped_env.documents import check_regular, read_json
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
+from quadruped_env.files import write_whole
+from quadruped_env.gait import CommandedGait
+from quadruped_env.robot import MINI_QUADRUPED, Robot
+
+FORMAT_VERSION: Final = 1
+TENSORS_FILE: Final = "policy.safetensors"
+CARD_FILE: Final = "policy.json"
+CHECKPOINTS: Final = "checkpoints"
+"""Directory of a run's checkpoints, each with the files of a policy."""
+SHIPPED: Final = ("flat",)
+
+_SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
+
+
+def _elu(x: NDArray[np.float32]) -> NDArray[np.float32]:
+    return np.maximum(x, 0.0) + np.expm1(np.minimum(x, 0.0))
+
+
+_Activation = Callable[[NDArray[np.float32]], NDArray[np.float32]]
+ACTIVATIONS: Final[dict[str, _Activation]] = {"tanh": np.tanh, "elu": _elu, "relu": lambda x: np.maximum(x, 0.0)}
+
+
+@dataclass(frozen=True)
+class Policy:
+    """A deterministic policy: a small multilayer perceptron, and what its observations and actions mean.
+
+    Args:
+        weights: one matrix per layer (in, out), float32.
+        biases: one vector per layer (out,), float32.
+        activation: between layers: a key of `ACTIVATIONS`.
+        control: time step, clock, action mode and commands that it was trained with.
+        fields: of its observations.
+        task: plain values of the config of the task that it was trained for.
+        card: how it was made: command, seed, steps, versions, metrics.
+        robot: that it was trained on.
+    """
+
+    weights: tuple[NDArray[np.float32], ...]
+    biases: tuple[NDArray[np.float32], ...]
+    activation: str
+    control: ControlConfig
+    fields: tuple[ObservationField, ...]
+    task: dict[str, Any]
+    card: dict[str, Any]
+    robot: Robot = MINI_QUADRUPED
+
+    @property
+    def action_mode(self) -> str:
+        """`position` or `residual`: the mode of the task that the policy runs on."""
+        return self.control.action.mode
+
+    def predict(self, observation: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Actions (..., 8) in [-1, 1] for observations (..., obs).
+
+        Raises:
+            QuadrupedError: if the last axis is not an observation's.
+        """
+        x = np.asarray(observation, dtype=np.float32)
+        if x.shape[-1:] != self.weights[0].shape[:1]:
+            raise QuadrupedError(
+                f"policy: expected observations of shape (..., {self.weights[0].shape[0]}); found {x.shape}"
+            )
+        activate = ACTIVATIONS[self.activation]
+        for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
+            x = activate(x @ weight + bias)
+        x = x @ self.weights[-1] + self.biases[-1]
+        return np.minimum(np.maximum(x, -1.0), 1.0)
+
+    def check_control(self, control: ControlConfig) -> None:
+        """Make sure that actions mean in a task what they meant in training.
+
+        Raises:
+            QuadrupedError: if the action mode or scale, control rate or gait clock is another than the policy's.
+        """
+        own = self.control
+        for name, expected, found in (
+            ("action.mode", own.action.mode, control.action.mode),
+            (f"action.{own.action.mode}_scale", own.action.scale, control.action.scale),
+            ("control_timestep", own.timestep, control.timestep),
+            ("clock_frequency", own.clock_frequency, control.clock_frequency),
+        ):
+            if expected != found:
+                raise QuadrupedError(
+                    f"policy: it was trained with {name} {expected!r}, and this environment has {found!r}; "
+                    f"make its own with policy.make_env()"
+                )
+
+    def save(self, directory: Path) -> None:
+        """Write the policy's two files into a directory.
+
+        Raises:
+            QuadrupedError: if a weight is not finite, or the files cannot be written; then none is.
+        """
+        write_whole({directory / name: content for name, content in self.files().items()})
+
+    def files(self) -> dict[str, bytes]:
+        """What `save` writes: name -> content, the card last.
+
+        Raises:
+            QuadrupedError: if a weight is not finite.
+        """
+        tensors = {}
+        for i, (weight, bias) in enumerate(zip(self.weights, self.biases, strict=True)):
+            if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
+                raise QuadrupedError(
+                    f"policy: layer{i} holds NaN or infinity, so it is not saved: the training diverged; train again "
+                    f"with a lower --learning-rate, or go on from an earlier checkpoint"
+                )
+            tensors[f"layer{i}.weight"], tensors[f"layer{i}.bias"] = np.ascontiguousarray(weight), bias
+        content = save(tensors)
+        document = {
+            "format_version": FORMAT_VERSION,
+            "weights_sha256": hashlib.sha256(content).hexdigest(),
+            "config_sha256": _config_hash(self.task),
+            "activation": self.activation,
+            "layers": len(self.weights),
+            "observation_layout": ObservationLayout(self.robot, self.fields).document(),
+            "action_mode": self.action_mode,
+            "scripted_gait": _gait_document(self.action_mode),
+            "control_rate_hz": 1.0 / self.control.timestep,
+            "config": self.task,
+            "card": self.card,
+        }
+        return {TENSORS_FILE: content, CARD_FILE: (json.dumps(document, indent=2) + "\n").encode()}
+
+
+def _config_hash(config: Any) -> str:
+    """SHA-256 of a task's config, however its JSON is laid out."""
+    return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
+
+
+def _gait_document(action_mode: str) -> dict[str, Any] | None:
+    """The gait under a residual policy, as JSON has it: lists for tuples."""
+    return json.loads(json.dumps(asdict(CommandedGait.tuned()))) if action_mode == "residual" else None
+
+
+def training_advice() -> str:
+    """How a person gets a policy of their own."""
+    return f"train one with '{program_command('train/ppo.py')}'" if has_programs() else "train one in a checkout"
+
+
+def shipped_directory(name: str) -> Path:
+    """Where the package keeps one of its own policies."""
+    return _SHIPPED_DIRECTORY / name
+
+
+def finished_directory(run: Path) -> Path:
+    """The directory of a run's policy: its own, or that of its last checkpoint if it was killed or still trains.
+
+    Warns:
+        QuadrupedWarning: if it is a checkpoint's.
+    """
+    # Not Path's methods, which raise for names that are too long and for directories without rights.
+    if os.path.exists(run / CARD_FILE) or not os.path.isdir(run / CHECKPOINTS):
+        return run
+    checkpoints = [path for path in (run / CHECKPOINTS).iterdir() if (path / CARD_FILE).is_file()]
+    if not checkpoints:
+        return run
+    # Their names are seconds, which may have a digit more in the end.
+    last = max(checkpoints, key=lambda path: (len(path.name), path.name))
+    warnings.warn(
+        f"{run}: the training was killed or is still running; its last checkpoint is used: {last.relative_to(run)}",
+        QuadrupedWarning,
+        stacklevel=3,
+    )
+    return last
+
+
+@dataclass(frozen=True)
+class Terms:
+    """What a policy's file leaves to code: readers of observations, and what is commanded."""
+
+    observations: tuple[ObservationField, ...] = OBSERVATIONS
+    commands: tuple[Command, ...] = COMMANDS
+    file: TaskFile | None = None
+    """Where those come from that are not built in"""
+
+
+def load_terms(path: str | os.PathLike[str]) -> Terms:
+    """The built-in observations and commands, with those of a user's file added or put in their place.
+
+    Raises:
+        QuadrupedError: as `execute`.
+    """
+    file, module = execute(path)
+    values = list(vars(module).values())
+    return Terms(
+        merged(OBSERVATIONS, [value for value in values if isinstance(value, ObservationField)]),
+        merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
+        file,
+    )
+
+
+def load_policy(source: str | Path, terms: Terms | None = None, robot: Robot = MINI_QUADRUPED) -> Policy:
+    """A shipped policy by name (`flat`), or the policy of a training run's directory.
+
+    Of a run that was killed, it is that of the last checkpoint. Nothing is unpickled and neither torch nor
+    stable-baselines3 is needed. No file of terms that a run names is executed: `terms` has to be given for one.
+
+    Args:
+        source: the name or directory.
+        terms: of a user's file, for a policy that was trained with one.
+        robot: that the policy moves.
+
+    Raises:
+        QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
+            observation layout or scripted gait; the message names the file and the cure.
+
+    Warns:
+        QuadrupedWarning: if the policy is a checkpoint's, though the run was named.
+    """
+    directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
+    tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
+    # Not Path.is_dir, which raises for names that are too long and for directories without rights.
+    if not os.path.isdir(directory):
+        raise QuadrupedError(
+            f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
+            f"{training_advice()}"
+        )
+    for path in (card_path, tensors_path):
+        if not os.path.exists(path):
+            raise QuadrupedError(
+                f"{path}: missing, so the run is incomplete; name a finished run, or one of its checkpoints"
+            )
+    document = read_json(card_path, "the file is damaged, train again")
+    check_regular(tensors_path, "name the directory of a finished run")
+    try:
+        content = tensors_path.read_bytes()
+    except OSError as error:
+        raise QuadrupedError(f"{tensors_path}: cannot be read ({error.strerror})") from error
+    _check_hash(document, "weights_sha256", hashlib.sha256(content).hexdigest(), card_path, tensors_path)
+    try:
+        tensors = load(content)
+    # Types of numbers that NumPy lacks give whatever NumPy says about them.
+    except (SafetensorError, TypeError, AttributeError, ValueError) as error:
+        raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
+    return _from_document(document, tensors, (card_path, tensors_path), terms or Terms(), robot)
+
+
+def _check_hash(document: Any, field: str, found: str, card_path: Path, path: Path) -> None:
+    """Refuse a file whose SHA-256 is not the one in the card."""
+    expected = document.get(field, found) if isinstance(document, dict) else found
+    if expected != found:
+        raise QuadrupedError(
+            f"{path}: its SHA-256 differs from {field} in {card_path.name}; the file is damaged or of another policy: "
+            f"train again, or use another checkpoint"
+        )
+
+
+def _from_document(
+    document: Any, tensors: dict[str, NDArray[Any]], paths: tuple[Path, Path], terms: Terms, robot: Robot
+) -> Policy:
+    card_path, tensors_path = paths
+    version = document.get("format_version") if isinstance(document, dict) else None
+    if version != FORMAT_VERSION:
+        raise QuadrupedError(
+            f"{card_path}: format_version is {short(version)}, and this version of the package reads {FORMAT_VERSION}; "
+            f"train again, or install the version that made it"
+        )
+    for key in ("weights_sha256", "config_sha256", "activation", "layers", "observation_layout", "config", "card"):
+        if key not in document:
+            raise QuadrupedError(f"{card_path}: field {key!r} is missing; the file is damaged, train again")
+    try:
+        task = document["config"]
+        check_task_file(task.get(TASK_FILE) if isinstance(task, dict) else None, terms.file)
+        control = ControlConfig.of_task(task, terms.commands)
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error
+    layout = ObservationLayout(robot, terms.observations)
+    if document["observation_layout"] != layout.document():
+        raise QuadrupedError(
+            f"{card_path}: observation_layout differs from this version's, so the policy would see other columns than "
+            f"it was trained on; train again, or install the version that made it"
+        )
+    if document["activation"] not in tuple(ACTIVATIONS):
+        raise QuadrupedError(
+            f"{card_path}: activation {short(document['activation'])} is not one of {', '.join(ACTIVATIONS)}; "
+            f"the file is damaged, train again"
+        )
+    if not isinstance(document["card"], dict):
+        raise QuadrupedError(
+            f"{card_path}: card must be a table of facts; found {short(document['card'])}; the file is damaged, train "
+            f"again"
+        )
+    if not isinstance(document["layers"], int) or document["layers"] < 1:
+        raise QuadrupedError(
+            f"{card_path}: layers must be a whole number, 1 or more; found {short(document['layers'])}; "
+            f"the file is damaged, train again"
+        )
+    _check_hash(document, "config_sha256", _config_hash(document["config"]), card_path, card_path)
+    if document.get("scripted_gait") != _gait_document(control.action.mode):
+        raise QuadrupedError(
+            f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
+            f"train again, or install the version that made it"
+        )
+    weights, biases = _layers(document["layers"], tensors, tensors_path, layout.width, robot.num_joints)
+    return Policy(
+        weights, biases, document["activation"], control, terms.observations, task, document["card"], robot
+    )
+
+
+def _layers(
+    count: int, tensors: dict[str, NDArray[Any]], tensors_path: Path, inputs: int, outputs: int
+) -> tuple[tuple[NDArray[np.float32], ...], tuple[NDArray[np.float32], ...]]:
+    """Weights and biases that fit together."""
+    weights, biases = [], []
+    width = inputs
+    for i in range(count):
+        weight, bias = tensors.get(f"layer{i}.weight"), tensors.get(f"layer{i}.bias")
+        if weight is None or bias is None or bias.ndim != 1 or weight.shape != (width, len(bias)):
+            found = " and ".join("none" if tensor is None else str(tensor.shape) for tensor in (weight, bias))
+            raise QuadrupedError(
+                f"{tensors_path}: layer{i}.weight must have shape ({width}, outputs) and layer{i}.bias (outputs,); "
+                f"found {found}; the file is damaged, train again"
+            )
+        if weight.dtype != np.float32 or bias.dtype != np.float32:
+            raise QuadrupedError(
+                f"{tensors_path}: layer{i} must be float32; found {weight.dtype} and {bias.dtype}; train again"
+            )
+        if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
+            raise QuadrupedError(f"{tensors_path}: layer{i} holds NaN or infinity; the training diverged, train again")
+        weights.append(weight)
+        biases.append(bias)
+        width = len(bias)
+    if width != outputs:
+        raise QuadrupedError(
+            f"{tensors_path}: the last layer has {width} outputs; expected {outputs}, one per joint; train again"
+        )
+    return tuple(weights), tuple(biases)

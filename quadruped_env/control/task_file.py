@@ -1,0 +1,135 @@
+"""A user's own Python file of terms: read, compared, and executed only when a person names it."""
+
+import dataclasses
+import hashlib
+import importlib.util
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Final, TypeVar
+
+from quadruped_env.errors import QuadrupedError, short
+
+Term = TypeVar("Term")
+
+
+@dataclass(frozen=True)
+class TaskFile:
+    """A user's file of terms: its name and the SHA-256 of its content."""
+
+    name: str
+    sha256: str
+
+    def to_dict(self) -> dict[str, str]:
+        """As a run's config holds it."""
+        return dataclasses.asdict(self)
+
+
+TASK_FILE: Final = "task_file"
+"""Field of a config's plain values that names the file of a user's terms."""
+
+
+def check_task_file(recorded: Any, file: TaskFile | None) -> None:
+    """Make sure that a config is read with the terms that it was made with.
+
+    Args:
+        recorded: what the config says of its file of terms: None, or a dict with `name` and `sha256`.
+        file: the file of terms that it is to be read with; None for the built-in terms.
+
+    Raises:
+        QuadrupedError: if they are not the same.
+    """
+    if recorded is None:
+        return
+    if not isinstance(recorded, dict) or not {"name", "sha256"} <= set(recorded):
+        raise QuadrupedError(f"config.{TASK_FILE}: expected name and sha256; found {short(recorded)}")
+    name, sha256 = short(str(recorded["name"])), str(recorded["sha256"])
+    if file is None:
+        raise QuadrupedError(
+            f"this task has terms from {name}, which is not executed by itself: look at the file, then name it with "
+            f"--task FILE, or task_file=... in Python"
+        )
+    if file.sha256 != sha256:
+        raise QuadrupedError(
+            f"this task was made with another version of {name} (SHA-256 {sha256[:12]}..., and {file.name} has "
+            f"{file.sha256[:12]}...); name that version with --task FILE"
+        )
+
+
+def names_of(term: Any) -> tuple[str, ...]:
+    """A term's names; most have one."""
+    return tuple(term.names) if hasattr(term, "names") else (term.name,)
+
+
+def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
+    """The built-in terms, and a user's behind them; one of the same name takes the other's place.
+
+    Raises:
+        QuadrupedError: if a term would replace a part of others that are computed together.
+    """
+    terms = list(built_in)
+    for term in own:
+        if any(term is other for other in built_in):
+            continue
+        taken = [i for i, entry in enumerate(terms) if set(names_of(entry)) & set(names_of(term))]
+        if not taken:
+            terms.append(term)
+        elif len(taken) == 1 and set(names_of(terms[taken[0]])) <= set(names_of(term)):
+            terms[taken[0]] = term
+        else:
+            whole = " and ".join(" and ".join(names_of(terms[i])) for i in taken)
+            raise QuadrupedError(
+                f"{' and '.join(names_of(term))} would replace a part of {whole}, which are computed together; name all "
+                f"of them, or choose another name and give the old one the weight 0"
+            )
+    return tuple(terms)
+
+
+def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> tuple[TaskFile, ModuleType]:
+    """Execute a file of terms, once per process and content.
+
+    Args:
+        path: of the file.
+        expected: what the file has to be; compared before anything is executed.
+
+    Raises:
+        QuadrupedError: if the file cannot be read, is not the one that is expected, or fails.
+    """
+    file = Path(path)
+    try:
+        content = file.read_bytes()
+    except OSError as error:
+        raise QuadrupedError(f"{file}: cannot be read ({error.strerror}); name the Python file of your terms") from error
+    found = TaskFile(file.name, hashlib.sha256(content).hexdigest())
+    if expected is not None and found.sha256 != expected.sha256:
+        raise QuadrupedError(
+            f"{file}: its SHA-256 is {found.sha256[:12]}..., and the task was made with {expected.name} of "
+            f"{expected.sha256[:12]}...; name that version of the file"
+        )
+    return found, _executed(file, content, found)
+
+
+def _executed(file: Path, content: bytes, found: TaskFile) -> ModuleType:
+    name = f"quadruped_env_task_{found.sha256[:16]}"
+    if name in sys.modules:
+        return sys.modules[name]
+    spec = importlib.util.spec_from_loader(name, loader=None, origin=str(file))
+    assert spec is not None
+    module = importlib.util.module_from_spec(spec)
+    module.__file__ = str(file)
+    # Instances of the file's classes are looked up by their module when an env is unpickled.
+    sys.modules[name] = module
+    try:
+        # The very bytes that were hashed.
+        exec(compile(content, str(file), "exec"), vars(module))  # noqa: S102
+    except Exception as error:
+        del sys.modules[name]
+        line = next((f.lineno for f in reversed(traceback.extract_tb(error.__traceback__)) if f.filename == str(file)), None)
+        line = line or getattr(error, "lineno", None)
+        where = f", line {line}" if line else ""
+        raise QuadrupedError(f"{file}{where}: {type(error).__name__}: {error}") from error
+    return module

@@ -1,0 +1,49 @@
+"""The velocity command: forward velocity in m/s and yaw rate in rad/s, and whatever else a task commands."""
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.config import Command
+from quadruped_env.errors import QuadrupedError
+
+VELOCITY: Final = 2
+"""The first two numbers of every command: forward velocity and yaw rate."""
+
+MOVING_THRESHOLD: Final = 0.02
+"""A velocity command below this in both m/s and rad/s asks the robot to stand."""
+
+
+def check_command(
+    command: Sequence[float] | NDArray[np.float64], commands: Sequence[Command]
+) -> NDArray[np.float64]:
+    """A command that a user fixed, as an array (C,).
+
+    Args:
+        command: forward velocity and yaw rate, or one number per entry of `commands`; what is left out takes its default.
+        commands: what is commanded (C,), the velocities first.
+
+    Raises:
+        QuadrupedError: if it is not two (or C) finite numbers within the ranges.
+    """
+    value: NDArray[Any]
+    try:
+        value = np.asarray(command, dtype=np.float64)
+    except (TypeError, ValueError):
+        value = np.empty(0)
+    if value.shape not in ((VELOCITY,), (len(commands),)) or not np.isfinite(value).all():
+        names = ", ".join(f"{entry.name.replace('_', ' ')} in {entry.unit}" for entry in commands)
+        count = "two" if len(commands) == VELOCITY else f"{VELOCITY} or {len(commands)}"
+        raise QuadrupedError(f"options['command']: expected {count} finite numbers, ({names}); found {command!r}")
+    full = np.array([entry.default for entry in commands])
+    full[: len(value)] = value
+    for number, entry in zip(full, commands, strict=True):
+        low, high = entry.range
+        if not low <= number <= high:
+            raise QuadrupedError(
+                f"options['command']: {entry.name} = {number:g} is outside {low:g} to {high:g}; "
+                f"widen config['command'][{entry.name!r}] to allow it"
+            )
+    return full

@@ -1,0 +1,100 @@
+"""What reward terms and terminations may know."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.arrays import NUMPY, Namespace
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.readings import Readings
+
+Floats = NDArray[np.float64]
+
+
+class TaskContext:
+    """Readings, actions, commands and the episode's memory of N envs, as terms see them after a control step.
+
+    Terms read everything from the context that they are called with: its arrays are overwritten at every step, and may
+    be replaced when an env is copied.
+
+    Args:
+        readings: of the simulation.
+        control: clock, command and actions.
+        velocity_time_constant: s; of `smooth_velocity`.
+        contact_threshold: N; a foot that presses harder is in contact.
+        xp: the arrays' functions.
+    """
+
+    def __init__(
+        self,
+        readings: Readings,
+        control: ControlInterface,
+        velocity_time_constant: float,
+        contact_threshold: float,
+        xp: Namespace = NUMPY,
+    ) -> None:
+        self.xp = xp
+        self.robot = control.robot
+        self.memory = EpisodeMemory(control.num_envs)
+        """Arrays of the terms: zero after a reset, saved with the env"""
+        self.timestep = control.config.timestep
+        """s between actions"""
+        self.velocity: Floats = np.zeros((control.num_envs, 2))
+        """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)"""
+        self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", 2)
+        """`velocity`, averaged over about a gait cycle, (N, 2)"""
+        self.fallen: Floats = np.zeros(control.num_envs)
+        """1.0 where the episode ends in a fall in this step, else 0.0, (N,)"""
+        self.contact_threshold = xp.constant(contact_threshold)
+        """N"""
+        self._foot_radius = xp.constant(control.robot.foot_radius)
+        self._smoothing = np.array(1.0 - math.exp(-self.timestep / velocity_time_constant))
+        self.bind(readings, control)
+
+    def bind(self, readings: Readings, control: ControlInterface) -> None:
+        """Read from these from now on."""
+        self.readings = readings
+        """What the simulation reads, see `Readings`"""
+        self.control = control
+        self.action = control.action
+        """(N, J)"""
+        self.previous_action = control.previous_action
+        """(N, J)"""
+        self.command = control.command
+        """Forward velocity (m/s) and yaw rate (rad/s), (N, 2)"""
+        self.moving = control.moving
+        """1.0 where a motion is commanded, (N,)"""
+
+    def update(self) -> None:
+        """Take in the readings after a control step."""
+        self.velocity[:, 0] = self.readings.linear_velocity_b[:, 0]
+        self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
+        change = self.velocity - self.smooth_velocity
+        self.smooth_velocity += np.multiply(change, self._smoothing, change)
+
+    @property
+    def joint_offset(self) -> Any:
+        """Joint positions relative to the stance, rad (N, J)."""
+        return self.readings.joint_position - self.control.stance
+
+    @property
+    def base_height(self) -> Any:
+        """Height of the base's centre over the ground, m (N,)."""
+        return self.readings.base_position[:, 2]
+
+    @property
+    def sole_height(self) -> Any:
+        """Height of each foot's lowest point over the ground, m (N, L)."""
+        return self.readings.foot_position[..., 2] - self._foot_radius
+
+    @property
+    def contact(self) -> Any:
+        """1.0 for each foot on the ground, else 0.0, (N, L)."""
+        return self.xp.number(self.readings.foot_force > self.contact_threshold)
+
+    def command_of(self, name: str) -> Floats:
+        """One number of the command by name, (N,)."""
+        return self.control.command_of(name)

@@ -1,0 +1,119 @@
+"""What a task is made of: lists of terms, the built-in ones and those of a user's own file."""
+
+import dataclasses
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final, Self
+
+from quadruped_env.control.config import COMMANDS, Command
+from quadruped_env.control.observations import OBSERVATIONS, ObservationField
+from quadruped_env.control.task_file import TaskFile, execute, merged
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
+from quadruped_env.task.rewards import REWARDS
+from quadruped_env.task.terminations import TERMINATIONS
+from quadruped_env.task.terms import RewardTerm, Termination
+
+
+@dataclass(frozen=True, eq=False)
+class TaskDefinition:
+    """Rewards, observations, terminations, randomizations and commands, each in order.
+
+    Two definitions are equal if they come from files with the same content.
+    """
+
+    rewards: tuple[RewardTerm, ...] = REWARDS
+    observations: tuple[ObservationField, ...] = OBSERVATIONS
+    terminations: tuple[Termination, ...] = TERMINATIONS
+    randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
+    commands: tuple[Command, ...] = COMMANDS
+    file: TaskFile | None = None
+    """Where terms come from that are not built in"""
+    path: str | None = None
+
+    @property
+    def weights(self) -> dict[str, float]:
+        """Default weight of every reward term, per second, in the order in which they are added."""
+        return {name: weight for term in self.rewards for name, weight in term.weights.items()}
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TaskDefinition) and self._digest == other._digest
+
+    def __hash__(self) -> int:
+        return hash(self._digest)
+
+    @property
+    def _digest(self) -> str | None:
+        return None if self.file is None else self.file.sha256
+
+    def __reduce__(self) -> Any:
+        # Functions of a user's file do not pickle: the other process reads the file again.
+        return _again, (self.path, self.file)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+    def extended(self, terms: Iterable[Any], file: TaskFile, path: str) -> Self:
+        """With a user's terms added to the lists, in their order; one of the same name takes the place of the other.
+
+        Raises:
+            QuadrupedError: if two terms cannot be told apart.
+        """
+        terms = list(terms)
+        try:
+            lists = {
+                name: merged(getattr(self, name), [term for term in terms if isinstance(term, kind)])
+                for name, kind in _LISTS.items()
+            }
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{path}: {error}") from error
+        return dataclasses.replace(self, file=file, path=path, **lists)
+
+
+_LISTS: Final[dict[str, type]] = {
+    "rewards": RewardTerm,
+    "observations": ObservationField,
+    "terminations": Termination,
+    "randomizations": Randomization,
+    "commands": Command,
+}
+
+
+BUILT_IN: Final = TaskDefinition()
+
+
+def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
+    """The built-in task, extended by the terms that a Python file defines at its top level.
+
+    The file's code is executed: load no file that you would not run.
+
+    Args:
+        path: of the file.
+        expected: what the file has to be; compared before anything is executed.
+
+    Raises:
+        QuadrupedError: if the file cannot be read, is not the one that is expected, fails when it is executed, or
+            defines no term.
+    """
+    file, module = execute(path, expected)
+    built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
+    terms = [
+        value
+        for value in vars(module).values()
+        if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
+    ]
+    if not terms:
+        raise QuadrupedError(
+            f"{path}: defines no term; use @reward, @reward_group, @observation or @termination, or make a Randomization or "
+            f"Command, at the top level of the file (docs/make-it-yours.md)"
+        )
+    return BUILT_IN.extended(terms, file, str(Path(path).resolve()))
+
+
+def _again(path: str | None, file: TaskFile | None) -> TaskDefinition:
+    """The definition that was pickled."""
+    if path is None or file is None:
+        return BUILT_IN
+    return load_task_file(path, file)

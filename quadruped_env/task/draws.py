@@ -1,0 +1,107 @@
+"""Random numbers by counting: each is a hash of an env's key, its episode, the step, a purpose and a column.
+
+All envs draw at once, a draw that is added shifts no other, and what has to be kept between draws is two integers per
+env. The hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10.1145/2660193.2660195).
+"""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any, Final, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.memory import EpisodeMemory
+
+Floats = NDArray[np.float64]
+Keys = NDArray[np.uint64]
+
+_GOLDEN: Final = np.uint64(0x9E3779B97F4A7C15)
+_MIX_1: Final = np.uint64(0xBF58476D1CE4E5B9)
+_MIX_2: Final = np.uint64(0x94D049BB133111EB)
+_SHIFTS: Final = (np.uint64(30), np.uint64(27), np.uint64(31))
+_TOP: Final = np.uint64(11)
+_ONE_STEP: Final = 2.0**-53
+
+
+class Purposes:
+    """Groups of columns that are drawn together, each for a purpose of its own.
+
+    Args:
+        widths: numbers per purpose.
+    """
+
+    def __init__(self, widths: Mapping[str, int]) -> None:
+        self.constants: Keys = np.array(
+            [_constant(name, i) for name, width in widths.items() for i in range(width)], dtype=np.uint64
+        )
+        ends = np.cumsum(list(widths.values()), dtype=int).tolist()
+        self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
+
+    def __add__(self, other: "Purposes") -> Self:
+        joined = type(self)({})
+        joined.constants = np.concatenate([self.constants, other.constants])
+        size = len(self.constants)
+        moved = {name: slice(columns.start + size, columns.stop + size) for name, columns in other.slices.items()}
+        joined.slices = self.slices | moved
+        return joined
+
+
+def _constant(purpose: str, column: int) -> int:
+    digest = hashlib.blake2b(f"{purpose}/{column}".encode(), digest_size=8).digest()
+    return int.from_bytes(digest, "little")
+
+
+class Draws:
+    """Uniform numbers for N envs.
+
+    Args:
+        num_envs: N.
+    """
+
+    def __init__(self, num_envs: int) -> None:
+        # Not cleared at a reset, as it says which episode this is.
+        self._memory = EpisodeMemory(num_envs)
+        self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
+        self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
+        self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
+
+    def set_key(self, env_id: int, generator: np.random.Generator) -> None:
+        """Take an env's key from a generator; its episodes count from 0 again."""
+        self._key[env_id] = generator.integers(0, 2**64, dtype=np.uint64)
+        self._episode[env_id] = 0
+
+    def begin_episode(self, env_ids: NDArray[np.intp]) -> None:
+        """Begin new episodes in some envs (R,)."""
+        self._episode[env_ids] += np.uint64(1)
+        self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
+
+    def uniform(self, purposes: Purposes, env_ids: Any, step: NDArray[np.int64]) -> Floats:
+        """Numbers in [0, 1) for some envs at a step of their episodes.
+
+        Args:
+            purposes: what to draw.
+            env_ids: indices (R,), or a slice.
+            step: of each of these envs (R,); the same step gives the same numbers again.
+
+        Returns:
+            (R, columns of the purposes).
+        """
+        at_step = _mix(self._episode_key[env_ids] + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN)
+        mixed = _mix(at_step[:, None] ^ purposes.constants)
+        # The top 53 bits, as NumPy's own generators make a double.
+        return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
+
+    def get_state(self, env_id: int) -> dict[str, Any]:
+        """What the future draws of an env depend on."""
+        return self._memory.get_state(env_id)
+
+    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+        """Restore what `get_state` returned."""
+        self._memory.set_state(env_id, state)
+
+
+def _mix(z: Keys) -> Keys:
+    z = (z ^ (z >> _SHIFTS[0])) * _MIX_1
+    z = (z ^ (z >> _SHIFTS[1])) * _MIX_2
+    return z ^ (z >> _SHIFTS[2])

@@ -1,0 +1,181 @@
+"""Sections of the config whose fields follow from a task's terms: frozen, validated, read by name."""
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Self
+
+from quadruped_env._plain import plain
+from quadruped_env.control.config import check, check_range
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.task.terms import Parameter
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One field of a section."""
+
+    default: Any
+    convert: Callable[[Any, str], Any]
+    """(value, its path in the config) -> the value to keep; raises a QuadrupedError"""
+    unit: str = "1"
+
+
+Schema = Mapping[str, Entry]
+
+
+class Section(Mapping[str, Any]):
+    """One section of a task's config. Fields are attributes and items; `replace` makes a changed copy.
+
+    Args:
+        name: of the section, for errors.
+        schema: its fields.
+        values: of some fields; the others keep their defaults.
+        remake: makes the section again from plain values, when it is unpickled; None gives a plain dict then.
+
+    Raises:
+        QuadrupedError: if a field is unknown or a value not valid, with what is.
+    """
+
+    __slots__ = ("_name", "_remake", "_schema", "_values")
+
+    def __init__(
+        self, name: str, schema: Schema, values: Any, remake: Callable[[dict[str, Any]], "Section"] | None = None
+    ) -> None:
+        if not isinstance(values, Mapping):
+            raise QuadrupedError(f"config.{name}: expected a mapping of fields; found {short(values)}")
+        unknown = sorted(str(field) for field in set(values) - set(schema))
+        if unknown:
+            raise QuadrupedError(
+                f"config.{name}: unknown field {short(unknown[0])}; valid fields are {', '.join(schema)}"
+            )
+        self._name, self._schema, self._remake = name, schema, remake
+        self._values = {
+            field: entry.convert(plain(values[field]), f"config.{name}.{field}") if field in values else entry.default
+            for field, entry in schema.items()
+        }
+
+    def __getitem__(self, field: str) -> Any:
+        return self._values[field]
+
+    def __getattr__(self, field: str) -> Any:
+        # Copying and unpickling ask for names before there are values.
+        if field.startswith("_") or field not in self._values:
+            raise AttributeError(f"config.{self._name} has no field {field!r}")
+        return self._values[field]
+
+    def __setattr__(self, field: str, value: Any) -> None:
+        if field not in self.__slots__:
+            raise AttributeError(f"config.{self._name}.{field}: a config is frozen; use replace({field}=...)")
+        object.__setattr__(self, field, value)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Section) and (self._name, self._values) == (other._name, other._values)
+
+    def __hash__(self) -> int:
+        return hash((self._name, repr(self._values)))
+
+    def __repr__(self) -> str:
+        changed = {field: value for field, value in self._values.items() if value != self._schema[field].default}
+        return f"{self._name}({', '.join(f'{field}={value!r}' for field, value in changed.items())})"
+
+    def __or__(self, changes: Mapping[str, Any]) -> dict[str, Any]:
+        return {**self._values, **changes}
+
+    def __reduce__(self) -> Any:
+        return self._remake or dict, (self.to_dict(),)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+    def replace(self, **changes: Any) -> Self:
+        """The same section with other values of some fields."""
+        return type(self)(self._name, self._schema, self._values | changes, self._remake)
+
+    def has(self, schema: Schema) -> bool:
+        """Whether these are the section's fields."""
+        return self._schema is schema
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, as JSON takes them."""
+        return {field: dict(value) if isinstance(value, Mapping) else value for field, value in self._values.items()}
+
+
+def number(value: Any, path: str, whole: bool = False) -> float:
+    """A finite number.
+
+    Raises:
+        QuadrupedError: if it is something else.
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and not isinstance(value, int)):
+        raise QuadrupedError(f"{path}: expected {'a whole number' if whole else 'a number'}; found {short(value)}")
+    # Not math.isfinite, which raises for whole numbers that no float holds.
+    if not abs(value) <= sys.float_info.max:
+        raise QuadrupedError(f"{path}: expected a finite number; found {short(value)}")
+    return value if whole else float(value)
+
+
+def pair(value: Any, path: str) -> tuple[float, float]:
+    """A pair (low, high) with low <= high.
+
+    Raises:
+        QuadrupedError: if it is something else.
+    """
+    if not isinstance(value, (list, tuple)) or len(value) != 2:
+        raise QuadrupedError(f"{path}: expected a pair (low, high); found {short(value)}")
+    low, high = (number(item, path) for item in value)
+    check_range(_field(path), (low, high))
+    return low, high
+
+
+def parameter_entry(parameter: Parameter, default: float) -> Entry:
+    """A number that a parameter describes."""
+
+    def convert(value: Any, path: str) -> float:
+        converted = number(value, path)
+        check(parameter.accepts(converted), _field(path), converted, parameter.rule())
+        return converted
+
+    return Entry(default, convert, parameter.unit)
+
+
+def weights_entry(name: str, defaults: Mapping[str, float]) -> Entry:
+    """A section of one number per name."""
+    schema = {term: Entry(default, number) for term, default in defaults.items()}
+    return Entry(Section(name, schema, {}), lambda value, path: Section(name, schema, value))
+
+
+def range_entry(default: tuple[float, float] | None, parameter: Parameter) -> Entry:
+    """A pair (low, high) whose numbers a parameter describes; None is valid where it is the default."""
+
+    def convert(value: Any, path: str) -> tuple[float, float] | None:
+        if value is None and default is None:
+            return None
+        low, high = pair(value, path)
+        check(parameter.accepts(low) and parameter.accepts(high), _field(path), (low, high), parameter.rule())
+        return low, high
+
+    return Entry(default, convert, parameter.unit)
+
+
+def amplitude_entry(default: float, unit: str) -> Entry:
+    """A number, at least 0, that stands for the range from -number to number; or a pair (low, high)."""
+
+    def convert(value: Any, path: str) -> float | tuple[float, float]:
+        if isinstance(value, (list, tuple)):
+            return pair(value, path)
+        converted = number(value, path)
+        check(converted >= 0, _field(path), converted, "at least 0" if unit == "1" else f"at least 0 ({unit})")
+        return converted
+
+    return Entry(default, convert, unit)
+
+
+def _field(path: str) -> str:
+    return path.removeprefix("config.")
