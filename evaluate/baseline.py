@@ -23,8 +23,8 @@ from quadruped_env.evaluation.films.film import Motion
 from quadruped_env.evaluation.films.video import prepare_video, save_film
 from quadruped_env.evaluation.options import add_video_option
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import free_path
 from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.files import free_path
 from quadruped_env.gait import PRESETS
 
 

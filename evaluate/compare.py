@@ -19,8 +19,8 @@ from quadruped_env.evaluation.options import add_evaluation_options, plain_warni
 from quadruped_env.evaluation.pages.page import summary_table
 from quadruped_env.evaluation.pages.run_comparison import films, find_subjects, headline, write_comparison
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import free_path
 from quadruped_env.evaluation.subject import prepare
+from quadruped_env.files import free_path
 
 
 def main() -> None:

@@ -39,7 +39,7 @@ from quadruped_env.evaluation.identification.report import check_report_extra, i
 from quadruped_env.evaluation.motors_file import read_motors
 from quadruped_env.evaluation.options import plain_warnings
 from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.files import check_free, free_path
 from quadruped_env.trajectory.arguments import add_reading_options, load_with, reading_options
 
 

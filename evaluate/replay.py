@@ -36,7 +36,7 @@ from quadruped_env.evaluation.options import add_video_option, plain_warnings
 from quadruped_env.evaluation.pages.replay_report import write_replay_report
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.evaluation.replay import MODES, replay, replay_files
-from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.files import check_free, free_path
 from quadruped_env.trajectory.arguments import add_reading_options, load_with
 
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.results import write_json
+from quadruped_env.files import write_json
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, load_model
 from quadruped_env.simulation import BatchSimulation

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.evaluation.films.overlay import Overlay
-from quadruped_env.evaluation.metrics import heading_of
 from quadruped_env.evaluation.recording import Recording
 from quadruped_env.evaluation.rollout import Progress, Rollout
 from quadruped_env.robot import load_model
+from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 
 Picture = NDArray[np.uint8]
 
@@ -100,12 +100,10 @@ class Motion:
     def facing_ahead(self) -> Self:
         """The same motion, turned and moved on the plane to begin at the origin, facing along x."""
         pose = self.base_pose.astype(np.float64)
-        angle = -heading_of(pose[:1, None, 3:])[0, 0]
-        c, s = np.cos(angle), np.sin(angle)
-        pose[:, :2] = (pose[:, :2] - pose[0, :2]) @ np.array([[c, s], [-s, c]])
-        turn = np.array([np.cos(angle / 2), 0.0, 0.0, np.sin(angle / 2)])
-        for orientation in pose[:, 3:]:
-            mujoco.mju_mulQuat(orientation, turn, orientation.copy())
+        back = from_yaw(-yaw(pose[0, 3:]))
+        pose[:, :2] -= pose[0, :2]
+        pose[:, :3] = rotate(back, pose[:, :3])
+        pose[:, 3:] = multiply(back, pose[:, 3:])
         return replace(self, base_pose=pose)
 
     def frame_samples(self) -> NDArray[np.intp]:

@@ -12,7 +12,7 @@ from quadruped_env.evaluation.identification.identify import NO_INTERVALS, Ident
 from quadruped_env.evaluation.identification.recorded import UNITS, columns
 from quadruped_env.evaluation.pages.page import REPORT_FILE, circumstances, figure, write_html
 from quadruped_env.evaluation.plots.joints import Line, joint_panels
-from quadruped_env.evaluation.results import check_free, write_json
+from quadruped_env.files import check_free, write_json
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 
 MOTORS_FILE: Final = "motors.json"

@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Command, Comparison
-from quadruped_env.evaluation.metrics import METRICS, heading_of, tilt, up_in_body, window_means
+from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means
 from quadruped_env.evaluation.pages.verdict import VELOCITY_TOLERANCE, YAW_RATE_TOLERANCE
 from quadruped_env.evaluation.rollout import Rollout
+from quadruped_env.rotations import tilt, up_in_body
 
 SHOWN: Final = 3
 _TOLERANCES: Final = np.array([VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]])

@@ -13,10 +13,9 @@ from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
 from quadruped_env.evaluation.plots.canvas import label
-from quadruped_env.evaluation.results import write_json
 from quadruped_env.evaluation.statistics import Estimate
-from quadruped_env.files import write_whole
-from quadruped_env.training.run import git_commit, machine, versions
+from quadruped_env.files import write_json, write_whole
+from quadruped_env.provenance import git_commit, machine, versions
 
 REPORT_FILE: Final = "report.html"
 METRICS_FILE: Final = "metrics.json"

@@ -6,8 +6,9 @@ import numpy as np
 
 from quadruped_env.evaluation.colours import GREY, LIMIT
 from quadruped_env.evaluation.comparison import Comparison
-from quadruped_env.evaluation.metrics import START_UP, tilt, window_means
+from quadruped_env.evaluation.metrics import START_UP, window_means
 from quadruped_env.evaluation.plots.canvas import REFERENCE, draw_figure, label, looks
+from quadruped_env.rotations import tilt
 
 
 def tracking(comparison: Comparison) -> str:
