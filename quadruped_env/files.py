@@ -102,6 +102,20 @@ def check_free(paths: Iterable[Path], overwrite: bool) -> None:
             raise QuadrupedError(f"{path}: exists already; name another place, or ask to overwrite it (--overwrite)")
 
 
+def shown_path(path: Path) -> str:
+    """A path without the directories of this machine, to show to others.
+
+    Relative to the working directory; of a path that lies elsewhere, its name and that of its directory.
+    """
+    if not path.is_absolute():
+        return str(path)
+    try:
+        return str(path.relative_to(Path.cwd()))
+    except ValueError:
+        # The root and a user's home below it are not shown.
+        return "/".join(path.parts[-2:]) if len(path.parts) > 4 else path.name
+
+
 def unwritable(path: Path, error: Exception) -> QuadrupedError:
     """The error for a path that the system refuses to write: its cause and a fix."""
     number = getattr(error, "errno", None)

@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.policies import ControllerSpec
+from quadruped_env.policies.editable_gait import HasGait
 from quadruped_env.robot import load_model
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task
-from quadruped_env.viewer.gaits import GaitSettings, HasGait
 from quadruped_env.viewer.sample import Sample, sample
-from quadruped_env.viewer.sources import Source
 
 HISTORY_SECONDS: Final = 5.0
 
@@ -35,7 +36,7 @@ class Robot:
         QuadrupedError: if the source does not fit this robot.
     """
 
-    def __init__(self, source: Source, randomization: RandomizationConfig | None = None) -> None:
+    def __init__(self, source: ControllerSpec, randomization: RandomizationConfig | None = None) -> None:
         self.source = source
         controller, config = source.make()
         config = task_config(controller.action_mode, config)
