@@ -24,7 +24,7 @@ def loaded_by(node):
 def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node):
     loaded = loaded_by(node)
     assert f"quadruped_env.live.nodes.{node}" in loaded
-    packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "evaluation", "training"))
+    packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "reporting", "replay", "evaluation", "training"))
     assert [name for name in loaded if name.startswith(packages)] == []
     assert not {"matplotlib", "viser", "torch", "stable_baselines3"} & set(loaded)
 

@@ -11,7 +11,7 @@ import pytest
 from viewing import DT, now, robot, throw_on_the_back
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.recording import publish, record
+from quadruped_env.evaluation.episode import publish, record
 from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.policies import PolicyController, find_controllers, load_policy
 from quadruped_env.policies.policy import CARD_FILE

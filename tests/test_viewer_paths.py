@@ -8,7 +8,7 @@ from viewing import showing
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.recording import publish
+from quadruped_env.evaluation.episode import publish
 from quadruped_env.files import shown_path
 from quadruped_env.policies import find_controllers, load_policy
 from quadruped_env.viewer.paths import without_directories

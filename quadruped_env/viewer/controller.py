@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.recording import STILL
+from quadruped_env.evaluation.episode import STILL
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
