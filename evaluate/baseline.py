@@ -18,14 +18,14 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
+from quadruped_env.cli.options import add_video_option
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
-from quadruped_env.evaluation.films.film import Motion
-from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.options import add_video_option
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import free_path
 from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.files import free_path
 from quadruped_env.gait import PRESETS
+from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.video import prepare_video, save_film
 
 
 def main() -> None:

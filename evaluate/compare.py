@@ -13,14 +13,14 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
+from quadruped_env.cli.options import add_evaluation_options, plain_warnings, tell_results
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.comparison import compare_policies
-from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.options import add_evaluation_options, plain_warnings, tell_results
-from quadruped_env.evaluation.pages.page import summary_table
-from quadruped_env.evaluation.pages.run_comparison import films, find_subjects, headline, write_comparison
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import free_path
-from quadruped_env.evaluation.subject import prepare
+from quadruped_env.files import free_path
+from quadruped_env.reporting.films.video import prepare_video, save_film
+from quadruped_env.reporting.pages.page import summary_table
+from quadruped_env.reporting.pages.run_comparison import films, find_subjects, headline, write_comparison
+from quadruped_env.reporting.results import prepare_output
 
 
 def main() -> None:
@@ -36,7 +36,7 @@ def main() -> None:
         with plain_warnings("compare.py"):
             subjects = find_subjects(args.runs, output)
         prepare_video(args.video, args.overwrite)
-        prepare(output)
+        prepare_output(output)
         policies = {name: subject.policy for name, subject in subjects.items()}
         comparison = compare_policies(policies, args.seeds, args.seconds, progress=ProgressLine("running"))
         typed = shlex.join(subject.source for subject in subjects.values())

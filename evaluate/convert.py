@@ -25,7 +25,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.evaluation.progress import ProgressLine
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.trajectory.arguments import add_reading_options, reading_options
 from quadruped_env.trajectory.convert import convert
 from quadruped_env.trajectory.formats import options

@@ -9,7 +9,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks.format_speed import measure_formats
 from quadruped_env.benchmarks.throughput import write
-from quadruped_env.training.run import machine, versions
+from quadruped_env.provenance import machine, versions
 
 
 def main() -> int:

@@ -34,12 +34,12 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import JointTrajectory, MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.evaluation.identification import BASES, FITTED, QUANTITIES, find_commands, identify
-from quadruped_env.evaluation.identification.report import check_report_extra, identification_files, save
-from quadruped_env.evaluation.motors_file import read_motors
-from quadruped_env.evaluation.options import plain_warnings
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.cli.options import plain_warnings
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.files import check_free, free_path
+from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
+from quadruped_env.identification.identification_report import check_report_extra, identification_files, save
+from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.trajectory.arguments import add_reading_options, load_with, reading_options
 
 

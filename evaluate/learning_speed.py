@@ -8,8 +8,8 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation.results import write_json
-from quadruped_env.training.run import machine, versions
+from quadruped_env.files import write_json
+from quadruped_env.provenance import machine, versions
 
 
 def main() -> int:

@@ -8,7 +8,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.live import benchmark
-from quadruped_env.training.run import machine, versions
+from quadruped_env.provenance import machine, versions
 
 
 def main() -> int:

@@ -8,11 +8,11 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.evaluation.films.film import Motion
-from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.progress import ProgressLine
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
+from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.video import prepare_video, save_film
 
 START, STRIDES = 3.0, 6
 """s after which it walks as it does all the time; how many strides the loop lasts"""

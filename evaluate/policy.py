@@ -13,15 +13,16 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
+from quadruped_env.cli.options import add_evaluation_options, plain_warnings, tell_results
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.options import add_evaluation_options, plain_warnings, tell_results
-from quadruped_env.evaluation.pages.page import summary_table
-from quadruped_env.evaluation.pages.pictures import filmed
-from quadruped_env.evaluation.pages.report import write_report
-from quadruped_env.evaluation.pages.verdict import verdict
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.subject import find_subject, prepare
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.reporting.films.video import prepare_video, save_film
+from quadruped_env.reporting.pages.evaluation_report import write_report
+from quadruped_env.reporting.pages.page import summary_table
+from quadruped_env.reporting.pages.pictures import filmed
+from quadruped_env.reporting.results import prepare_output
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -35,7 +36,7 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         with plain_warnings("policy.py"):
             subject = find_subject(args.run, args.output)
-        prepare(subject.output)
+        prepare_output(subject.output)
         prepare_video(args.video, args.overwrite)
         print(f"evaluating {subject.name}")
         comparison = compare(subject.policy, args.seeds, args.seconds, progress=ProgressLine("running"))

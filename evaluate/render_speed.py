@@ -9,8 +9,8 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks.render_speed import GOAL, measure_rendering, stay_on_one_core
-from quadruped_env.evaluation.results import write_json
-from quadruped_env.training.run import machine, versions
+from quadruped_env.files import write_json
+from quadruped_env.provenance import machine, versions
 
 
 def main() -> int:

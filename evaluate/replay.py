@@ -30,13 +30,13 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.evaluation.films.video import prepare_video, save_film
-from quadruped_env.evaluation.motors_file import read_motors
-from quadruped_env.evaluation.options import add_video_option, plain_warnings
-from quadruped_env.evaluation.pages.replay_report import write_replay_report
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.replay import MODES, replay, replay_files
-from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.cli.options import add_video_option, plain_warnings
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.files import check_free, free_path
+from quadruped_env.replay.motors_file import read_motors
+from quadruped_env.replay.replay import MODES, replay, replay_files
+from quadruped_env.replay.replay_report import write_replay_report
+from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.trajectory.arguments import add_reading_options, load_with
 
 

@@ -12,8 +12,8 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.evaluation.options import plain_warnings
-from quadruped_env.evaluation.progress import ProgressLine
+from quadruped_env.cli.options import plain_warnings
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.shipping import ship
 from quadruped_env.policies.policy import SHIPPED
 

@@ -18,8 +18,8 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 from quadruped_env import QuadrupedError
 from quadruped_env._python import pasteable
 from quadruped_env.benchmarks.timestep_study import GAITS, run_study
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.results import check_free, free_path
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.files import check_free, free_path
 from quadruped_env.gait import PRESETS
 
 

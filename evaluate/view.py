@@ -17,7 +17,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.evaluation.options import plain_warnings
+from quadruped_env.cli.options import plain_warnings
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 

@@ -5,18 +5,19 @@ full disk or an error leaves what was there before; so does a kill, which also l
 """
 
 import errno
+import json
 import os
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Final
+from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 
 PART: Final = ".part"
-"""Suffix of what is not whole yet."""
+"""Suffix of files that are not complete yet."""
 
 _NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _NO_RIGHT: Final = (errno.EACCES, errno.EPERM, errno.EROFS)
@@ -69,6 +70,50 @@ def write_whole(files: Mapping[Path, bytes]) -> None:
             part = stack.enter_context(whole(path))
             part.write_bytes(content)
             _flush(part)
+
+
+def write_json(path: Path, document: dict[str, Any]) -> None:
+    """Write a JSON document completely or not at all; missing parent directories are created.
+
+    Raises:
+        QuadrupedError: if it cannot be written.
+    """
+    write_whole({path: (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()})
+
+
+def free_path(path: Path) -> Path:
+    """The path itself, or the first of `<name>-2`, `<name>-3`, ... that neither exists nor is being written."""
+    number = 1
+    free = path
+    while free.exists() or free.with_name(free.name + PART).exists():
+        number += 1
+        free = path.with_name(f"{path.stem}-{number}{path.suffix}")
+    return free
+
+
+def check_free(paths: Iterable[Path], overwrite: bool) -> None:
+    """Refuse to overwrite files.
+
+    Raises:
+        QuadrupedError: if one of the paths is a directory, or exists and `overwrite` is false.
+    """
+    for path in paths:
+        if path.is_dir() or (path.exists() and not overwrite):
+            raise QuadrupedError(f"{path}: exists already; name another place, or ask to overwrite it (--overwrite)")
+
+
+def shown_path(path: Path) -> str:
+    """A path without the directories of this machine, to show to others.
+
+    Relative to the working directory; of a path that lies elsewhere, its name and that of its directory.
+    """
+    if not path.is_absolute():
+        return str(path)
+    try:
+        return str(path.relative_to(Path.cwd()))
+    except ValueError:
+        # The root and a user's home below it are not shown.
+        return "/".join(path.parts[-2:]) if len(path.parts) > 4 else path.name
 
 
 def unwritable(path: Path, error: Exception) -> QuadrupedError:

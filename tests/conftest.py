@@ -66,12 +66,13 @@ def nodes(domain_id):
 @pytest.fixture
 def control(tmp_path):
     """Makes controllers that are closed in the end."""
-    from quadruped_env.viewer import ViewController, find_sources
+    from quadruped_env.policies import find_controllers
+    from quadruped_env.viewer import ViewController
 
     made = []
 
     def make(*names, asked=()):
-        sources, chosen = find_sources(asked, runs=tmp_path / "runs")
+        sources, chosen = find_controllers(asked, runs=tmp_path / "runs")
         made.append(ViewController(sources, names or chosen, tmp_path / "results"))
         return made[-1]
 

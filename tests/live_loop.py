@@ -4,7 +4,7 @@ import numpy as np
 
 from quadruped_env.live.pilot import Measurement, Pilot
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.viewer.sources import asked_source
+from quadruped_env.policies import find_controller
 
 EPOCH = 10**18
 """ns; when their time begins"""
@@ -21,7 +21,7 @@ class Loop:
 
     def restart_pilot(self):
         """The controller ended, and another one begins."""
-        self.pilot = Pilot(*asked_source(self._controller).make())
+        self.pilot = Pilot(*find_controller(self._controller).make())
 
     @property
     def time(self):

@@ -16,10 +16,9 @@ import pytest
 from waiting import DEADLINE, output_of
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.evaluation.films.video import save_video
-from quadruped_env.evaluation.results import write_json
-from quadruped_env.files import PART, whole, write_whole
+from quadruped_env.files import PART, whole, write_json, write_whole
 from quadruped_env.policies import load_policy
+from quadruped_env.reporting.films.video import save_video
 
 
 def names(directory):

@@ -9,15 +9,15 @@ import pytest
 from PIL import Image
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.evaluation.colours import LEG_COLOURS
-from quadruped_env.evaluation.films import film, overlay, video
-from quadruped_env.evaluation.films.film import Camera, Motion
-from quadruped_env.evaluation.recording import play, publish
-from quadruped_env.evaluation.replay import replay
+from quadruped_env.evaluation.episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
 from quadruped_env.policies.policy import shipped_directory
+from quadruped_env.replay.replay import replay
+from quadruped_env.reporting.films import film, overlay, video
+from quadruped_env.reporting.films.film import Camera, Motion
+from quadruped_env.reporting.palette import LEG_COLOURS
 from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT
 
 PROGRAMS = Path(__file__).parents[1] / "evaluate"

@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.identification import BASES, FITTED, QUANTITIES, find_commands, identify
-from quadruped_env.evaluation.identification.fit import MotorFit
-from quadruped_env.evaluation.identification.quantities import (
+from quadruped_env.evaluation.episode import play, publish
+from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
+from quadruped_env.identification.dataset import align, held
+from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.identification_report import save
+from quadruped_env.identification.quantities import (
     coordinate_derivatives,
     from_coordinates,
     names_of,
@@ -20,12 +23,9 @@ from quadruped_env.evaluation.identification.quantities import (
     value_of,
     with_values,
 )
-from quadruped_env.evaluation.identification.recorded import align, held
-from quadruped_env.evaluation.identification.report import save
-from quadruped_env.evaluation.identification.spec import joint_spec
-from quadruped_env.evaluation.motors_file import read_motors
-from quadruped_env.evaluation.recording import play, publish
-from quadruped_env.evaluation.replay import replay
+from quadruped_env.identification.spec import joint_spec
+from quadruped_env.replay.motors_file import read_motors
+from quadruped_env.replay.replay import replay
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, JointMotor, MotorConfig, asset_path
 from quadruped_env.robot.motors import fill_command_history
 

@@ -18,10 +18,10 @@ from quadruped_env.live.gate import Gate
 from quadruped_env.live.pilot import Measurement, Mode, Pilot, Safety
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.topics import CMD_VEL, ODOMETRY
+from quadruped_env.policies import find_controller
 from quadruped_env.robot import STANCE
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.task import TaskConfig
-from quadruped_env.viewer.sources import asked_source
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -201,7 +201,7 @@ class Walking(Link):
 
     def __init__(self, seed):
         self.robot = SimulatedRobot(seed)
-        super().__init__(Pilot(*asked_source("flat").make()), self._measured, self.robot.command, (0.5, 0.0))
+        super().__init__(Pilot(*find_controller("flat").make()), self._measured, self.robot.command, (0.5, 0.0))
 
     def _measured(self, stamp):
         state = self.robot.state

@@ -6,6 +6,7 @@ from browser import fill
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.mirror import Mirror, mirror_source
@@ -13,7 +14,6 @@ from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.controller import Offered
-from quadruped_env.viewer.gaits import GaitSettings, edited
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")

@@ -19,7 +19,6 @@ from trajectories import assert_same, random_trajectory
 from waiting import DEADLINE, output_of, wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, asset_path
-from quadruped_env.evaluation.replay import replay
 from quadruped_env.live import Network, Topic
 from quadruped_env.live.dds import open_participant
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
@@ -30,6 +29,7 @@ from quadruped_env.live.recorder import Recorder
 from quadruped_env.live.text import as_csv, as_yaml, field_at, plain
 from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.transforms import TransformWriter, description_message
+from quadruped_env.replay.replay import replay
 from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")

@@ -1,6 +1,5 @@
 import math
 
-import mujoco
 import numpy as np
 import pytest
 
@@ -155,17 +154,6 @@ def test_foot_clearance_is_what_a_sole_exceeds_in_a_twentieth_of_the_time():
     np.testing.assert_array_equal(clearance[0, [0, 2, 3]], 0.0)
     np.testing.assert_array_equal(clearance[1], 0.0)
     assert np.isnan(metrics.foot_clearance(height, np.zeros_like(counted))).all()
-
-
-def test_tilt_and_up_agree_with_rotation_matrices():
-    quaternions = np.random.default_rng(0).normal(size=(20, 4))
-    quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
-    for quaternion in quaternions:
-        matrix = np.empty(9)
-        mujoco.mju_quat2Mat(matrix, quaternion)
-        up = matrix.reshape(3, 3).T @ [0.0, 0.0, 1.0]
-        np.testing.assert_allclose(metrics.up_in_body(quaternion), up, atol=1e-12)
-        assert metrics.tilt(quaternion) == pytest.approx(math.acos(up[2]), abs=1e-6)
 
 
 def test_slip_of_each_foot_while_it_is_on_the_ground():

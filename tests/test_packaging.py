@@ -47,7 +47,7 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
     assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
     for part in ("assets/mini_quadruped/scene.xml", "policies/shipped/flat/policy.safetensors", "py.typed"):
         assert f"quadruped_env/{part}" in names
-    assert any(name.startswith("quadruped_env/evaluation/pages/templates/") for name in names)
+    assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
 
     environment = tmp_path / "venv"
     venv.create(environment, with_pip=True)

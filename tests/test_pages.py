@@ -6,9 +6,9 @@ import pytest
 from waiting import wait_until
 
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.pages import pictures
-from quadruped_env.evaluation.pages.report import write_report
 from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.reporting.pages import pictures
+from quadruped_env.reporting.pages.evaluation_report import write_report
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import pytest
 from waiting import DEADLINE
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.evaluation.results import free_path
+from quadruped_env.files import free_path
 from quadruped_env.robot import JOINT_NAMES
 
 pytest.importorskip("rosbags")

@@ -14,15 +14,15 @@ from quadruped_env import (
     asset_path,
     forward_kinematics,
 )
+from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.baseline import check_target, run_baseline
-from quadruped_env.evaluation.progress import ProgressLine
-from quadruped_env.evaluation.recording import MAX_SECONDS, play, publish, record
-from quadruped_env.evaluation.replay import LIMIT_TOLERANCE, replay
-from quadruped_env.evaluation.results import free_path, write_json
-from quadruped_env.evaluation.saturation import saturation
-from quadruped_env.evaluation.signals import lag
+from quadruped_env.evaluation.episode import MAX_SECONDS, play, publish, record
+from quadruped_env.files import free_path, write_json
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import GaitController, ZeroController
+from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
+from quadruped_env.replay.saturation import saturation
+from quadruped_env.replay.signal_comparison import lag
 from quadruped_env.robot import (
     JOINT_POSITION_HIGH,
     LINK_NAMES,

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import plots, subject
+from quadruped_env.evaluation import failures, subject
 from quadruped_env.evaluation.comparison import (
     COMMANDS,
     CONTROLLERS,
@@ -26,12 +26,13 @@ from quadruped_env.evaluation.comparison import (
     motion_of,
 )
 from quadruped_env.evaluation.metrics import METRICS
-from quadruped_env.evaluation.pages import failures, pictures, report, run_comparison
-from quadruped_env.evaluation.pages.page import summary_table
-from quadruped_env.evaluation.pages.report import write_report
-from quadruped_env.evaluation.pages.verdict import reached_share, verdict
 from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.verdict import reached_share, verdict
 from quadruped_env.policies import Policy
+from quadruped_env.reporting import plots, results
+from quadruped_env.reporting.pages import evaluation_report, pictures, run_comparison
+from quadruped_env.reporting.pages.evaluation_report import write_report
+from quadruped_env.reporting.pages.page import summary_table
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, ActionConfig, CommandConfig, TaskConfig
 
 REPOSITORY = Path(__file__).parents[1]
@@ -186,7 +187,7 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written):
 @pytest.fixture
 def without_figures(monkeypatch):
     """Figures take most of a report's time."""
-    monkeypatch.setattr(report, "_figures", lambda *_: [])
+    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
 
 
 def test_without_opengl_the_report_is_made_and_names_the_package(
@@ -505,15 +506,15 @@ def test_a_checkpoint_is_named_with_its_run(run_directory):
 
 
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
-    monkeypatch.setattr(subject.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(results.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"mini-quadruped\[report\]"):
-        subject.prepare(tmp_path)
+        results.prepare_output(tmp_path)
 
 
 def test_an_output_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(QuadrupedError, match=r"file.*cannot be made.*name another place"):
-        subject.prepare(tmp_path / "file" / "out")
+    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*name another place"):
+        results.prepare_output(tmp_path / "file" / "out")
 
 
 def program(*arguments, cwd):

@@ -11,13 +11,12 @@ import pytest
 from viewing import DT, now, robot, throw_on_the_back
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.recording import publish, record
-from quadruped_env.policies import PolicyController, load_policy
+from quadruped_env.evaluation.episode import publish, record
+from quadruped_env.gait_settings import GaitSettings, edited
+from quadruped_env.policies import PolicyController, find_controllers, load_policy
 from quadruped_env.policies.policy import CARD_FILE
 from quadruped_env.robot import STANCE, TOTAL_MASS
-from quadruped_env.viewer import GaitSettings, find_sources
 from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS, RESTART_AFTER
-from quadruped_env.viewer.gaits import edited
 from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
 from quadruped_env.viewer.robot import Robot
 
@@ -273,14 +272,14 @@ def test_a_recording_is_played_in_a_loop(control, recording):
 
 def test_without_runs_the_shipped_policy_walks_and_with_them_the_latest_that_fits(tmp_path):
     runs = tmp_path / "runs"
-    assert find_sources(runs=runs)[1] == ("policy flat",)
+    assert find_controllers(runs=runs)[1] == ("policy flat",)
     load_policy("flat").save(runs / "20260101-000000-old")
     load_policy("flat").save(runs / "20260301-000000-new")
     broken = runs / "20260401-000000-broken"
     load_policy("flat").save(broken)
     (broken / CARD_FILE).write_text("{")
     (runs / "latest").symlink_to(broken.name)
-    sources, chosen = find_sources(runs=runs)
+    sources, chosen = find_controllers(runs=runs)
     assert chosen == ("run 20260301-000000-new",)
     assert [name for name in sources if name.startswith("run")] == [
         "run 20260401-000000-broken",
@@ -302,7 +301,7 @@ def foreign_run(tmp_path):
 
 def test_a_run_that_does_not_match_is_refused_and_nothing_changes(control, foreign_run):
     with pytest.raises(QuadrupedError, match=rf"{CARD_FILE}: observation_layout differs"):
-        find_sources([str(foreign_run)])
+        find_controllers([str(foreign_run)])
     controller = control()
     assert controller.robots == ("policy flat",)
     with pytest.raises(QuadrupedError, match="observation_layout differs"):
@@ -315,9 +314,9 @@ def test_a_recording_of_another_robot_is_refused(tmp_path):
     path = tmp_path / "other.csv"
     JointTrajectory([0, 1], [*JOINT_NAMES[:-1], "tail_joint"], np.zeros((2, 8))).save(path)
     with pytest.raises(QuadrupedError, match=r"other\.csv: joint 'RH_knee_joint' is missing"):
-        find_sources([str(path)])
+        find_controllers([str(path)])
     with pytest.raises(QuadrupedError, match="nowhere"):
-        find_sources([str(tmp_path / "nowhere.csv")])
+        find_controllers([str(tmp_path / "nowhere.csv")])
 
 
 def test_robots_come_and_go(control):
@@ -426,7 +425,7 @@ def test_any_thread_may_do_anything_at_any_time(control):
 
 
 def test_the_gait_diagram_shows_each_stance_once():
-    robot = Robot(find_sources(runs=Path("nowhere"))[0]["stand still"])
+    robot = Robot(find_controllers(runs=Path("nowhere"))[0]["stand still"])
     moments = []
     contact = np.zeros((100, 4), bool)
     contact[10:30, 0] = contact[50:60, 0] = contact[90:, 0] = contact[:, 3] = True

@@ -8,10 +8,10 @@ from viewing import showing
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.recording import publish
-from quadruped_env.policies import load_policy
-from quadruped_env.viewer import find_sources
-from quadruped_env.viewer.paths import shown_path, without_directories
+from quadruped_env.evaluation.episode import publish
+from quadruped_env.files import shown_path
+from quadruped_env.policies import find_controllers, load_policy
+from quadruped_env.viewer.paths import without_directories
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_sources_have_no_directory_in_their_names_and_different_ones_different_n
         load_policy("flat").save(tmp_path / directory / "runs" / "best")
         publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(tmp_path / directory / "walk.csv")
         asked += [str(tmp_path / directory / "runs" / "best"), str(tmp_path / directory / "walk.csv")]
-    _, chosen = find_sources([*asked, asked[0]], runs=tmp_path / "none")
+    _, chosen = find_controllers([*asked, asked[0]], runs=tmp_path / "none")
     assert chosen == (
         "run runs/best",
         "recording walk.csv",

@@ -8,7 +8,8 @@ from viewing import DT, robot, throw_on_the_back
 from waiting import DEADLINE, wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
-from quadruped_env.viewer import ViewController, find_sources
+from quadruped_env.policies import find_controllers
+from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.controller import RESTART_AFTER
 from quadruped_env.viewer.panel import _status
 from quadruped_env.viewer.take import MAX_WAITING
@@ -87,7 +88,7 @@ def test_a_take_without_opengl_is_saved_without_a_video(control, tmp_path, monke
 
 def test_a_take_that_cannot_be_saved_says_so(tmp_path):
     (tmp_path / "results").write_text("a file where a directory should be")
-    sources, chosen = find_sources(runs=tmp_path)
+    sources, chosen = find_controllers(runs=tmp_path)
     controller = ViewController(sources, chosen, tmp_path / "results")
     controller.start_recording()
     controller.advance(0.1)

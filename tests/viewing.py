@@ -3,7 +3,8 @@
 import threading
 from contextlib import contextmanager
 
-from quadruped_env.viewer import Show, ViewController, find_sources
+from quadruped_env.policies import find_controllers
+from quadruped_env.viewer import Show, ViewController
 
 DT = 0.02
 
@@ -11,7 +12,7 @@ DT = 0.02
 @contextmanager
 def showing(directory, *names, asked=()):
     """A show that runs beside the test."""
-    sources, chosen = find_sources(asked, runs=directory / "runs")
+    sources, chosen = find_controllers(asked, runs=directory / "runs")
     controller = ViewController(sources, names or chosen, directory / "results")
     show = Show(controller, port=0)
     thread = threading.Thread(target=show.run)

@@ -18,7 +18,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package 
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import module_command, pasteable, program_command
-from quadruped_env.evaluation.options import plain_warnings
+from quadruped_env.cli.options import plain_warnings
 from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.config import shortness

@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
 
 from quadruped_env import CommandedGait, QuadrupedError
-from quadruped_env.evaluation.results import write_json
+from quadruped_env.files import write_json
 from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
 
 

@@ -13,10 +13,10 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.evaluation.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Motion
-from quadruped_env.evaluation.films.video import encode_mp4
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import CommandedGaitController
+from quadruped_env.reporting.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Motion
+from quadruped_env.reporting.films.video import encode_mp4
 
 SHADOW_SIZES: Final = (0, 512, 1024, 2048, 4096)
 MULTISAMPLINGS: Final = (0, 4)

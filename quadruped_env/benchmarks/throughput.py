@@ -23,7 +23,7 @@ from mujoco.batch import Batch
 from numpy.typing import NDArray
 
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
-from quadruped_env.evaluation.results import write_json
+from quadruped_env.files import write_json
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, forward_kinematics
 from quadruped_env.task import Task
 

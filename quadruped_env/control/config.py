@@ -1,7 +1,7 @@
 """The numbers that a policy and a robot share: how an action becomes joint targets, how often, and the commands."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Self
 
 from quadruped_env._plain import PlainFields
@@ -77,11 +77,11 @@ COMMANDS: Final = (
 class ControlConfig:
     """What a `ControlInterface` needs to know of a task."""
 
-    timestep: float
+    timestep: float = 0.02
     """s between actions"""
-    clock_frequency: float
+    clock_frequency: float = 2.2
     """Gait cycles per second"""
-    action: ActionConfig
+    action: ActionConfig = field(default_factory=ActionConfig)
     commands: tuple[Command, ...] = COMMANDS
     """The velocity command first"""
 

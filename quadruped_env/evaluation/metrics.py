@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, TOTAL_MASS, VELOCITY_LIMIT
+from quadruped_env.rotations import yaw
 from quadruped_env.task.commands import MOVING_THRESHOLD
 from quadruped_env.task.rewards import mechanical_power
 
@@ -186,25 +187,12 @@ def distance(forward_velocity: NDArray[Any], valid: Mask, dt: float) -> Floats:
 
 
 def heading_of(orientation: NDArray[Any]) -> Floats:
-    """Direction of the robot's nose in the ground plane over time, rad, without jumps (T, N).
+    """Heading of the base over time, rad from the world's x axis, without jumps of a turn (T, N).
 
     Args:
         orientation: quaternions wxyz (T, N, 4).
     """
-    w, x, y, z = np.moveaxis(orientation.astype(np.float64), -1, 0)
-    return np.unwrap(np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)), axis=0)
-
-
-def up_in_body(orientation: NDArray[Any]) -> Floats:
-    """The world's up direction seen from the base, (..., 3), of quaternions wxyz (..., 4)."""
-    w, x, y, z = np.moveaxis(orientation.astype(np.float64), -1, 0)
-    return np.stack([2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)], axis=-1)
-
-
-def tilt(orientation: NDArray[Any]) -> Floats:
-    """Angle between the base's and the world's up direction, rad, (...,), of quaternions wxyz (..., 4)."""
-    up = up_in_body(orientation)
-    return np.arctan2(np.hypot(up[..., 0], up[..., 1]), up[..., 2])
+    return np.unwrap(yaw(orientation), axis=0)
 
 
 def _first_and_last(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Floats, Floats]:

@@ -1,11 +1,9 @@
-"""What is evaluated, and where its results go."""
+"""The policy that is evaluated, and where its results go."""
 
-import importlib.util
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.policies.policy import SHIPPED, finished_directory, shipped_directory
 from quadruped_env.training.run import PROGRESS_FILE, run_name
@@ -55,18 +53,3 @@ def find_subject(run: str | None, output: Path | None = None) -> Subject:
         return Subject(run, load_policy(run), shipped_directory(run), output or Path("results", run))
     directory = finished_directory(Path(run)).resolve()
     return Subject(run_name(directory), load_policy(directory), directory, output or Path(run) / "evaluation")
-
-
-def prepare(output: Path) -> None:
-    """Make the directory of the results, and fail now if the report could not be written later.
-
-    Raises:
-        MissingExtraError: if a library of the `report` extra is not installed.
-        QuadrupedError: if the directory cannot be made.
-    """
-    if any(importlib.util.find_spec(name) is None for name in ("matplotlib", "jinja2", "av", "PIL")):
-        raise MissingExtraError("The report", "report")
-    try:
-        output.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise QuadrupedError(f"{output}: cannot be made ({error.strerror}); name another place") from error

@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SinusoidalGait
+from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.live.topics import GAIT
 from quadruped_env.robot import LEG_NAMES
 from quadruped_env.ros import cdr
-from quadruped_env.viewer.gaits import GaitSettings, edited
 
 _NUMBERS = 2 + len(LEG_NAMES)
 

@@ -7,17 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.live.gaits import read_settings, settings_message
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node, Refused, message_reader
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import STANCE, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.viewer.controller import Offered
-from quadruped_env.viewer.gaits import GaitSettings
-from quadruped_env.viewer.sources import Source
 
 NAME: Final = "live robot"
 _ROW: Final = np.zeros(1, dtype=np.intp)
@@ -140,9 +140,9 @@ class Mirror:
         self._velocities.send(cdr.message(CMD_VEL.type_name, **twist))
 
 
-def mirror_source(mirror: Mirror) -> Source:
+def mirror_source(mirror: Mirror) -> ControllerSpec:
     """A mirror as the viewer takes it."""
-    return Source(NAME, lambda: (mirror, TaskConfig()))
+    return ControllerSpec(NAME, lambda: (mirror, TaskConfig()))
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -1,5 +1,6 @@
-"""What decides: controllers, and trained policies as data."""
+"""Trained policies together with their tasks, and the controllers that need none."""
 
+from quadruped_env.control.by_name import ControllerSpec, find_controller, find_controllers
 from quadruped_env.control.controllers import (
     CommandedGaitController,
     Controller,
@@ -8,15 +9,20 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.policies.policy import Policy, load_policy
+from quadruped_env.policies.policy import Policy, load_policy, task_of, with_task
 
 __all__ = [
     "CommandedGaitController",
     "Controller",
+    "ControllerSpec",
     "GaitController",
     "Policy",
     "PolicyController",
     "TrajectoryController",
     "ZeroController",
+    "find_controller",
+    "find_controllers",
     "load_policy",
+    "task_of",
+    "with_task",
 ]

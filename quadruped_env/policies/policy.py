@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control import policy as control_policy
+from quadruped_env.control.controllers import Controller, PolicyController
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
@@ -136,6 +137,18 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
             f"{control_policy.CARD_FILE}: {error}; train again, or install the version that made it"
         ) from error
     return Policy(policy.weights, policy.biases, policy.activation, config, policy.card)
+
+
+def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> TaskConfig:
+    """The task that a controller runs on: a policy's own, and the default for the others.
+
+    Raises:
+        QuadrupedError: as `with_task`.
+    """
+    if not isinstance(controller, PolicyController):
+        return TaskConfig()
+    policy = controller.policy
+    return policy.config if isinstance(policy, Policy) else with_task(policy, definition).config
 
 
 def _terms(definition: TaskDefinition) -> control_policy.Terms:

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.robot.facts import BASE_SIZE, FOOT_RADIUS, HIP_RADIUS, LEG_LENGTH, LEG_NAMES, LEG_RADIUS
 from quadruped_env.robot.kinematics import forward_kinematics, skeleton
+from quadruped_env.rotations import rotate
 
 _BALL: Final = -(LEG_LENGTH - FOOT_RADIUS)
 """z of the centre of a foot's ball in the leg's frame, m"""
@@ -91,9 +92,8 @@ def _leg_points(positions: ArrayLike, base_pose: ArrayLike | None, z: float) -> 
     poses = forward_kinematics(positions, base_pose)
     points = []
     for leg in LEG_NAMES:
-        origin, (w, x, y, q) = poses[f"{leg}_leg"][0], np.moveaxis(poses[f"{leg}_leg"][1], -1, 0)
-        axis = np.stack([2 * (x * q + w * y), 2 * (y * q - w * x), 1 - 2 * (x * x + y * y)], axis=-1)
-        points.append(origin + z * axis)
+        origin, orientation = poses[f"{leg}_leg"]
+        points.append(origin + rotate(orientation, [0.0, 0.0, z]))
     return np.stack(points, axis=-2)
 
 

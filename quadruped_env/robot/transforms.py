@@ -3,13 +3,13 @@
 from dataclasses import dataclass
 from typing import Final
 
-import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.facts import JOINT_NAMES, LINK_NAMES
 from quadruped_env.robot.kinematics import skeleton
+from quadruped_env.rotations import from_axis_angle, multiply
 
 ODOMETRY_FRAME: Final = "odom"
 """Parent of `base_link` where the base's pose is known: the name that REP 105 gives to such a frame"""
@@ -17,7 +17,7 @@ ODOMETRY_FRAME: Final = "odom"
 
 @dataclass(frozen=True)
 class Transform:
-    """Where a link is in the frame of its parent, over time or once."""
+    """Pose of a link in the frame of its parent, over time or once."""
 
     parent: str
     child: str
@@ -28,7 +28,7 @@ class Transform:
 
 
 def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
-    """What `robot_state_publisher` sends on `/tf`: a transform a moving joint, from its parent link to its child.
+    """The transforms of `/tf` by `robot_state_publisher`: one per moving joint, from its parent link to its child.
 
     Args:
         positions: joint positions in rad, shape (..., 8), in the order of `JOINT_NAMES`.
@@ -58,20 +58,20 @@ def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -
     for column, name in enumerate(JOINT_NAMES):
         joint = model.joint(name)
         body = int(joint.bodyid[0])
-        turn = _turn(model.jnt_axis[joint.id], joints[..., column])
+        rotation = from_axis_angle(model.jnt_axis[joint.id], joints[..., column])
         transforms.append(
             Transform(
                 model.body(model.body_parentid[body]).name,
                 model.body(body).name,
                 np.tile(model.body_pos[body], (*joints.shape[:-1], 1)),
-                _product(model.body_quat[body], turn),
+                multiply(model.body_quat[body], rotation),
             )
         )
     return tuple(transforms)
 
 
 def fixed_transforms() -> tuple[Transform, ...]:
-    """What `robot_state_publisher` sends on `/tf_static`, once: a transform a link that no joint moves.
+    """The transforms of `/tf_static` by `robot_state_publisher`: one per link without a moving joint.
 
     In this robot every link has its joint, so there is none; the publisher then sends an empty message.
     """
@@ -86,20 +86,3 @@ def fixed_transforms() -> tuple[Transform, ...]:
         for body in range(1, model.nbody)
         if not model.body_jntnum[body]
     )
-
-
-def _turn(axis: NDArray[np.float64], angle: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Quaternions wxyz (..., 4) of turns by angles (...,) in rad about a unit axis (3,)."""
-    half = 0.5 * angle[..., None]
-    return np.concatenate([np.cos(half), np.sin(half) * axis], axis=-1)
-
-
-def _product(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A quaternion (4,) times quaternions (..., 4), wxyz."""
-    matrix = np.empty((4, 4))
-    # Column k is `first` times the k-th unit quaternion.
-    for k, unit in enumerate(np.eye(4)):
-        product = np.empty(4)
-        mujoco.mju_mulQuat(product, first, unit)
-        matrix[:, k] = product
-    return np.einsum("ij,...j->...i", matrix, second)

@@ -7,13 +7,14 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env import rotations
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.commands import CommandSampler
 from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.draws import Draws, Purposes
-from quadruped_env.task.randomization import Event, Randomization, attitude, between, bound, is_active
+from quadruped_env.task.randomization import Event, Randomization, between, bound, is_active
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -102,7 +103,7 @@ class Randomizer:
         event.qpos[:, 7:] = robot.stance
         for start in self._starts:
             start.carry_out(event, draws)
-        event.qpos[:, 3:7] = attitude(event.tilt)
+        event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         self._simulation.reset(env_ids, event.qpos, event.qvel)
         self.memory.clear(env_ids)
         control.reset(env_ids, math.tau * draws[:, self._at_start.slices["phase"].start])

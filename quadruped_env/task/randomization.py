@@ -200,21 +200,6 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
 """Start offsets around the stance at rest, friction of foot and ground, mass on the base, and pushes."""
 
 
-# Columns of (cos roll, cos pitch, cos yaw, sin roll, sin pitch, sin yaw), of half the angles: w, x, y and z are each
-# the product of the first three factors, and plus or minus the product of the last three.
-_FACTORS: Final = np.array(
-    [[0, 3, 0, 0], [1, 1, 4, 1], [2, 2, 2, 5], [3, 0, 3, 3], [4, 4, 1, 4], [5, 5, 5, 2]], dtype=np.intp
-)
-_SIGNS: Final = np.array([1.0, -1.0, 1.0, -1.0])
-
-
-def attitude(angles: Floats) -> Floats:
-    """Quaternions wxyz (R, 4) of roll, pitch and yaw (R, 3) in rad, turned by yaw, then pitch, then roll."""
-    half = angles / 2
-    factors = np.concatenate([np.cos(half), np.sin(half)], axis=1)[:, _FACTORS]
-    return factors[:, 0] * factors[:, 1] * factors[:, 2] + factors[:, 3] * factors[:, 4] * factors[:, 5] * _SIGNS
-
-
 def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:
     """What carries a randomization out in a simulation."""
     apply = randomization.apply

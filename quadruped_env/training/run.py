@@ -6,18 +6,16 @@ import errno
 import io
 import json
 import os
-import platform
-import subprocess
 import time
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
-from importlib import metadata
 from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import unwritable, write_whole
 from quadruped_env.policies.policy import CHECKPOINTS
+from quadruped_env.provenance import git_commit, machine, versions
 from quadruped_env.training.config import TrainConfig
 
 CONFIG_FILE: Final = "config.json"
@@ -40,7 +38,6 @@ root mean square, with the exploration's noise"""
 LATEST: Final = "latest"
 """Link to the newest run"""
 _HEADER: Final = dict(zip(PROGRESS_COLUMNS, PROGRESS_COLUMNS, strict=True))
-_LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
 
 
 class Run:
@@ -158,42 +155,3 @@ def _point_latest(link: Path, directory: Path) -> None:
         temporary.replace(link)
     except OSError as error:
         raise unwritable(link, error) from error
-
-
-def versions() -> dict[str, str]:
-    """Versions of Python and of the libraries that the numbers depend on."""
-    found = {"python": platform.python_version()}
-    for library in _LIBRARIES:
-        try:
-            found[library] = metadata.version(library)
-        except metadata.PackageNotFoundError:
-            found[library] = "not installed"
-    return found
-
-
-def machine() -> str:
-    """The processor, and how many cores this process may use."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
-    except OSError:
-        lines = []
-    models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    processor = models[0] if models else platform.processor() or "unknown processor"
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    return f"{processor}, {platform.machine()}, {cores} cores, {platform.system()}"
-
-
-def git_commit() -> str:
-    """The checkout's commit, with a mark where files differ from it, or 'unknown' outside a checkout."""
-    here = Path(__file__).parent
-    try:
-        commit = subprocess.run(  # noqa: S603
-            ["git", "-C", str(here), "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"],  # noqa: S607
-            capture_output=True,
-            text=True,
-            check=True,
-            timeout=10,
-        )
-    except (OSError, subprocess.SubprocessError):
-        return "unknown"
-    return commit.stdout.strip()

@@ -16,21 +16,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.recording import STILL
+from quadruped_env.evaluation.episode import STILL
+from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.policies import ControllerSpec
+from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.task import CommandConfig, RandomizationConfig
-from quadruped_env.viewer.gaits import GaitSettings
 from quadruped_env.viewer.robot import Robot
 from quadruped_env.viewer.sample import Sample
-from quadruped_env.viewer.sources import Source, pick
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
 
 MAX_ROBOTS: Final = 3
 SPEEDS: Final = (0.1, 4.0)
 """Playback, as a multiple of real time"""
-FORWARD_STEP: Final = 0.1
-"""m/s, of one press of a key"""
-TURN_STEP: Final = 0.2
-"""rad/s, likewise"""
 MAX_PUSH: Final = 1.5
 """m/s"""
 RESTART_AFTER: Final = 2.0
@@ -134,7 +131,7 @@ class ViewController:
         QuadrupedError: if a source is unknown or does not fit this robot.
     """
 
-    def __init__(self, sources: dict[str, Source], chosen: Sequence[str], results: Path = RESULTS) -> None:
+    def __init__(self, sources: dict[str, ControllerSpec], chosen: Sequence[str], results: Path = RESULTS) -> None:
         if not 1 <= len(chosen) <= MAX_ROBOTS:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
         self.sources = sources
@@ -404,7 +401,9 @@ class ViewController:
         return self._slots[0].robot.timestep
 
     def _make(self, name: str) -> Robot:
-        return Robot(pick(self.sources, name), RANDOMIZATIONS[self._randomization])
+        if name not in self.sources:
+            raise QuadrupedError(f"source: there is no {name!r}; there are {', '.join(self.sources)}")
+        return Robot(self.sources[name], RANDOMIZATIONS[self._randomization])
 
     def _tick(self) -> None:
         self._time += self._timestep
@@ -447,8 +446,3 @@ def _view(robot: Robot) -> RobotView:
 
 def _cut(value: float, bounds: tuple[float, float]) -> float:
     return min(max(float(value), bounds[0]), bounds[1])
-
-
-def next_step(value: float, size: float, steps: int) -> float:
-    """A value that is some steps on, and on a whole step."""
-    return round((round(value / size) + steps) * size, 6) if steps else value

@@ -9,10 +9,10 @@ from html import escape
 from typing import TYPE_CHECKING, Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.colours import GREY, INK, LIMIT
+from quadruped_env.gait_settings import AMPLITUDES, FREQUENCIES
+from quadruped_env.reporting.palette import GREY, INK, LIMIT
 from quadruped_env.robot import LEG_NAMES
 from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, View, ViewController
-from quadruped_env.viewer.gaits import AMPLITUDES, FREQUENCIES
 from quadruped_env.viewer.keys import ARROWS_FIRST
 from quadruped_env.viewer.paths import without_directories
 from quadruped_env.viewer.scene import Scene

@@ -4,18 +4,9 @@ import re
 from pathlib import Path
 from typing import Final
 
+from quadruped_env.files import shown_path
+
 _ABSOLUTE: Final = re.compile(r"(?<![\w./])/(?:[^\s/'\"]+/)+[^\s/'\",;]*")
-
-
-def shown_path(path: Path) -> str:
-    """A path from the working directory on; of one that lies elsewhere, its own name and its directory's."""
-    if not path.is_absolute():
-        return str(path)
-    try:
-        return str(path.relative_to(Path.cwd()))
-    except ValueError:
-        # The root, and what is often a person's directory below it, are not shown.
-        return "/".join(path.parts[-2:]) if len(path.parts) > 4 else path.name
 
 
 def without_directories(text: str) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.colours import BLUE, GREEN, GREY, INK, LEG_COLOURS, LIMIT, VERMILION
+from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LEG_COLOURS, LIMIT, VERMILION
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
 from quadruped_env.task import CommandConfig
 from quadruped_env.viewer.controller import RobotView

@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.metrics import heading_of
+from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.policies import ControllerSpec
+from quadruped_env.policies.editable_gait import HasGait
 from quadruped_env.robot import load_model
+from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task
-from quadruped_env.viewer.gaits import GaitSettings, HasGait
 from quadruped_env.viewer.sample import Sample, sample
-from quadruped_env.viewer.sources import Source
 
 HISTORY_SECONDS: Final = 5.0
 
@@ -35,7 +36,7 @@ class Robot:
         QuadrupedError: if the source does not fit this robot.
     """
 
-    def __init__(self, source: Source, randomization: RandomizationConfig | None = None) -> None:
+    def __init__(self, source: ControllerSpec, randomization: RandomizationConfig | None = None) -> None:
         self.source = source
         controller, config = source.make()
         config = task_config(controller.action_mode, config)
@@ -124,7 +125,7 @@ class Robot:
     @property
     def heading(self) -> float:
         """Direction that it faces, rad from the world's x."""
-        return float(heading_of(self.data.qpos[None, None, 3:7])[0, 0])
+        return float(yaw(self.data.qpos[3:7]))
 
     def contact_forces(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Where the ground presses on the robot, m (K, 3), and with what force, N (K, 3), in the world."""
@@ -153,10 +154,9 @@ class Robot:
 
     def _face_ahead(self) -> None:
         """Turn the start, which faces anywhere, to the x direction, the velocity of the base with it."""
-        heading = self.heading
         qpos, qvel = self.data.qpos.copy(), self.data.qvel.copy()
-        back = np.array([np.cos(heading / 2), 0.0, 0.0, -np.sin(heading / 2)])
-        mujoco.mju_mulQuat(qpos[3:7], back, self.data.qpos[3:7])
-        # The rotation's own part of the velocity is in the body frame and turns with it.
-        mujoco.mju_rotVecQuat(qvel[:3], self.data.qvel[:3], back)
+        back = from_yaw(-self.heading)
+        qpos[3:7] = multiply(back, qpos[3:7])
+        # MuJoCo's angular velocity is in the body frame and turns with it.
+        qvel[:3] = rotate(back, qvel[:3])
         self._simulation.reset(_ROW, qpos[None], qvel[None])

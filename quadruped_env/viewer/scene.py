@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.robot import LEG_NAMES
-from quadruped_env.viewer.colours import ACTUAL, COMMANDED, CONTACT, LEGS, PUSH
 from quadruped_env.viewer.controller import RobotView, View
 from quadruped_env.viewer.sample import over_time
+from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, LEGS, PUSH
 
 if TYPE_CHECKING:
     import viser

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.policies import find_controllers
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, View, ViewController
 from quadruped_env.viewer.panel import Panel
 from quadruped_env.viewer.plots import Plots
 from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_server, stop_server
-from quadruped_env.viewer.sources import find_sources
 from quadruped_env.viewer.take import RESULTS
 
 TICK: Final = 0.02
@@ -153,7 +153,7 @@ def open_show(
         QuadrupedError: if something that was asked for cannot be used.
     """
     import_viser()
-    controller = ViewController(*find_sources(asked), results)
+    controller = ViewController(*find_controllers(asked), results)
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

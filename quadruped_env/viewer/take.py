@@ -13,9 +13,9 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
-from quadruped_env.evaluation.films.film import Motion
-from quadruped_env.evaluation.films.video import save_film
-from quadruped_env.evaluation.results import free_path
+from quadruped_env.files import free_path
+from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.video import save_film
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.signals import NANOSECONDS

@@ -25,9 +25,9 @@ from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
+from quadruped_env.policies import find_controller
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
-from quadruped_env.viewer.sources import asked_source
 
 SUMMARY: Final = "a policy drives the robot: states and /cmd_vel in, joint commands out"
 _NEEDED: Final = ("positions", "velocities")
@@ -57,7 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Drive the robot until the session ends, then let it go limp."""
-    controller, config = asked_source(arguments.policy).make()
+    controller, config = find_controller(arguments.policy).make()
     pilot = Pilot(controller, config, say=session.say)
     node = session.node
     outbox = _Outbox(session, arguments.arrays)

@@ -16,7 +16,7 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.results import free_path
+from quadruped_env.files import free_path
 from quadruped_env.live.listener import Listener
 from quadruped_env.live.recorder import Recorder
 from quadruped_env.live.session import Session

@@ -18,8 +18,8 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import LOOK, Session
 from quadruped_env.live.topics import CMD_VEL
 from quadruped_env.ros import cdr
+from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.task import CommandConfig
-from quadruped_env.viewer.controller import FORWARD_STEP, TURN_STEP, next_step
 
 SUMMARY = "drive the robot with the keyboard: /cmd_vel"
 PERIOD = 0.1

@@ -1,0 +1,128 @@
+"""Controllers by name: trained policies, scripted gaits, recordings of joint states."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
+from quadruped_env.control.editable_gait import EditableGaitController
+from quadruped_env.control.loop import LoopController
+from quadruped_env.control.policy import CARD_FILE, SHIPPED, Terms, load_policy, training_advice
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.files import shown_path
+from quadruped_env.gait import PRESETS
+from quadruped_env.trajectory import JointTrajectory
+
+RUNS: Final = Path("runs")
+MAX_RUNS: Final = 12
+"""Number of the latest runs that are offered."""
+BAG_FILE: Final = "metadata.yaml"
+"""File that marks a directory as a ROS 2 bag."""
+STANDING: Final = "stand still"
+
+
+@dataclass(frozen=True)
+class ControllerSpec:
+    """A controller by name."""
+
+    name: str
+    make: Callable[[], Controller]
+    """Loads it; raises a QuadrupedError if the controller does not fit this robot."""
+
+
+def _gait(preset: str) -> ControllerSpec:
+    return ControllerSpec(f"gait {preset}", lambda: EditableGaitController(preset))
+
+
+def _policy(name: str, where: str | Path, terms: Terms | None = None) -> ControllerSpec:
+    """A shipped policy or a run's. It is read at every `make`, since training may still be writing it."""
+    return ControllerSpec(name, lambda: PolicyController(load_policy(where, terms), name))
+
+
+def _recording(path: Path) -> ControllerSpec:
+    def make() -> Controller:
+        return LoopController(JointTrajectory.load(path).in_joint_order(), path.name)
+
+    return ControllerSpec(f"recording {path.name}", make)
+
+
+def find_controller(text: str, terms: Terms | None = None) -> ControllerSpec:
+    """The controller that a user names.
+
+    Args:
+        text: a shipped policy, a scripted gait, a run's directory, or a recording of joint states (a file or a bag).
+        terms: of the user's file that a run was trained with.
+
+    Raises:
+        QuadrupedError: if it is none of these. A run or recording is not read yet.
+    """
+    if text in SHIPPED:
+        return _policy(f"policy {text}", text)
+    if text in PRESETS:
+        return _gait(text)
+    path = Path(text)
+    if not path.suffix and not path.is_dir():
+        raise QuadrupedError(
+            f"{text!r} is no shipped policy ({', '.join(SHIPPED)}), no scripted gait ({', '.join(PRESETS)}), no run's "
+            f"directory and no recording; name one of these, or {training_advice()}"
+        )
+    recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
+    return _recording(path) if recorded else _policy(f"run {shown_path(path)}", text, terms)
+
+
+def find_controllers(
+    asked: Sequence[str] = (), runs: Path = RUNS, terms: Terms | None = None
+) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
+    """All controllers to choose from, by name, and the names of those to begin with.
+
+    Args:
+        asked: texts of `find_controller`; without any, the latest run that fits, or else the shipped policy.
+        runs: directory of the training runs.
+        terms: of the user's file that the runs were trained with.
+
+    Raises:
+        QuadrupedError: if one of those asked for cannot be used.
+    """
+    wanted = _distinct(asked, terms)
+    for spec in wanted:
+        spec.make()
+    offered = [
+        *_latest_runs(runs),
+        *(find_controller(name) for name in (*SHIPPED, *reversed(PRESETS))),
+        ControllerSpec(STANDING, ZeroController),
+    ]
+    specs: dict[str, ControllerSpec] = {}
+    for spec in wanted + offered:
+        specs.setdefault(spec.name, spec)
+    return specs, tuple(spec.name for spec in wanted or [_first_that_fits(offered)])
+
+
+def _distinct(asked: Sequence[str], terms: Terms | None) -> list[ControllerSpec]:
+    """Controllers with different names where the texts differ."""
+    by_text: dict[str, ControllerSpec] = {}
+    for text in asked:
+        spec = find_controller(text, terms)
+        taken = {other.name for name, other in by_text.items() if name != text}
+        names = (spec.name, *(f"{spec.name} ({number})" for number in range(2, len(asked) + 1)))
+        by_text[text] = replace(spec, name=next(name for name in names if name not in taken))
+    return [by_text[text] for text in asked]
+
+
+def _first_that_fits(specs: Sequence[ControllerSpec]) -> ControllerSpec:
+    for spec in specs:
+        try:
+            spec.make()
+        except QuadrupedError:
+            # A damaged run, or one for another version: choosing it gives this error.
+            continue
+        return spec
+    raise AssertionError("a scripted gait always fits")
+
+
+def _latest_runs(runs: Path) -> list[ControllerSpec]:
+    if not runs.is_dir():
+        return []
+    # The names begin with the time. `latest` is one of them under another name.
+    finished = [path for path in runs.iterdir() if (path / CARD_FILE).is_file() and not path.is_symlink()]
+    return [_policy(f"run {path.name}", path) for path in sorted(finished, reverse=True)[:MAX_RUNS]]

@@ -1,0 +1,73 @@
+"""A scripted gait whose settings may change while it runs."""
+
+from typing import Final, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.gait_settings import GaitSettings, edited
+
+_COMMANDED: Final = "tuned"
+"""The one preset that follows the velocity command."""
+
+
+@runtime_checkable
+class HasGait(Protocol):
+    """A controller with a scripted gait whose settings may change."""
+
+    settings: GaitSettings | None
+    """Current settings; None while there is no gait."""
+
+    def complaints(self) -> list[str]:
+        """Limits of the joints that the gait exceeds, in words."""
+        ...
+
+
+class EditableGaitController:
+    """A preset with settings that may change at any time, without a jump in its phase.
+
+    Args:
+        preset: name of the preset; `tuned` follows the velocity command.
+    """
+
+    action_mode = "position"
+
+    def __init__(self, preset: str) -> None:
+        self.name = preset
+        self._settings = GaitSettings.of(preset)
+        self._time = 0.0
+        """Time in s in which the gait reaches this phase at its current frequency."""
+        self._gait = SinusoidalGait.preset(preset)
+        self._command: tuple[float, float] | None = None
+
+    @property
+    def settings(self) -> GaitSettings:
+        """Current settings."""
+        return self._settings
+
+    @settings.setter
+    def settings(self, settings: GaitSettings) -> None:
+        self._time *= self._settings.frequency / settings.frequency
+        self._settings = settings
+        self._command = None
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> NDArray[np.float64]:
+        """See `quadruped_env.control.Controller.act`."""
+        if control.time[0] == 0.0:
+            self._time = 0.0
+        command = float(control.command[0, 0]), float(control.command[0, 1])
+        if command != self._command:
+            self._command = command
+            self._gait = edited(self._preset(command), self._settings)
+        target = self._gait.positions(np.array([self._time]))
+        self._time += control.config.timestep
+        return target
+
+    def complaints(self) -> list[str]:
+        """Limits of the joints that the gait exceeds, in words."""
+        return self._gait.violations()
+
+    def _preset(self, command: tuple[float, float]) -> SinusoidalGait:
+        return CommandedGait.tuned().at(command) if self.name == _COMMANDED else SinusoidalGait.preset(self.name)

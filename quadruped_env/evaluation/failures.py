@@ -1,0 +1,119 @@
+"""The worst episodes of a controller, and what happened in them."""
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.comparison import Command, Comparison
+from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means
+from quadruped_env.evaluation.rollout import Rollout
+from quadruped_env.evaluation.verdict import VELOCITY_TOLERANCE, YAW_RATE_TOLERANCE
+from quadruped_env.rotations import tilt, up_in_body
+
+SHOWN: Final = 3
+_TOLERANCES: Final = np.array([VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]])
+"""m/s and rad/s"""
+_LEANING: Final = 0.3
+"""Share of the world's up direction along an axis of the base from which the robot leans to that side"""
+_DRIFT: Final = 0.3
+"""m sideways that a story mentions"""
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A bad episode."""
+
+    row: int
+    """Of the comparison's rollouts"""
+    command: Command
+    seed: int
+    fell_at: float | None
+    """s, or None for a robot that stayed on its feet"""
+    moment: float
+    """s: the fall, or the middle of the time in which it was farthest off"""
+    badness: float
+    """How many times its tolerance the worse of its two velocity errors is; infinite for a fall"""
+    story: str
+
+
+def worst_episodes(comparison: Comparison, controller: str = "policy", count: int = SHOWN) -> list[Failure]:
+    """The worst episode of each of the commands that went worst: falls first, the earliest first, then errors.
+
+    One for each command, because episodes of one command mostly fail alike.
+    """
+    rollout = comparison.rollouts[controller]
+    worst = []
+    for i, command in enumerate(comparison.commands):
+        rows = comparison.rows(i)
+        errors = np.stack([comparison.values[controller][m][i] for m in ("forward_velocity_error", "yaw_rate_error")])
+        off = np.max(errors / _TOLERANCES[:, None], axis=0)
+        fell = rollout.fallen[rows]
+        alive = rollout.valid[:, rows].sum(axis=0)
+        badness = np.where(fell, np.inf, np.nan_to_num(off))
+        # Of several falls the earliest.
+        j = int(np.lexsort((alive, -badness))[0])
+        worst.append((-float(badness[j]), int(alive[j]), int(rows[j]), command))
+    return [_failure(rollout, row, command, -badness) for badness, _, row, command in sorted(worst)[:count]]
+
+
+def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Failure:
+    one = rollout.select([row])
+    alive = int(one.valid[:, 0].sum())
+    fell_at = (alive + 1) * one.timestep if one.fallen[0] else None
+    velocity = np.stack([one.linear_velocity_b[..., 0], one.yaw_rate], axis=-1)
+    means, whole = window_means(velocity, one.valid, one.timestep)
+    off = np.abs(means[:, 0] - command) / _TOLERANCES
+    off[~whole[:, 0]] = 0.0
+    moment = fell_at
+    if moment is None:
+        start = int(off.max(axis=-1).argmax()) if len(off) else 0
+        moment = (start + (alive - len(means)) / 2) * one.timestep
+    done = velocity[: max(alive, 1), 0].mean(axis=0)
+    parts = [_fall(one, alive, fell_at)] if fell_at is not None else ["It stayed on its feet."]
+    parts.append(_velocities(command, done))
+    if fell_at is None:
+        parts.append(_drift(one, command))
+    return Failure(row, command, int(one.seeds[0]), fell_at, moment, badness, " ".join(filter(None, parts)))
+
+
+def _fall(one: Rollout, alive: int, fell_at: float) -> str:
+    last = min(alive, len(one.valid) - 1)
+    up = up_in_body(one.orientation[last, 0])
+    ways = [
+        (abs(up[0]), "forwards, over its nose" if up[0] < 0 else "backwards, over its tail"),
+        (abs(up[1]), "over its left side" if up[1] < 0 else "over its right side"),
+    ]
+    lean, way = max(ways)
+    angle = np.degrees(tilt(one.orientation[last, 0]))
+    if lean < _LEANING:
+        return f"It fell at {fell_at:.1f} s: its trunk hit the ground, nearly level ({angle:.0f}° of tilt)."
+    return f"It fell at {fell_at:.1f} s, {way}, at {angle:.0f}° of tilt."
+
+
+def _velocities(command: Command, done: NDArray[np.float64]) -> str:
+    """What it did on average, first the velocity that was farther off."""
+    names = ("forward_velocity", "yaw_rate")
+    off = np.abs(done - command) / _TOLERANCES
+    worse, other = (names[i] for i in np.argsort(-off))
+    shown = {
+        name: f"{METRICS[name].show(got)} {METRICS[name].unit} where {asked:g} was asked for"
+        for name, got, asked in zip(names, done, command, strict=True)
+    }
+    return (
+        f"Farthest off was its {METRICS[worse].label.lower()}, on average {shown[worse]}; "
+        f"its {METRICS[other].label.lower()} was {shown[other]}."
+    )
+
+
+def _drift(one: Rollout, command: Command) -> str:
+    """How far a robot that should go straight came off its line."""
+    if command[1]:
+        return ""
+    heading = heading_of(one.orientation)[0, 0]
+    x, y = one.base_position[-1, 0, :2] - one.base_position[0, 0, :2]
+    across = float(y * np.cos(heading) - x * np.sin(heading))
+    if abs(across) < _DRIFT:
+        return ""
+    return f"It ended {abs(across):.1f} m to the {'left' if across > 0 else 'right'} of its line."

@@ -1,0 +1,241 @@
+"""The verdict: what the numbers of a comparison say, in words."""
+
+import math
+import textwrap
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from quadruped_env.evaluation.comparison import MOTIONS, Comparison
+from quadruped_env.evaluation.confidence import Estimate
+from quadruped_env.evaluation.metrics import METRICS
+
+STABLE_FALL_RATE: Final = 0.05
+"""Share of episodes that a robot which "stays on its feet" may end in a fall"""
+WALKING_SHARE: Final = 0.5
+"""Share of the commanded forward velocity from which a robot walks"""
+CREEPING_SHARE: Final = 0.2
+"""... and from which it gets forward at all"""
+VELOCITY_TOLERANCE: Final = (0.05, 0.1)
+"""m/s of error that is close to the command, and that is near it"""
+YAW_RATE_TOLERANCE: Final = (0.1, 0.2)
+"""rad/s, likewise"""
+LEVEL: Final = 0.005
+"""m/s and rad/s between two errors that are as good as equal"""
+STILL: Final = 0.03
+"""m/s and rad/s of error under which a robot stands still"""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a comparison says about its policy."""
+
+    level: str
+    """`good`, `fair` or `poor`"""
+    headline: str
+    findings: tuple[tuple[str, str], ...]
+    """Topic and sentence"""
+
+    def text(self) -> str:
+        """The verdict as plain text."""
+        findings = (
+            textwrap.fill(f"{topic}: {words}", 100, initial_indent="  ", subsequent_indent="    ")
+            for topic, words in self.findings
+        )
+        return "\n".join([textwrap.fill(self.headline, 100), *findings])
+
+
+def verdict(comparison: Comparison) -> Verdict:
+    """Judge the policy of a comparison; what its commands do not cover is left out."""
+    findings = [("Falls", _falls(comparison))]
+    for topic, words in (
+        ("Forwards", _forwards),
+        ("Standing", _standing),
+        ("Backwards", _backwards),
+        ("Turning", _turning),
+    ):
+        if comparison.conditions(topic.lower()):
+            findings.append((topic, words(comparison)))
+    findings.append(("Effort", _effort(comparison)))
+    findings += [
+        (topic, _against(comparison, other))
+        for other, topic in (("tuned", "Tuned gait"), ("article", "Article's gait"))
+    ]
+    level, headline = _headline(comparison)
+    return Verdict(level, headline, tuple(findings))
+
+
+def reached_share(comparison: Comparison, controller: str, motion: str) -> float:
+    """Mean achieved velocity over mean commanded velocity: yaw rate where the motion is turning; NaN without one."""
+    rows = comparison.conditions(motion)
+    column, metric = (1, "yaw_rate") if motion == "turning" else (0, "forward_velocity")
+    command = np.array(comparison.commands)[rows, column]
+    achieved = comparison.values[controller][metric][rows] * np.sign(command)[:, None]
+    finite = np.isfinite(achieved)
+    wanted = float((np.abs(command)[:, None] * finite).sum())
+    return float(np.where(finite, achieved, 0.0).sum()) / wanted if wanted else math.nan
+
+
+def _headline(comparison: Comparison) -> tuple[str, str]:
+    has = comparison.conditions
+    if math.isnan(comparison.estimate("policy", "forward_velocity_error").mean):
+        return "poor", "No: it falls before it has taken a step."
+    falls = comparison.estimate("policy", "fall_rate").mean
+    if not has("forwards"):
+        return "fair", "It was not asked to walk forwards."
+    share = reached_share(comparison, "policy", "forwards")
+    if not share >= CREEPING_SHARE:
+        return "poor", "No, it does not walk" + (", and it falls." if falls > STABLE_FALL_RATE else ".")
+    if share < WALKING_SHARE:
+        return "poor", f"Hardly: it reaches {_percent(share)} of the forward velocity that it is asked for."
+    flaws = []
+    if falls > STABLE_FALL_RATE:
+        flaws.append(f"falls in {_percent(falls)} of the episodes")
+    error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
+    if not error <= VELOCITY_TOLERANCE[1]:
+        flaws.append(f"is {error:.2f} m/s off its forward command")
+    if has("standing") and not _stands(comparison):
+        flaws.append("does not stand still")
+    if has("backwards") and not reached_share(comparison, "policy", "backwards") >= WALKING_SHARE:
+        flaws.append("does not walk backwards")
+    if has("turning") and not comparison.estimate("policy", "yaw_rate_error", "turning").mean <= YAW_RATE_TOLERANCE[1]:
+        flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the rate asked for")
+    behind = [m for m in MOTIONS if has(m) and _rank(comparison, "tuned", m) == "further off"]
+    if behind:
+        flaws.append(f"is less exact than the tuned gait {listed(behind)}")
+    if flaws:
+        return "fair", f"Yes, it walks, but it {listed(flaws)}."
+    return "good", "Yes, it walks: it stays on its feet, and does what it is asked at least as well as the tuned gait."
+
+
+def _falls(comparison: Comparison) -> str:
+    estimate = comparison.estimate("policy", "fall_rate")
+    episodes = f"{estimate.count} episodes of {comparison.seconds:g} s"
+    fallen = comparison.values["policy"]["fall_rate"]
+    if not fallen.any():
+        return f"none in {episodes} (95 % confident: under {_percent(estimate.high, 1)})."
+    counts = {motion: int(fallen[comparison.conditions(motion)].sum()) for motion in MOTIONS}
+    where = listed([f"{count} {motion}" for motion, count in counts.items() if count])
+    interval = f"{_percent(estimate.low, 1)} to {_percent(estimate.high, 1)}"
+    return f"{int(fallen.sum())} in {episodes}, {_percent(estimate.mean, 1)} (95 % interval {interval}): {where}."
+
+
+def _forwards(comparison: Comparison) -> str:
+    speeds = [comparison.commands[i][0] for i in comparison.conditions("forwards")]
+    metric = "forward_velocity_error"
+    error = comparison.estimate("policy", metric, "forwards")
+    if math.isnan(error.mean):
+        return "it falls too early to tell."
+    fastest = max(comparison.conditions("forwards"), key=lambda i: comparison.commands[i][0])
+    asked = f"{min(speeds):g} to {max(speeds):g} m/s" if len(speeds) > 1 else f"{speeds[0]:g} m/s"
+    closeness = _closeness(error.mean, VELOCITY_TOLERANCE)
+    distance = comparison.estimate_at("policy", "distance", fastest).mean
+    speed = comparison.estimate_at("policy", "forward_velocity", fastest).mean
+    return (
+        f"{closeness} commands of {asked}, {_with_interval(error, metric)} off. Asked for {max(speeds):g} m/s it does "
+        f"{speed:.2f} m/s and gets {distance:.1f} m far in {comparison.seconds:g} s."
+    )
+
+
+def _standing(comparison: Comparison) -> str:
+    forward = comparison.estimate("policy", "forward_velocity_error", "standing").mean
+    turning = comparison.estimate("policy", "yaw_rate_error", "standing").mean
+    if math.isnan(forward):
+        return "it falls too early to tell."
+    state = "it stands still" if _stands(comparison) else "it does not stand still"
+    return f"{state}: it moves at {forward:.3f} m/s and turns at {turning:.3f} rad/s."
+
+
+def _stands(comparison: Comparison) -> bool:
+    errors = [comparison.estimate("policy", m, "standing").mean for m in ("forward_velocity_error", "yaw_rate_error")]
+    return all(error < STILL for error in errors)
+
+
+def _backwards(comparison: Comparison) -> str:
+    speeds = [comparison.commands[i][0] for i in comparison.conditions("backwards")]
+    speed = comparison.estimate("policy", "forward_velocity", "backwards").mean
+    if math.isnan(speed):
+        return "it falls too early to tell."
+    share = reached_share(comparison, "policy", "backwards")
+    can = "it walks" if share >= WALKING_SHARE else "it does not walk backwards"
+    return f"{can}: {speed:.2f} m/s of {sum(speeds) / len(speeds):.2f} m/s asked for."
+
+
+def _turning(comparison: Comparison) -> str:
+    error = comparison.estimate("policy", "yaw_rate_error", "turning")
+    if math.isnan(error.mean):
+        return "it falls too early to tell."
+    share = reached_share(comparison, "policy", "turning")
+    return (
+        f"{_closeness(error.mean, YAW_RATE_TOLERANCE)} its yaw rate commands, "
+        f"{_with_interval(error, 'yaw_rate_error')} off; it reaches {_percent(share)} of what is asked for, "
+        f"the tuned gait {_percent(reached_share(comparison, 'tuned', 'turning'))}."
+    )
+
+
+def error_of(motion: str) -> str:
+    """The metric that says how well a robot does a motion."""
+    return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
+
+
+def _rank(comparison: Comparison, other: str, motion: str) -> str:
+    """Whether the policy is `closer` to its commands than another controller, `further off`, or `level` with it.
+
+    Judged by the paired differences: they must be clear of zero, and more than `LEVEL`.
+    """
+    difference = comparison.difference(error_of(motion), "policy", other, motion)
+    if not abs(difference.mean) > LEVEL or difference.low <= 0.0 <= difference.high:
+        return "level"
+    return "closer" if difference.mean < 0.0 else "further off"
+
+
+def _against(comparison: Comparison, other: str) -> str:
+    motions: dict[str, list[str]] = {"closer": [], "level": [], "further off": []}
+    for motion in MOTIONS:
+        if comparison.conditions(motion):
+            metric = error_of(motion)
+            show = METRICS[metric].show
+            ours, theirs = (comparison.estimate(name, metric, motion).mean for name in ("policy", other))
+            motions[_rank(comparison, other, motion)].append(
+                f"{motion} ({show(ours)} against {show(theirs)} {METRICS[metric].unit})"
+            )
+    ranks = [f"{rank} {listed(where)}" for rank, where in motions.items() if where]
+    return f"against it the policy is {'; '.join(ranks)}."
+
+
+def _effort(comparison: Comparison) -> str:
+    motion = "forwards" if comparison.conditions("forwards") else None
+    cost = comparison.estimate("policy", "cost_of_transport", motion).mean
+    tuned = comparison.estimate("tuned", "cost_of_transport", motion).mean
+    largest = {
+        name: float(np.nanmax(comparison.values["policy"][name], initial=0.0))
+        for name in ("peak_torque", "peak_joint_speed")
+    }
+    peaks = " and ".join(
+        f"{value:.1f} of {METRICS[name].limit:g} {METRICS[name].unit}" for name, value in largest.items()
+    )
+    words = f"at most {peaks} in any joint"
+    if math.isnan(cost):
+        return f"{words}."
+    against = "" if math.isnan(tuned) else f" (tuned gait {tuned:.2f})"
+    return f"cost of transport {cost:.2f}{against}; {words}."
+
+
+def _percent(share: float, digits: int = 0) -> str:
+    return f"{100.0 * share:.{digits}f} %"
+
+
+def listed(items: list[str]) -> str:
+    """Items as a sentence lists them."""
+    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
+
+
+def _closeness(error: float, tolerance: tuple[float, float]) -> str:
+    close, near = tolerance
+    return "it closely follows" if error <= close else "it roughly follows" if error <= near else "it does not follow"
+
+
+def _with_interval(estimate: Estimate, metric: str) -> str:
+    show = METRICS[metric].show
+    return f"{show(estimate.mean)} {METRICS[metric].unit} [{show(estimate.low)}, {show(estimate.high)}]"

@@ -1,0 +1,68 @@
+"""Settings of a scripted gait that a person may change: amplitude, frequency, and the phase of each leg."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final, Self
+
+import numpy as np
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import SinusoidalGait
+from quadruped_env.robot import LEG_NAMES
+
+AMPLITUDES: Final = (0.0, 2.0)
+"""Range of the amplitude, as a multiple of the preset's."""
+FREQUENCIES: Final = (0.1, 4.0)
+"""Range of the frequency, Hz."""
+
+
+@dataclass(frozen=True)
+class GaitSettings:
+    """Changes to a preset."""
+
+    amplitude: float
+    """Amplitude of every joint, as a multiple of the preset's."""
+    frequency: float
+    """Cycles per second, Hz."""
+    phases: tuple[float, ...]
+    """Phase of each leg, in cycles, in the order of `LEG_NAMES`."""
+
+    def __post_init__(self) -> None:
+        for name, value, (low, high) in (
+            ("amplitude", self.amplitude, AMPLITUDES),
+            ("frequency", self.frequency, FREQUENCIES),
+        ):
+            if not low <= value <= high:
+                raise QuadrupedError(f"gait: {name} must be in {low:g} to {high:g}; found {value:g}")
+        if len(self.phases) != len(LEG_NAMES) or not np.isfinite(self.phases).all():
+            raise QuadrupedError(f"gait: phases must be {len(LEG_NAMES)} finite numbers; found {self.phases!r}")
+
+    @classmethod
+    def of(cls, preset: str) -> Self:
+        """The settings that leave a preset unchanged.
+
+        Raises:
+            QuadrupedError: if there is no such preset.
+        """
+        gait = SinusoidalGait.preset(preset)
+        phases = tuple(phase / math.tau % 1.0 for phase in gait.phases[::2])
+        return cls(1.0, gait.angular_frequency / math.tau, phases)
+
+
+def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
+    """A gait with other amplitudes, frequency and leg phases; a knee keeps its lag behind its hip."""
+    phases = []
+    for leg, cycles in enumerate(settings.phases):
+        hip, knee = gait.phases[2 * leg : 2 * leg + 2]
+        phases += [math.tau * cycles, math.tau * cycles + knee - hip]
+    return replace(
+        gait,
+        hip_amplitude=_scaled(gait.hip_amplitude, settings.amplitude),
+        knee_amplitude=_scaled(gait.knee_amplitude, settings.amplitude),
+        angular_frequency=math.tau * settings.frequency,
+        phases=tuple(phases),
+    )
+
+
+def _scaled(amplitude: float | tuple[float, ...], factor: float) -> float | tuple[float, ...]:
+    return tuple(factor * a for a in amplitude) if isinstance(amplitude, tuple) else factor * amplitude

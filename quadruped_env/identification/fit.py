@@ -1,0 +1,387 @@
+"""The least-squares problem of identification, in the terms of MuJoCo's toolbox `mujoco.sysid`."""
+
+import io
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.identification.dataset import Recorded, columns
+from quadruped_env.identification.quantities import (
+    DELAY,
+    HIGHEST,
+    LOWEST,
+    MAX_FIT_DELAY,
+    coordinate_derivatives,
+    from_coordinates,
+    names_of,
+    quantity,
+    to_coordinates,
+    value_of,
+    with_values,
+)
+from quadruped_env.identification.rough import derivatives, half_widths, search
+from quadruped_env.identification.spec import joint_spec
+from quadruped_env.progress import Progress
+from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
+from quadruped_env.robot.motors import fill_command_history
+
+_UNDETERMINED: Final = 1.0
+"""What is determined less well than this share of the value, or of the scale, even by white noise, stays as it was."""
+_STEP: Final = 1e-3
+"""of the finite differences, in coordinates"""
+_TOLERANCE: Final = 1e-4
+"""of the step, relative"""
+_ITERATIONS: Final = 30
+_DIVERGED: Final = 1e6
+_ITERATIONS_A_DELAY: Final = 8
+_DELAY_SECONDS: Final = 6.0
+"""s of the recording that the search for the delay uses"""
+_FINEST_DELAY: Final = 0.001
+"""s"""
+_EXPECTED_ITERATIONS: Final = 120
+
+
+class MotorFit:
+    """Motors that do what was recorded.
+
+    Args:
+        recorded: what the robot did.
+        base: `fixed` or `free`.
+        start: where the fit begins.
+        fitted: names in `QUANTITIES`.
+        progress: is told about how far the fit is.
+    """
+
+    def __init__(
+        self, recorded: Recorded, base: str, start: MotorConfig, fitted: Sequence[str], progress: Progress | None = None
+    ) -> None:
+        from mujoco import sysid
+
+        self.sysid = sysid
+        self.recorded = recorded
+        self.base = base
+        self.start = start
+        self.names = names_of(fitted)
+        self.half_width: dict[str, float] = {}
+        self._progress = progress
+        self._iterations = 0
+        self._spec = joint_spec(base, recorded.timestep)
+        self._max_delay = max(MAX_FIT_DELAY, start.delay)
+        self._weights = np.ones(recorded.measured.shape[1])
+        self._horizon = np.inf
+        """s; how much of the fit's time counts"""
+
+    def run(self) -> MotorConfig:
+        """The motors at the optimum; `half_width` then holds 95 % intervals of all that the recording determines.
+
+        What it does not determine (a motor's strength, where no motor was at its limit) is put back to the start, and
+        the rest is fitted again.
+        """
+        values = {name: value_of(self.start, name) for name in self.names}
+        train = self.recorded.measured[self.recorded.train]
+        # Before the noise is known, every signal counts by how much of its motion is explained.
+        self._weights = self._inverse_spread(_centered(train))
+        if DELAY in values:
+            self._horizon = _DELAY_SECONDS
+            values = self._find_delay(values)
+            self._horizon = np.inf
+        while values:
+            values = self._solve(values)
+            # The most likely motors, if what is left unexplained is noise.
+            self._weights = self._inverse_spread(
+                self.predict(with_values(self.start, values))[self.recorded.train] - train
+            )
+            values = self._search(values)
+            self.half_width = self._intervals(values)
+            if len(self.half_width) == len(values):
+                break
+            values = {name: value for name, value in values.items() if name in self.half_width}
+        if self._progress is not None:
+            self._progress(1.0)
+        return with_values(self.start, values)
+
+    def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
+        """What the simulator does over the whole recording, (T, 24) at the times of the measurements."""
+        trajectory = self._sequences(len(self.recorded.control)).measured_rollout[0]
+        model = self._model(motors)
+        (rollout,) = self.sysid.sysid_rollout(
+            [model], [mujoco.MjData(model)], [trajectory.control], [trajectory.initial_state]
+        )
+        return self._at(self.recorded.times, self._signals(rollout.state.data, rollout.sensordata.data))
+
+    def mismatch(self) -> float:
+        """The best error over a row of delays, with all else at the start: how badly this base explains the recording.
+
+        Positions and, if they were measured, efforts over the fit's first seconds; 1 is the motion itself. Velocities
+        say little: they hardly depend on the load.
+        """
+        train = self.recorded.measured[self.recorded.train]
+        self._weights = self._inverse_spread(_centered(train))
+        self._horizon = _DELAY_SECONDS
+        delay = self._scan_delay({DELAY: value_of(self.start, DELAY)})
+        rows = self._rows()
+        predicted = np.nan_to_num(self.predict(with_values(self.start, {DELAY: delay})), nan=_DIVERGED)
+        predicted = predicted.clip(-_DIVERGED, _DIVERGED)
+        left = (predicted - self.recorded.measured)[rows] * self._weights
+        kinds = [name for name in ("position", "effort") if name in self.recorded.signals]
+        return float(np.exp(np.mean([np.log(np.nanmean(left[:, columns(name)] ** 2)) / 2.0 for name in kinds])))
+
+    def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
+        """Values fitted at the best of many fixed delays.
+
+        Free from the start, the delay gets caught between two physics steps, where the motion has a kink.
+        """
+        delay = self._scan_delay(values)
+        error, values = self._solve_at(delay, values)
+        step = max(self.recorded.timestep, _FINEST_DELAY)
+        while step >= _FINEST_DELAY:
+            improved = False
+            for direction in (-step, step):
+                while not improved or direction * (values[DELAY] - delay) > 0:
+                    nearby = values[DELAY] + direction
+                    if not 0.0 <= nearby <= MAX_FIT_DELAY:
+                        break
+                    found, candidate = self._solve_at(nearby, values)
+                    if found >= error:
+                        break
+                    error, values, improved = found, candidate, True
+                if improved:
+                    break
+            delay = values[DELAY]
+            step *= 0.5
+        return values
+
+    def _scan_delay(self, values: dict[str, float]) -> float:
+        """The best of a row of delays, with all else at the start."""
+        parameters = self._parameters(values)
+        candidates = np.arange(0.0, 0.5 * MAX_FIT_DELAY, max(self.recorded.timestep, _FINEST_DELAY))
+        points = np.tile(parameters.as_vector()[:, None], (1, len(candidates)))
+        points[list(values).index(DELAY)] = candidates / quantity(DELAY).scale
+        residuals, _, _ = self._residual_function()(points, parameters)
+        self._tell(())
+        return float(candidates[np.argmin((residuals[0] ** 2).sum(axis=0))])
+
+    def _search(self, values: Mapping[str, float]) -> dict[str, float]:
+        """The best values to be found around those of a solution, which the error's roughness may have caught."""
+        found = search(*self._problem(values), lambda: self._tell(()))
+        return from_coordinates(dict(zip(values, found.tolist(), strict=True)))
+
+    def _problem(self, values: Mapping[str, float]) -> tuple[Any, Any, Any, Any]:
+        """The residuals as a function of coordinates (n, P), the coordinates of the values, and their bounds."""
+        parameters = self._parameters(values)
+        evaluate = self._residual_function()
+        rows = int(np.count_nonzero(self._rows()))
+
+        def residuals(points: NDArray[np.float64]) -> NDArray[np.float64]:
+            found = evaluate(np.ascontiguousarray(points.T), parameters)[0][0]
+            result: NDArray[np.float64] = np.asarray(found).T.reshape(len(points), rows, -1)
+            return result
+
+        low, high = map(np.asarray, parameters.get_bounds())
+        # Not the parameters' own, which are kept off the bounds.
+        return residuals, np.clip(list(to_coordinates(values).values()), low, high), low, high
+
+    def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
+        """The error of the best values at a fixed delay, and they."""
+        found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
+        return self._error(found), found
+
+    def _error(self, values: Mapping[str, float]) -> float:
+        """The sum of the squares that the fit minimizes."""
+        parameters = self._parameters(values)
+        residuals = self._residual_function()(parameters.as_vector(), parameters)[0]
+        return float((residuals[0] ** 2).sum())
+
+    def _solve(
+        self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
+    ) -> dict[str, float]:
+        """Values at an optimum, or where the error's roughness holds the optimizer."""
+        parameters = self._parameters(values, frozen)
+        found, _ = self.sysid.optimize(
+            parameters,
+            self._residual_function(),
+            optimizer="mujoco",
+            verbose=False,
+            max_iters=iterations,
+            eps=_STEP,
+            xtol=_TOLERANCE,
+            x_scale="jac",
+            output=io.StringIO(),
+            iter_callback=self._tell,
+        )
+        return _values_of(found)
+
+    def _tell(self, trace: Sequence[Any]) -> None:
+        self._iterations += 1
+        if self._progress is not None:
+            # How many it takes is not known; the guess grows when it is passed.
+            self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
+
+    def _intervals(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Half-widths of the 95 % intervals of the values that are determined.
+
+        The others are left out one after another, the least certain first: of two numbers of which only the sum shows,
+        one at its start determines the other.
+        """
+        jacobian, left_over = derivatives(*self._problem(values))
+        times = self.recorded.times[self._rows()]
+        scales = np.array([quantity(name).scale for name in values])
+        jacobian = jacobian @ coordinate_derivatives(values) * scales
+        influence = np.sqrt((jacobian**2).sum(axis=(0, 1)))
+        allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
+        left = np.flatnonzero(influence > 1e-9 * influence.max())
+        while len(left):
+            white, widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
+            # By white noise: a number that shows is kept, however far its interval reaches.
+            doubt = np.nan_to_num(white / allowed[left], nan=np.inf)
+            if doubt.max() <= 1.0:
+                names = list(values)
+                return {names[k]: float(width * scales[k]) for k, width in zip(left, widths, strict=True)}
+            hopeless = np.isinf(doubt)
+            worst = np.where(hopeless, -influence[left], -np.inf).argmax() if hopeless.any() else doubt.argmax()
+            left = np.delete(left, worst)
+        return {}
+
+    def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Weights (24,): one over the root mean square of each signal in values (T, 24), 0 for what is missing."""
+        weights = np.zeros(values.shape[1])
+        for name in self.recorded.signals:
+            weights[columns(name)] = 1.0 / max(np.sqrt(np.nanmean(values[:, columns(name)] ** 2)), 1e-9)
+        return weights
+
+    def _parameters(self, values: Mapping[str, float], frozen: Sequence[str] = ()) -> Any:
+        parameters = self.sysid.ParameterDict()
+        for name, coordinate in to_coordinates(values).items():
+            low = LOWEST if quantity(name).positive else 0.0
+            high = MAX_FIT_DELAY / quantity(name).scale if name == DELAY else HIGHEST
+            # On a bound the fit could stall.
+            margin = 0.0 if name in frozen else 2e-3 * (high - low)
+            inside = float(np.clip(coordinate, low + margin, high - margin))
+            parameters.add(self.sysid.Parameter(name, inside, low, high, frozen=name in frozen))
+        return parameters
+
+    def _residual_function(self) -> Any:
+        def build(parameters: Any, spec: mujoco.MjSpec) -> mujoco.MjModel:
+            return self._model(with_values(self.start, _values_of(parameters)))
+
+        steps = int(np.ceil(self.recorded.times[self._rows()][-1] / self.recorded.timestep)) + 1
+        return self.sysid.build_residual_fn(
+            models_sequences=[self._sequences(steps)],
+            build_model=build,
+            modify_residual=self._residual,
+            custom_rollout=self._rollout,
+            resample_true=False,
+        )
+
+    def _rollout(
+        self, models: Sequence[Any], datas: Sequence[Any], control_signal: Any, initial_states: Any, **rest: Any
+    ) -> list[Any]:
+        """The toolbox's `CustomRolloutFn`: its own, without what the motors remember, which is most of a state.
+
+        A few models at a time: of a minute, the states of all would take a gigabyte.
+        """
+        del rest
+        kept = []
+        for first in range(0, len(models), len(datas)):
+            part = slice(first, first + len(datas))
+            trajectories = self.sysid.sysid_rollout(
+                models[part], datas[: len(models[part])], control_signal[part], initial_states[part]
+            )
+            for trajectory in trajectories:
+                state = trajectory.state.data[:, : 1 + sum(self._sizes)].copy()
+                kept.append(trajectory.replace(state=self.sysid.TimeSeries(trajectory.state.times, state)))
+        return kept
+
+    @property
+    def _sizes(self) -> tuple[int, int]:
+        """Numbers of positions and velocities."""
+        joints = len(JOINT_NAMES)
+        return (joints, joints) if self.base == "fixed" else (joints + 7, joints + 6)
+
+    def _residual(
+        self, params: Any, predicted: Any, measured: Any, model: Any, return_all: bool, state: Any
+    ) -> tuple[NDArray[np.float64], Any, Any]:
+        """The toolbox's `ModifyResidualFn`: weighted differences over the fit's time."""
+        rows = self._rows()
+        signals = self._at(self.recorded.times[rows], self._signals(state, predicted.data))
+        measured_here = self.recorded.measured[rows]
+        # Motors with which the simulation diverges are as bad as motors can be.
+        signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
+        difference = np.where(np.isfinite(measured_here), (signals - measured_here) * self._weights, 0.0)
+        series = self.sysid.TimeSeries(self.recorded.times[rows], difference)
+        return difference / np.sqrt(len(difference)), series, series
+
+    def _rows(self) -> NDArray[np.bool_]:
+        """The measurements that count (T,)."""
+        times = self.recorded.times
+        return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
+
+    def _model(self, motors: MotorConfig) -> mujoco.MjModel:
+        spec = self._spec.copy()
+        motors.write(spec, self._max_delay)
+        return spec.compile()
+
+    def _sequences(self, steps: int) -> Any:
+        """The recording's first physics steps, for the toolbox."""
+        spec = self._spec.copy()
+        self.start.write(spec, self._max_delay)
+        model = spec.compile()
+        data = mujoco.MjData(model)
+        positions, velocities = self.recorded.start
+        if self.base == "free":
+            data.qpos[:7] = resting_pose(positions)
+        data.qpos[-len(JOINT_NAMES) :] = positions
+        data.qvel[-len(JOINT_NAMES) :] = velocities
+        fill_command_history(model, data.history[None], self.recorded.control[:1])
+        kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
+        state = np.empty(mujoco.mj_stateSize(model, kind))
+        mujoco.mj_getState(model, data, state, kind)
+        # The toolbox drops the last control: it expects no measurement after it.
+        control = self.recorded.control[:steps]
+        control = np.concatenate([control, control[-1:]])
+        clock = np.arange(len(control)) * self.recorded.timestep
+        measured = self.sysid.TimeSeries(self.recorded.times, self.recorded.measured)
+        return self.sysid.ModelSequences(
+            "mini_quadruped", spec, "recording", state, self.sysid.TimeSeries(clock, control), measured
+        )
+
+    def _signals(self, state: NDArray[np.float64], sensordata: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Positions, velocities and efforts (K, 24) after each physics step, from the toolbox's rollout."""
+        joints = len(JOINT_NAMES)
+        positions, velocities = self._sizes
+        # A state is the time, the positions, the velocities, and what the motors remember.
+        after_positions = 1 + positions
+        after_velocities = after_positions + velocities
+        return np.concatenate(
+            [
+                state[:, after_positions - joints : after_positions],
+                state[:, after_velocities - joints : after_velocities],
+                sensordata[:, columns("effort")],
+            ],
+            axis=1,
+        )
+
+    def _at(self, times: NDArray[np.float64], signals: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Signals (K, 24) after each physics step, at times (T,) in s; linear in between."""
+        place = np.clip(times / self.recorded.timestep - 1.0, 0.0, len(signals) - 1.0)
+        whole = np.rint(place)
+        place = np.where(np.abs(place - whole) < 1e-6, whole, place)
+        before = place.astype(np.intp)
+        after = np.minimum(before + 1, len(signals) - 1)
+        share = (place - before)[:, None]
+        return (1.0 - share) * signals[before] + share * signals[after]
+
+
+def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (T, S) less the mean of each column, NaN aside."""
+    count = np.isfinite(values).sum(axis=0)
+    return values - np.nansum(values, axis=0) / np.maximum(count, 1)
+
+
+def _values_of(parameters: Any) -> dict[str, float]:
+    """The values behind the toolbox's parameters."""
+    # The toolbox's steps to a bound may end a rounding error beyond it.
+    return from_coordinates({name: max(0.0, float(parameter.value[0])) for name, parameter in parameters.items()})

@@ -1,0 +1,146 @@
+"""The results of an identification: motors for the environment, numbers, and a page with pictures."""
+
+import importlib.util
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.files import check_free, write_json
+from quadruped_env.identification.dataset import UNITS, columns
+from quadruped_env.identification.identify import NO_INTERVALS, Identification, pooled
+from quadruped_env.reporting.pages.page import circumstances, figure, write_html
+from quadruped_env.reporting.palette import BLUE, INK, ORANGE
+from quadruped_env.reporting.plots.joints import Line, joint_panels
+from quadruped_env.reporting.results import REPORT_FILE
+from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
+
+MOTORS_FILE: Final = "motors.json"
+NUMBERS_FILE: Final = "identification.json"
+_INTERVALS: Final = (
+    "Intervals allow for what is left unexplained to hang together over a second, between signals and between joints; "
+    "not for forces that no motor makes."
+)
+
+
+def identification_files(directory: Path) -> list[Path]:
+    """What `save` writes into a directory."""
+    return [directory / name for name in (MOTORS_FILE, NUMBERS_FILE, REPORT_FILE)]
+
+
+def check_report_extra() -> None:
+    """Raise a MissingExtraError if a library of the report is not installed."""
+    if any(importlib.util.find_spec(name) is None for name in ("matplotlib", "jinja2")):
+        raise MissingExtraError("The report", "report")
+
+
+def save(found: Identification, directory: Path, command_line: str, overwrite: bool = False) -> None:
+    """Write motors, numbers and report.
+
+    Raises:
+        QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
+        MissingExtraError: if a library of the `report` extra is not installed.
+    """
+    check_free(identification_files(directory), overwrite)
+    check_report_extra()
+    document = {**found.report(), **circumstances(command_line)}
+    write_json(directory / MOTORS_FILE, found.config())
+    write_json(directory / NUMBERS_FILE, document)
+    context = {
+        "title": f"Motors identified from {Path(found.source).name}",
+        "headline": found.verdict(),
+        "level": "good" if found.helps and found.base_fits else "poor",
+        "remarks": found.remarks,
+        "tables": [_motors_table(found), _errors_table(found), _joints_table(found)],
+        "figures": _figures(found),
+        "document": document,
+        "motors": found.config(),
+    }
+    write_html(directory / REPORT_FILE, "motion.html", context)
+
+
+def _motors_table(found: Identification) -> dict[str, Any]:
+    rows = []
+    for estimate in found.estimates:
+        interval = "not determined" if not estimate.determined else "unknown"
+        if estimate.half_width is not None:
+            interval = f"± {estimate.half_width:.2g}"
+        rows.append([estimate.name, f"{estimate.before:.4g}", f"{estimate.after:.4g}", interval, estimate.unit])
+    return {
+        "title": "The motors",
+        "head": ["", "before", "after", "95 % interval", "unit"],
+        "rows": rows,
+        "note": (_INTERVALS if found.has_intervals else NO_INTERVALS)
+        + " What the recording does not determine stays as it was: a motor's strength shows only where a motor is at "
+        "its limit.",
+    }
+
+
+def _errors_table(found: Identification) -> dict[str, Any]:
+    rows = []
+    for name in found.recorded.signals:
+        cells = [
+            f"{pooled(found.errors(after, held_out)[name]):.4f}"
+            for held_out in (True, False)
+            for after in (False, True)
+        ]
+        rows.append([f"{name} ({UNITS[name]})", *cells])
+    return {
+        "title": "Before and after",
+        "head": ["RMS error", "held out, before", "after", "fit, before", "after"],
+        "rows": rows,
+        "note": f"Of {len(found.recorded.times)} measurements over {found.recorded.times[-1]:.1f} s, those up to "
+        f"{found.recorded.times[found.recorded.train][-1]:.1f} s are for the fit; the later ones are held out.",
+    }
+
+
+def _joints_table(found: Identification) -> dict[str, Any]:
+    before, after = found.errors(after=False)["position"], found.errors(after=True)["position"]
+    rows = [
+        [name, *(f"{value:.4f}" if np.isfinite(value) else "left out" for value in (before[i], after[i]))]
+        for i, name in enumerate(JOINT_NAMES)
+    ]
+    return {
+        "title": "Position error of each joint on held-out time",
+        "head": ["", "before (rad)", "after (rad)"],
+        "rows": rows,
+        "note": "",
+    }
+
+
+def _figures(found: Identification) -> list[dict[str, str]]:
+    recorded = found.recorded
+    mark = float(recorded.times[recorded.train][-1])
+    steps = np.arange(len(recorded.control), dtype=np.float64) * recorded.timestep
+    figures = []
+    for name in recorded.signals:
+        part = columns(name)
+        lines = {
+            "measured": Line(recorded.times, recorded.measured[:, part], INK),
+            "before": Line(recorded.times, found.predicted_before[:, part], ORANGE),
+            "after": Line(recorded.times, found.predicted_after[:, part], BLUE),
+        }
+        if name == "position":
+            lines = {"commanded": Line(steps, recorded.control, "#AAAAAA"), **lines}
+        limits = (JOINT_POSITION_LOW, JOINT_POSITION_HIGH) if name == "position" else None
+        figures.append(
+            figure(
+                f"{name.capitalize()}s",
+                joint_panels(lines, f"{UNITS[name]}", limits, mark),
+                "Measured, and simulated with the motors before and after. Held out is what is right of the grey line.",
+            )
+        )
+    before, after = (
+        Line(recorded.times, (predicted - recorded.measured)[:, columns("position")], colour)
+        for predicted, colour in ((found.predicted_before, ORANGE), (found.predicted_after, BLUE))
+    )
+    figures.insert(
+        1,
+        figure(
+            "Position errors",
+            joint_panels({"before": before, "after": after}, "rad", mark=mark),
+            "Simulated minus measured position. Held out is what is right of the grey line.",
+        ),
+    )
+    return figures

@@ -1,0 +1,249 @@
+"""The fit and what it is worth."""
+
+import importlib.util
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env._version import __version__
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.identification.dataset import UNITS, Recorded, align, columns, remarks
+from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.quantities import FITTED, quantity, value_of
+from quadruped_env.progress import Progress
+from quadruped_env.robot import JOINT_NAMES, MotorConfig
+from quadruped_env.task import TaskConfig
+from quadruped_env.trajectory import JointTrajectory
+
+BASES: Final = ("fixed", "free")
+NO_INTERVALS: Final = (
+    "No intervals: contacts with the ground make the error rough, and forces that the fit does not know move its "
+    "optimum."
+)
+_OTHER: Final = {"fixed": "free", "free": "fixed"}
+_FORCES: Final = {
+    "fixed": "of the ground are taken for friction, inertia and strength",
+    "free": "of a ground that was not there are assumed",
+}
+_CURES: Final = {
+    "fixed": "Record the robot on a stand with its feet in the air, or fit with --base free.",
+    "free": "Fit with --base fixed if the robot hangs on a stand.",
+}
+
+
+@dataclass(frozen=True)
+class Estimated:
+    """One number of the motors, before and after."""
+
+    name: str
+    """`delay`, or kind of joint and field of `JointMotor`: `hip.kp`"""
+    unit: str
+    before: float
+    after: float
+    half_width: float | None
+    """of the 95 % confidence interval; None for a number that the recording does not determine and that stayed, and for
+    every number where no interval can be given (see `Identification.has_intervals`)"""
+    determined: bool = True
+    """Whether the recording determines it"""
+
+
+@dataclass(frozen=True)
+class Identification:
+    """What the fit found."""
+
+    source: str
+    commands: str
+    base: str
+    recorded: Recorded
+    estimates: tuple[Estimated, ...]
+    before: MotorConfig
+    after: MotorConfig
+    predicted_before: NDArray[np.float64]
+    """What the simulator does with the motors before, (T, 24) at the times of the measurements"""
+    predicted_after: NDArray[np.float64]
+    remarks: tuple[str, ...]
+    """What the reader should know about the recording"""
+    mismatches: Mapping[str, float]
+    """Base -> how badly the simulator with that base explains the recording before the fit (`MotorFit.mismatch`)"""
+
+    @property
+    def base_fits(self) -> bool:
+        """Whether the base explains the recording at least as well as the other one does, before the fit."""
+        return self.mismatches[self.base] <= min(self.mismatches.values())
+
+    @property
+    def has_intervals(self) -> bool:
+        """Whether intervals are given: those of a fit on the ground or with the wrong base would exclude the truth."""
+        return self.base_fits and self.base == "fixed"
+
+    def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
+        """Root mean square error (8,) of every measured signal, over the held-out time or the fit's.
+
+        NaN for a joint whose signal was not measured.
+        """
+        predicted = self.predicted_after if after else self.predicted_before
+        rows = ~self.recorded.train if held_out else self.recorded.train
+        squared = (predicted - self.recorded.measured)[rows] ** 2
+        count = np.isfinite(squared).sum(axis=0)
+        rms = np.sqrt(np.nansum(squared, axis=0) / np.where(count, count, np.nan))
+        return {name: rms[columns(name)] for name in self.recorded.signals}
+
+    def verdict(self) -> str:
+        """Whether the fit helped, in a sentence."""
+        before, after = self._held_out()
+        change = f"from {before:.4f} to {after:.4f} rad"
+        if not self.base_fits:
+            other = _OTHER[self.base]
+            return (
+                f"Do not trust these motors: --base {self.base} does not fit. Before the fit, the simulator explains "
+                f"the recording better with --base {other} (error {self.mismatches[other]:.2f} of the motion, against "
+                f"{self.mismatches[self.base]:.2f}), so forces {_FORCES[self.base]}. {_CURES[self.base]} On held-out "
+                f"time the position error goes {change}."
+            )
+        if self.helps:
+            return f"On held-out time the position error falls {change} ({100 * (1 - after / before):.0f} % less)."
+        return f"On held-out time the position error does not fall: {change}. Do not use these motors."
+
+    @property
+    def helps(self) -> bool:
+        """Whether the position error on held-out time is less than before."""
+        before, after = self._held_out()
+        return after < before
+
+    def _held_out(self) -> tuple[float, float]:
+        """Position error on held-out time before and after, rad."""
+        return pooled(self.errors(after=False)["position"]), pooled(self.errors(after=True)["position"])
+
+    def report(self) -> dict[str, Any]:
+        """The identification in numbers, as JSON takes them."""
+        times = self.recorded.times
+        return {
+            "recording": self.source,
+            "commands": self.commands,
+            "base": self.base,
+            "base_fits": self.base_fits,
+            "mismatch": dict(self.mismatches),
+            "seconds": float(times[-1]),
+            "fit_seconds": float(times[self.recorded.train][-1]),
+            "measurements": len(times),
+            "physics_timestep": self.recorded.timestep,
+            "verdict": self.verdict(),
+            "remarks": list(self.remarks),
+            "estimates": [vars(estimate) for estimate in self.estimates],
+            "errors": {
+                part: {
+                    when: {name: _as_json(rms) for name, rms in self.errors(after, part == "held_out").items()}
+                    for when, after in (("before", False), ("after", True))
+                }
+                for part in ("fit", "held_out")
+            },
+            "version": __version__,
+        }
+
+    def config(self) -> dict[str, Any]:
+        """The motors as the environment's `config` takes them."""
+        return {"motor": TaskConfig(motor=self.after).to_dict()["motor"]}
+
+    def table(self) -> str:
+        """The report for people."""
+        lines = [f"{'':<20}{'before':>10}{'after':>10}  {'95 % interval':<22}unit"]
+        for estimate in self.estimates:
+            if not estimate.determined:
+                interval = "not determined: stays"
+            elif estimate.half_width is None:
+                interval = "unknown"
+            else:
+                low = max(0.0, estimate.after - estimate.half_width)
+                interval = f"{low:.4g} to {estimate.after + estimate.half_width:.4g}"
+            lines.append(
+                f"{estimate.name:<20}{estimate.before:>10.4g}{estimate.after:>10.4g}  {interval:<22}{estimate.unit}"
+            )
+        lines += ["", f"{'RMS error':<20}{'fit before':>12}{'after':>10}{'held out before':>18}{'after':>10}  unit"]
+        for name in self.recorded.signals:
+            fit, held_out = (
+                [pooled(self.errors(after, part)[name]) for after in (False, True)] for part in (False, True)
+            )
+            lines.append(
+                f"{name:<20}{fit[0]:>12.4f}{fit[1]:>10.4f}{held_out[0]:>18.4f}{held_out[1]:>10.4f}  {UNITS[name]}"
+            )
+        notes = [] if self.has_intervals else [NO_INTERVALS]
+        return "\n".join([*lines, "", *notes, *self.remarks, self.verdict()])
+
+
+def identify(
+    measured: JointTrajectory,
+    commands: JointTrajectory,
+    base: str = "fixed",
+    start: MotorConfig | None = None,
+    fitted: Sequence[str] = FITTED,
+    train_share: float = 0.7,
+    timestep: float | None = None,
+    without: Sequence[str] = (),
+    progress: Progress | None = None,
+) -> Identification:
+    """Estimate the motors from commands and measurements of one recording.
+
+    Args:
+        measured: positions, and velocities and efforts if they were recorded, of all eight joints. An effort is the
+            motor's torque over the physics step before its stamp, as this package records it.
+        commands: joint targets on the same clock; each holds until the next.
+        base: `fixed` for a robot that hangs on a stand with its feet in the air; `free` for one that stands or walks
+            on flat ground, beginning at rest.
+        start: where the fit begins; None takes the model file's motors.
+        fitted: names in `QUANTITIES`.
+        train_share: share of the time, from the beginning, that is for the fit.
+        timestep: s, of the physics; None takes the task's own. Motors that are fitted with another time step explain
+            the robot with that one: a coarse step damps by itself.
+        without: joints whose measurements do not count.
+        progress: is told about how far the fit is.
+
+    Raises:
+        QuadrupedError: if the two do not overlap, nothing moves, or an argument makes no sense.
+        MissingExtraError: if MuJoCo's toolbox is not installed.
+    """
+    if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
+        raise MissingExtraError("Identification", "identify")
+    if base not in BASES:
+        raise QuadrupedError(f"identify: base must be one of {', '.join(BASES)}; found {base!r}")
+    if not 0.1 <= train_share <= 0.9:
+        raise QuadrupedError(f"identify: the share for the fit must be from 0.1 to 0.9; found {train_share:g}")
+    timestep = TaskConfig().physics_timestep if timestep is None else timestep
+    if not 1e-4 <= timestep <= 0.01:
+        raise QuadrupedError(f"identify: the time step must be from 0.0001 to 0.01 s; found {timestep:g}")
+    before = start or MotorConfig()
+    measured, commands = measured.in_joint_order(), commands.in_joint_order()
+    recorded = align(measured, commands, train_share, timestep, without)
+    mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
+    fit = MotorFit(recorded, base, before, fitted, progress)
+    after = fit.run()
+    found = Identification(
+        measured.source.name,
+        commands.source.name,
+        base,
+        recorded,
+        (),
+        before,
+        after,
+        fit.predict(before),
+        fit.predict(after),
+        remarks(recorded, measured, commands),
+        mismatches,
+    )
+    estimates = []
+    for name in fit.names:
+        width = fit.half_width.get(name)
+        values = quantity(name).unit, value_of(before, name), value_of(after, name)
+        estimates.append(Estimated(name, *values, width if found.has_intervals else None, width is not None))
+    return replace(found, estimates=tuple(estimates))
+
+
+def pooled(rms: NDArray[np.float64]) -> float:
+    """One root mean square of those of the joints (8,), NaN aside."""
+    return float(np.sqrt(np.nanmean(rms**2)))
+
+
+def _as_json(rms: NDArray[np.float64]) -> dict[str, float | None]:
+    return {name: float(value) if np.isfinite(value) else None for name, value in zip(JOINT_NAMES, rms, strict=True)}

@@ -1,0 +1,303 @@
+"""Play a recorded joint trajectory again: as pictures of the robot would show it, or through its motors."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.episode import Recording, play
+from quadruped_env.files import check_free, write_json
+from quadruped_env.progress import Progress
+from quadruped_env.replay.saturation import Saturation, saturation
+from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
+from quadruped_env.reporting.films.film import FRAME_RATE, Motion
+from quadruped_env.reporting.results import REPORT_FILE
+from quadruped_env.robot import (
+    FOOT_RADIUS,
+    JOINT_NAMES,
+    JOINT_POSITION_HIGH,
+    JOINT_POSITION_LOW,
+    VELOCITY_LIMIT,
+    MotorConfig,
+    forward_kinematics,
+    sole_heights,
+)
+from quadruped_env.robot.ground import foot_centres
+from quadruped_env.robot.kinematics import Pose
+from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.trajectory.csv import write_table
+
+MODES: Final = ("kinematic", "dynamic")
+LIMIT_TOLERANCE: Final = 0.01
+"""rad: a joint's stop gives a little under load, and an encoder is not exact, so this far over a limit is at it"""
+
+TOUCHING: Final = 1e-4
+"""m; a sole that is closer to the ground touches it"""
+
+MAX_CLIP: Final = 100.0
+"""rad: a position farther than this beyond a limit is damage, and no limit stands in for it"""
+
+POSES_FILE: Final = "link_poses.csv"
+JOINTS_FILE: Final = "joint_states.csv"
+NUMBERS_FILE: Final = "tracking.json"
+
+_POSE_COLUMNS: Final = ("x", "y", "z", "qw", "qx", "qy", "qz")
+
+
+@dataclass(frozen=True)
+class Replay:
+    """What was recorded, and what was played."""
+
+    mode: str
+    recorded: JointTrajectory
+    """In the order of `JOINT_NAMES`"""
+    played: JointTrajectory
+    """Stamps as the recording counts them. Kinematic: the recording's own rows. Dynamic: measured, 50 Hz"""
+    motion: Recording | None
+    """What the robot did in dynamic mode; a kinematic replay has no world to do it in"""
+    clipped: NDArray[np.intp]
+    """How many recorded positions of each joint were moved to a limit (8,)"""
+    targets: JointTrajectory
+    """What was played: the recording within the joints' limits"""
+    motors: MotorConfig
+    measured: JointTrajectory | None = None
+    """Another recording on the same clock, of what the real robot did; the comparison is with that"""
+
+    def link_poses(self) -> dict[str, Pose]:
+        """Link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
+
+        In the world in dynamic mode, and in the frame of `base_link` in kinematic mode.
+        """
+        return forward_kinematics(self.played.positions, None if self.motion is None else self.motion.base_pose)
+
+    def tracking_error(self) -> NDArray[np.float64]:
+        """Played minus recorded position at the same time, rad (T, 8)."""
+        return self.played.positions - self.recorded.positions_at(self.played.times)
+
+    def saturation(self) -> Saturation | None:
+        """What the motors were asked for; None in kinematic mode, which has none."""
+        return None if self.motion is None else saturation(self.targets, self.played, self.motors)
+
+    def comparison(self) -> Signals:
+        """Recorded against simulated positions, velocities and efforts.
+
+        Raises:
+            QuadrupedError: if `measured` has no time in common with the replay.
+        """
+        return side_by_side(self.measured or self.recorded, self.played)
+
+    def film(self) -> Motion:
+        """What a film of it shows; in a kinematic replay the base stays level, and the lowest foot on the ground."""
+        name = Path(self.recorded.source.name).name
+        if self.motion is not None:
+            return Motion.of_recording(self.motion, name)
+        times = np.arange(0.0, self.played.duration + 1e-9, 1.0 / FRAME_RATE)
+        positions = self.played.positions_at(times)
+        base_pose = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], (len(times), 1))
+        base_pose[:, 2] = FOOT_RADIUS - foot_centres(positions)[..., 2].min(axis=-1)
+        return Motion(f"{name}, kinematic", 1.0 / FRAME_RATE, base_pose, positions)
+
+    def report(self) -> dict[str, Any]:
+        """The replay in numbers, as JSON takes them; errors in rad, times in s."""
+        error = self.tracking_error()
+        lags = lag(self.targets, self.played) if self.motion is not None else [None] * len(JOINT_NAMES)
+        joints = {
+            name: {
+                **_summary(error[:, i]),
+                "max_at": float(self.played.times[np.argmax(np.abs(error[:, i]))]),
+                "lag": lags[i],
+            }
+            for i, name in enumerate(JOINT_NAMES)
+        }
+        gaps = [{"start": gap.start, "seconds": gap.seconds} for gap in self.recorded.gaps()]
+        return {
+            "recording": self.recorded.source.name,
+            "mode": self.mode,
+            "rows": len(self.recorded),
+            "seconds": self.recorded.duration,
+            "gaps": gaps,
+            "clipped": int(self.clipped.sum()),
+            "motion": self._motion_report(),
+            "tracking_error": {"unit": "rad", "all": _summary(error), "joints": joints},
+            "limits": self._limits_report(),
+        }
+
+    def _motion_report(self) -> dict[str, Any] | None:
+        if self.motion is None:
+            return None
+        start = self.motion.base_pose[0]
+        return {
+            "seconds": self.motion.joints.duration,
+            "fell_at": self.motion.fell_at,
+            "base_pose_start": start.tolist(),
+            "base_pose_end": self.motion.base_pose[-1].tolist(),
+            "feet_on_ground_at_start": int((sole_heights(self.played.positions[0], start) < TOUCHING).sum()),
+        }
+
+    def _limits_report(self) -> dict[str, dict[str, Any]]:
+        """What each joint's limits did to the replay."""
+        asked = self.recorded.velocities
+        if asked is None and len(self.recorded) > 1:
+            asked = self.recorded.differentiate().velocities
+        found: dict[str, dict[str, Any]] = {
+            name: {
+                "positions_clipped": int(self.clipped[i]),
+                "fastest_recorded": None if asked is None else float(np.abs(asked[:, i]).max()),
+                "speed_limit": VELOCITY_LIMIT,
+            }
+            for i, name in enumerate(JOINT_NAMES)
+        }
+        saturated = self.saturation()
+        if saturated is not None:
+            assert self.played.efforts is not None
+            assert self.played.velocities is not None
+            for i, (name, entry) in enumerate(saturated.report().items()):
+                found[name] |= {
+                    "saturated": entry,
+                    "largest_torque": float(np.abs(self.played.efforts[:, i]).max()),
+                    "fastest": float(np.abs(self.played.velocities[:, i]).max()),
+                }
+        return found
+
+    def table(self) -> str:
+        """The report for people."""
+        report = self.report()
+        dynamic = self.motion is not None
+        low, high = self.recorded.positions.min(axis=0), self.recorded.positions.max(axis=0)
+        head = f"{'joint':<16}{'recorded range':>20}{'RMS error':>14}{'max error':>14}{'at':>11}"
+        if dynamic:
+            head += f"{'lag':>9}{'at motor limit':>17}{'peak torque':>14}{'peak speed':>14}"
+        lines = [head]
+        for i, (name, error) in enumerate(report["tracking_error"]["joints"].items()):
+            # Adding 0.0 turns a rounded -0.0 into 0.0.
+            span = f"{low[i].round(3) + 0.0:+.3f} .. {high[i].round(3) + 0.0:+.3f}"
+            line = f"{name:<16}{span:>20}{error['rms']:>10.4f} rad{error['max']:>10.4f} rad{error['max_at']:>9.2f} s"
+            if dynamic:
+                limits = report["limits"][name]
+                late = "-" if error["lag"] is None else f"{1000 * error['lag']:.0f} ms"
+                line += (
+                    f"{late:>9}{100 * limits['saturated']['share']:>15.1f} %{limits['largest_torque']:>10.2f} N m"
+                    f"{limits['fastest']:>8.2f} rad/s"
+                )
+            lines.append(line)
+        everything = report["tracking_error"]["all"]
+        lines.append(f"{'all':<16}{'':>20}{everything['rms']:>10.4f} rad{everything['max']:>10.4f} rad")
+        return "\n".join([*lines, *self.remarks()])
+
+    def remarks(self) -> list[str]:
+        """What the reader should know beside the numbers, in sentences."""
+        remarks = list(self.recorded.source.notes)
+        if self.clipped.any():
+            names = ", ".join(name for name, count in zip(JOINT_NAMES, self.clipped, strict=True) if count)
+            remarks.append(f"{self.clipped.sum()} recorded positions were moved to a joint's limit: {names}.")
+        gaps = self.recorded.gaps()
+        if gaps:
+            longest = max(gaps, key=lambda gap: gap.seconds)
+            remarks.append(
+                f"{len(gaps)} gaps in the recording, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s; "
+                f"straight lines were played through them."
+            )
+        fast = [
+            name
+            for name, entry in self._limits_report().items()
+            if entry["fastest_recorded"] is not None and entry["fastest_recorded"] > VELOCITY_LIMIT
+        ]
+        if fast and self.motion is not None:
+            remarks.append(f"Recorded faster than the motors' {VELOCITY_LIMIT:g} rad/s: {', '.join(fast)}.")
+        if self.motion is not None:
+            remarks.append(self.motion.outcome())
+        return remarks
+
+    def save(
+        self, directory: Path, overwrite: bool = False, progress: Progress | None = None, compare: bool = False
+    ) -> None:
+        """Write the link poses, the report and, in dynamic mode, the measured joints into a directory.
+
+        Args:
+            directory: where to write.
+            overwrite: whether to replace files that are already there.
+            progress: is told how much is written.
+            compare: whether the report has the comparison, too.
+
+        Raises:
+            QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
+        """
+        check_free(replay_files(directory), overwrite)
+        links = self.link_poses()
+        titles = [f"{name}.{column}" for name in links for column in _POSE_COLUMNS]
+        table = np.concatenate([part for pose in links.values() for part in pose], axis=1)
+        write_table(directory / POSES_FILE, self.played.stamps, titles, table, overwrite, progress)
+        if self.mode == "dynamic":
+            self.played.save(directory / JOINTS_FILE, overwrite)
+        comparison = {"comparison": self.comparison().report()} if compare else {}
+        write_json(directory / NUMBERS_FILE, {**self.report(), **comparison})
+
+
+def replay(
+    trajectory: JointTrajectory,
+    mode: str = "dynamic",
+    clip: bool = False,
+    progress: Progress | None = None,
+    motors: MotorConfig | None = None,
+    measured: JointTrajectory | None = None,
+) -> Replay:
+    """Play a recording.
+
+    Args:
+        trajectory: all eight joints, in any order.
+        mode: `kinematic` sets the joints to the recorded positions, with no forces and no ground. `dynamic` makes
+            them, on straight lines and 50 times a second, the targets of the motors of a robot that starts at rest in
+            the first of them, on its feet, with gravity and ground.
+        clip: whether to move positions outside the joint limits to the limit.
+        progress: is told the share that is done, in dynamic mode.
+        motors: other motors than the model file's, in dynamic mode.
+        measured: what the real robot did, on the same clock, for the comparison.
+
+    Raises:
+        QuadrupedError: if a joint is unknown or missing, a position is outside its joint's limits and `clip` is
+            false (or so far outside that it is damage), or there is no such mode.
+    """
+    if mode not in MODES:
+        raise QuadrupedError(f"replay: unknown mode {mode!r}; valid modes are {', '.join(MODES)}")
+    recorded = trajectory.in_joint_order()
+    playable, clipped = _within_limits(recorded, clip)
+    motors = motors or MotorConfig()
+    measured = None if measured is None else measured.in_joint_order()
+    if mode == "kinematic":
+        return Replay(mode, recorded, playable, None, clipped, playable, motors, measured)
+    motion = play(playable, progress=progress, motors=motors)
+    return Replay(mode, recorded, motion.joints, motion, clipped, playable, motors, measured)
+
+
+def replay_files(directory: Path) -> list[Path]:
+    """What a replay may write into a directory."""
+    return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
+
+
+def _within_limits(trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:
+    """The trajectory with no position beyond a limit, and how many were, of each joint."""
+    positions = trajectory.positions
+    excess = np.maximum(JOINT_POSITION_LOW - positions, positions - JOINT_POSITION_HIGH)
+    beyond = excess > LIMIT_TOLERANCE
+    if not beyond.any():
+        return trajectory, beyond.sum(axis=0)
+    damaged = excess > MAX_CLIP
+    if not clip or damaged.any():
+        row, column = np.argwhere(damaged if clip else beyond)[0]
+        cure = (
+            "too far to clip: mend the value" if clip else "clip (--clip) to play at the limit, or mend the recording"
+        )
+        raise QuadrupedError(
+            f"{trajectory.source.row(row)}, position.{JOINT_NAMES[column]}: {positions[row, column]:g} rad at "
+            f"{trajectory.times[row]:g} s is outside {JOINT_POSITION_LOW[column]:g} to "
+            f"{JOINT_POSITION_HIGH[column]:g} rad; values outside: {beyond.sum()}; {cure}"
+        )
+    within = positions.clip(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+    return JointTrajectory(trajectory.stamps, JOINT_NAMES, within, source=trajectory.source), beyond.sum(axis=0)
+
+
+def _summary(error: NDArray[np.float64]) -> dict[str, float]:
+    return {"rms": float(np.sqrt(np.mean(error * error))), "max": float(np.max(np.abs(error)))}

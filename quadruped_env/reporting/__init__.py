@@ -1,0 +1,1 @@
+"""Pages, figures and films made from the results of an evaluation."""

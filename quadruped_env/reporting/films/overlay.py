@@ -1,0 +1,137 @@
+"""What a film says beside the picture: a title and the time, command and speed, and which feet are on the ground."""
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.reporting.palette import BLUE, INK, LEG_COLOURS
+from quadruped_env.robot import LEG_NAMES
+
+AVERAGED: Final = 0.5
+"""s: about a stride, which the shown speed is a mean over"""
+GAIT_SECONDS: Final = 2.0
+"""s that the gait diagram looks back"""
+
+_HEAD_HEIGHT, _PANEL_HEIGHT = 32, 76
+_MARGIN: Final = 14
+_AIR: Final = 232
+"""Grey of a foot in the air"""
+_BAND, _BAND_STEP = 11, 15
+"""Pixels: height of a foot's band, and from one to the next"""
+_GAIT_WIDTH: Final = 250
+_BAR_LEFT, _BAR_RIGHT = 78, 204
+_QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
+"""Label, unit, and the velocity at either end of the bar"""
+
+
+class Overlay:
+    """Draws on pictures of one motion.
+
+    Args:
+        title: what is shown.
+        timestep: s between samples.
+        velocity: forward velocity in m/s and yaw rate in rad/s (T, 2), or None.
+        command: what they should be (T, 2), or None.
+        contact: whether each foot is on the ground (T, 4), or None.
+
+    Raises:
+        MissingExtraError: if Pillow is not installed.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        timestep: float,
+        velocity: NDArray[np.floating] | None,
+        command: NDArray[np.floating] | None,
+        contact: NDArray[np.bool_] | None,
+    ) -> None:
+        try:
+            from PIL import Image, ImageDraw, ImageFont
+        except ImportError as error:
+            raise MissingExtraError("A film", "report") from error
+        self._to_image, self._pen_for = Image.fromarray, ImageDraw.Draw
+        self._font, self._small = ImageFont.load_default(16), ImageFont.load_default(13)
+        self._title = title
+        self._timestep = timestep
+        self._command = command
+        self._velocity = None if velocity is None else trailing_mean(velocity, round(AVERAGED / timestep))
+        self._gait = None if contact is None else gait_strip(contact, timestep)
+
+    def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
+        """The picture (H, W, 3) at a sample, with what there is to say about it."""
+        picture = picture.copy()
+        # Pillow gets the edges alone: to and fro with the whole picture takes as long as drawing.
+        head, panel = picture[:_HEAD_HEIGHT], picture[-_PANEL_HEIGHT:]
+        image = self._to_image(head)
+        pen = self._pen_for(image)
+        pen.text((_MARGIN, 10), self._title, fill=INK, font=self._font)
+        clock = f"{(sample + 1) * self._timestep:.1f} s"
+        pen.text((picture.shape[1] - _MARGIN, 10), clock, fill=INK, font=self._font, anchor="ra")
+        head[:] = image
+        if self._velocity is not None or self._gait is not None:
+            # Seven parts of white, in whole numbers, which are quick.
+            image = self._to_image((panel >> 3) + 223)
+            pen = self._pen_for(image)
+            if self._velocity is not None:
+                for row in range(len(_QUANTITIES)):
+                    self._draw_velocity(pen, row, sample, 14 + 28 * row)
+            if self._gait is not None:
+                left = image.width - _MARGIN - _GAIT_WIDTH
+                for leg, name in enumerate(LEG_NAMES):
+                    at = left - 26, 10 + _BAND_STEP * leg + _BAND // 2
+                    pen.text(at, name, fill=INK, font=self._small, anchor="lm")
+                end = max(1, round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH))
+                strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - _GAIT_WIDTH) : end]))
+                image.paste(strip, (image.width - _MARGIN - strip.width, 10))
+            panel[:] = image
+        return picture
+
+    def _draw_velocity(self, pen: Any, row: int, sample: int, top: int) -> None:
+        """A bar from zero to the velocity, a mark at its command, and both in figures."""
+        assert self._velocity is not None
+        label, unit, end = _QUANTITIES[row]
+        value = float(self._velocity[sample, row])
+        middle = (_BAR_LEFT + _BAR_RIGHT) / 2
+
+        def place(velocity: float) -> float:
+            return middle + float(np.clip(velocity / end, -1.0, 1.0)) * (_BAR_RIGHT - _BAR_LEFT) / 2
+
+        pen.text((_MARGIN, top + 8), label, fill=INK, font=self._small, anchor="lm")
+        pen.rectangle((_BAR_LEFT, top + 1, _BAR_RIGHT, top + 15), fill=(_AIR,) * 3)
+        left, right = sorted((middle, place(value)))
+        pen.rectangle((left, top + 1, right, top + 15), fill=BLUE)
+        pen.line((middle, top, middle, top + 16), fill=(150,) * 3)
+        text = f"{value:z.2f} {unit}"
+        if self._command is not None:
+            asked = float(self._command[sample, row])
+            pen.line((place(asked), top - 3, place(asked), top + 19), fill=INK, width=3)
+            text = f"{value:z.2f} of {asked:z.2f} {unit}"
+        pen.text((_BAR_RIGHT + 10, top + 8), text, fill=INK, font=self._small, anchor="lm")
+
+
+def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float64]:
+    """Means over the last `window` samples of values (T, K), or over as many as there are, (T, K)."""
+    total = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0, dtype=np.float64)])
+    stop = np.arange(1, len(values) + 1)
+    start = np.maximum(stop - window, 0)
+    return (total[stop] - total[start]) / (stop - start)[:, None]
+
+
+def gait_strip(contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
+    """The gait diagram of a whole motion as a picture, a band for each foot, coloured while it is on the ground.
+
+    Args:
+        contact: (T, 4).
+        timestep: s between samples; `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
+    """
+    columns = max(1, round(len(contact) * timestep / GAIT_SECONDS * _GAIT_WIDTH))
+    samples = np.arange(columns) * len(contact) // columns
+    strip = np.full((_BAND_STEP * len(LEG_NAMES), columns, 3), 255, np.uint8)
+    for leg, name in enumerate(LEG_NAMES):
+        colour = np.array([int(LEG_COLOURS[name][i : i + 2], 16) for i in (1, 3, 5)], np.uint8)
+        band = np.where(contact[samples, leg, None], colour, np.uint8(_AIR))
+        strip[_BAND_STEP * leg : _BAND_STEP * leg + _BAND] = band
+    return strip

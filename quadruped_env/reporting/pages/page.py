@@ -1,0 +1,178 @@
+"""What the HTML pages share: templates, tables of numbers, and files that become part of the page."""
+
+import base64
+import datetime
+import json
+import math
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
+from quadruped_env.evaluation.confidence import Estimate
+from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
+from quadruped_env.files import write_json, write_whole
+from quadruped_env.provenance import git_commit, machine, versions
+from quadruped_env.reporting.plots.canvas import label
+from quadruped_env.reporting.results import REPORT_FILE
+
+METRICS_FILE: Final = "metrics.json"
+FORMAT_VERSION: Final = 2
+
+SUMMARY: Final = (
+    ("Falls", "fall_rate", None),
+    ("Forwards: velocity error", "forward_velocity_error", "forwards"),
+    ("Standing: velocity error", "forward_velocity_error", "standing"),
+    ("Backwards: velocity error", "forward_velocity_error", "backwards"),
+    ("Turning: yaw rate error", "yaw_rate_error", "turning"),
+    ("Forwards: cost of transport", "cost_of_transport", "forwards"),
+    ("Forwards: foot slip", "foot_slip", "forwards"),
+)
+"""Label, metric and motion of the rows of the first table."""
+
+
+def summary_table(comparison: Comparison) -> str:
+    """The first table of a report as plain text."""
+    rows = [["", *map(label, comparison.values)]]
+    for title, metric, motion in _summary_rows(comparison):
+        unit = METRICS[metric].unit
+        cells = [_cell(metric, comparison.estimate(name, metric, motion)) for name in comparison.values]
+        texts = [c["mean"] if c["mean"] == "-" else f"{c['mean']} [{c['low']}, {c['high']}]" for c in cells]
+        rows.append([f"{title} ({unit})" if unit else title, *texts])
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
+    )
+
+
+def _summary_rows(comparison: Comparison) -> list[tuple[str, str, str | None]]:
+    return [row for row in SUMMARY if comparison.conditions(row[2])]
+
+
+def tables(comparison: Comparison) -> dict[str, Any]:
+    """What the templates make tables of."""
+    return {
+        "controllers": [label(name) for name in comparison.values],
+        "summary": [_row(title, metric, comparison, motion) for title, metric, motion in _summary_rows(comparison)],
+        "motions": [
+            {
+                "title": motion.capitalize(),
+                "commands": "; ".join(words(comparison.commands[i]) for i in comparison.conditions(motion)),
+                "rows": [_row(metric.label, name, comparison, motion) for name, metric in METRICS.items()],
+            }
+            for motion in MOTIONS
+            if comparison.conditions(motion)
+        ],
+        "metrics": METRICS,
+        "start_up": START_UP,
+        "window": WINDOW,
+    }
+
+
+def _row(title: str, metric: str, comparison: Comparison, motion: str | None) -> dict[str, Any]:
+    return {
+        "label": title,
+        "unit": METRICS[metric].unit,
+        "limit": METRICS[metric].limit,
+        "cells": [_cell(metric, comparison.estimate(name, metric, motion)) for name in comparison.values],
+    }
+
+
+def _cell(metric: str, estimate: Estimate) -> dict[str, str]:
+    show = METRICS[metric].show
+    return {"mean": show(estimate.mean), "low": show(estimate.low), "high": show(estimate.high)}
+
+
+def words(command: Command) -> str:
+    """A command as people say it."""
+    forward, yaw_rate = command
+    if not forward and not yaw_rate:
+        return "stand"
+    parts = [f"{forward:g} m/s"] if forward or not yaw_rate else []
+    if yaw_rate:
+        parts.append(f"{yaw_rate:g} rad/s")
+    return " and ".join(parts)
+
+
+def circumstances(command_line: str) -> dict[str, Any]:
+    """By what, when and where a document was made."""
+    return {
+        "format_version": FORMAT_VERSION,
+        "command_line": command_line,
+        "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "machine": machine(),
+        "versions": versions(),
+        "commit": git_commit(),
+    }
+
+
+def figure(title: str, svg: str, caption: str, text: str = "") -> dict[str, str]:
+    """A figure for the templates: its SVG document, what it shows, and what to read from it first."""
+    return {"title": title, "source": data_url("image/svg+xml", svg.encode()), "caption": caption, "text": text}
+
+
+def data_url(kind: str, content: bytes) -> str:
+    """A file as an address that holds it."""
+    return f"data:{kind};base64,{base64.b64encode(content).decode()}"
+
+
+def without_nan(value: Any) -> Any:
+    """Plain nested values with None for what JSON has no word for."""
+    if isinstance(value, Mapping):
+        return {key: without_nan(item) for key, item in value.items()}
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [without_nan(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def write_page(output: Path, template: str, document: dict[str, Any], context: dict[str, Any]) -> tuple[Path, Path]:
+    """Write a report and its numbers into a directory, over those of an earlier evaluation.
+
+    Args:
+        output: the directory.
+        template: name of the page's template.
+        document: the numbers, as JSON takes them; the template sees them too.
+        context: what else the template sees.
+
+    Returns:
+        The paths of the report and of the numbers.
+
+    Raises:
+        QuadrupedError: if a file cannot be written.
+    """
+    report, numbers = output / REPORT_FILE, output / METRICS_FILE
+    write_json(numbers, document)
+    write_html(report, template, {"document": document, **context})
+    return report, numbers
+
+
+def write_html(path: Path, template: str, context: dict[str, Any]) -> None:
+    """Write a page of a template and what it sees, over an older one.
+
+    Raises:
+        MissingExtraError: if jinja2 is not installed.
+        QuadrupedError: if the file cannot be written.
+    """
+    try:
+        from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    except ImportError as error:
+        raise MissingExtraError("The report", "report") from error
+
+    environment = Environment(
+        loader=FileSystemLoader(Path(__file__).parent / "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["glued"] = _glued
+    environment.filters["json"] = lambda value: json.dumps(value, indent=2)
+    html = environment.get_template(template).render(**context)
+    write_whole({path: html.encode()})
+
+
+def _glued(text: str) -> str:
+    """The text with numbers and their units kept on one line."""
+    return re.sub(r"(?<=\d) (?=(%|m|s|N|W|Hz|rad)\b|%)", "\N{NO-BREAK SPACE}", text)

@@ -1,0 +1,108 @@
+"""The moving parts of a report: films, stills and the replay in three dimensions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+import numpy as np
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
+from quadruped_env.evaluation.comparison import MOTIONS, Comparison
+from quadruped_env.evaluation.failures import Failure
+from quadruped_env.evaluation.metrics import START_UP
+from quadruped_env.progress import Progress
+from quadruped_env.reporting.films.film import Camera, Motion, Picture
+from quadruped_env.reporting.films.overlay import AVERAGED
+from quadruped_env.reporting.films.video import encode_mp4, encode_webp, halved
+from quadruped_env.reporting.pages.page import data_url, words
+from quadruped_env.reporting.pages.scene import scene_html
+
+CLIP_SECONDS: Final = 2.4
+SCENE_SECONDS: Final = 20.0
+STILL_TIMES: Final = (-0.6, -0.3, 0.0)
+"""s around the moment of a failure"""
+OVERLAY_LEGEND: Final = (
+    f"Black marks are what it is asked for, bars what it does, averaged over {AVERAGED:g} s; coloured bands are feet "
+    f"on the ground."
+)
+_FILMED: Final = ("forwards", "turning", "backwards")
+_SHOWN_VELOCITY: Final = 0.4
+"""m/s; of the forward commands, the one next to this is drawn over time and filmed"""
+_STILL_CROP: Final = np.s_[20:440, 40:600]
+
+
+@dataclass(frozen=True)
+class Pictures:
+    """What OpenGL gives, or why it does not."""
+
+    video: dict[str, str]
+    """`source` and `caption`, or why it is `missing`"""
+    stills: dict[int, str] = field(default_factory=dict)
+    """Row of an episode -> the source of its stills"""
+
+
+def shown_commands(comparison: Comparison) -> dict[str, int]:
+    """Motion -> index of the command that stands for it in figures and in films."""
+    shown = {motion: comparison.conditions(motion)[0] for motion in MOTIONS if comparison.conditions(motion)}
+    if "forwards" in shown:
+        shown["forwards"] = min(
+            comparison.conditions("forwards"), key=lambda i: abs(comparison.commands[i][0] - _SHOWN_VELOCITY)
+        )
+    return shown
+
+
+def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
+    """What a report's film shows: a controller under a command of each kind of motion."""
+    commands = shown_commands(comparison)
+    whose = "" if controller == "policy" else f"{controller}, "
+    motions: list[str] = [motion for motion in _FILMED if motion in commands]
+    motions = motions or list(commands)
+    return [
+        _episode(comparison, commands[motion], CLIP_SECONDS, controller, f"{whose}{motion}: ") for motion in motions
+    ]
+
+
+def _episode(comparison: Comparison, command: int, seconds: float, controller: str, title: str) -> Motion:
+    """A piece of the episode that stands for a command, after the start-up and before a fall."""
+    rollout, row = comparison.rollouts[controller], comparison.episode(command, controller)
+    alive = float(rollout.valid[:, row].sum()) * rollout.timestep
+    start = max(0.0, min(START_UP, alive - seconds))
+    return Motion.of_rollout(rollout, row, title + words(comparison.commands[command]), start, start + seconds)
+
+
+def take_pictures(
+    motions: Sequence[Motion],
+    shown: str,
+    failures: Sequence[tuple[Motion, Failure]] = (),
+    progress: Progress | None = None,
+) -> Pictures:
+    """Film motions, of which `shown` says what they are, and take stills of failures, if there is OpenGL."""
+    try:
+        with Camera() as camera:
+            video = encode_mp4(camera.films(motions, progress))
+            stills = {failure.row: _stills(camera, motion, failure) for motion, failure in failures}
+    except QuadrupedError as error:
+        return Pictures({"missing": f"No video: {portable_message(error)}"})
+
+    caption = f"In real time: {shown}. {OVERLAY_LEGEND}"
+    return Pictures({"source": data_url("video/mp4", video), "caption": caption}, stills)
+
+
+def _stills(camera: Camera, motion: Motion, failure: Failure) -> str:
+    """The moments of `STILL_TIMES` side by side, half size."""
+    samples = [round((failure.moment + time) / motion.timestep) - 1 for time in STILL_TIMES]
+    last = len(motion.base_pose) - 1
+    strip: list[Picture] = [halved(camera.picture(motion, min(max(s, 0), last))[_STILL_CROP]) for s in samples]
+    return data_url("image/webp", encode_webp(np.concatenate(strip, axis=1)))
+
+
+def scene(comparison: Comparison) -> dict[str, Any]:
+    """The replay in 3D of one episode and its caption, or why it is missing."""
+    commands = shown_commands(comparison)
+    command = commands.get("forwards", next(iter(commands.values())))
+    motion = _episode(comparison, command, SCENE_SECONDS, "policy", "")
+    try:
+        page = scene_html(motion)
+    except MissingExtraError as error:
+        return {"missing": f"No 3D replay: {portable_message(error)}"}
+    return {"page": page, "caption": f"The trained policy, asked for {words(comparison.commands[command])}."}

@@ -1,0 +1,21 @@
+"""The figures of a report: functions from what was measured to an SVG document, in one style (`quadruped.mplstyle`)."""
+
+from quadruped_env.reporting.plots.efforts import cost_over_speed, motor_limits, reward_terms
+from quadruped_env.reporting.plots.learning import LEARNING_CURVES, learning_curve, read_progress
+from quadruped_env.reporting.plots.motions import feet, gait_diagram, joint_traces
+from quadruped_env.reporting.plots.velocities import episode, tracking, velocity_over_time
+
+__all__ = [
+    "LEARNING_CURVES",
+    "cost_over_speed",
+    "episode",
+    "feet",
+    "gait_diagram",
+    "joint_traces",
+    "learning_curve",
+    "motor_limits",
+    "read_progress",
+    "reward_terms",
+    "tracking",
+    "velocity_over_time",
+]

@@ -1,0 +1,153 @@
+"""Figures of what a walk costs and earns: energy, motors, reward."""
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.metrics import counted_samples, masked_mean
+from quadruped_env.reporting.palette import GREY, LIMIT
+from quadruped_env.reporting.plots.canvas import draw_figure, label, looks
+from quadruped_env.robot import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
+
+_BINS: Final = 90
+_SHARES: Final = (50, 95, 100)
+"""Percentiles of |torque| and |speed| over time and episodes"""
+
+
+def cost_over_speed(comparison: Comparison) -> str:
+    """Cost of transport and motor power over the speed that is reached, of every controller; backwards hollow."""
+    look = looks(comparison.values)
+    metrics = (("cost_of_transport", "cost of transport (1)"), ("mean_power", "motor power (W)"))
+
+    def draw(axes: Any) -> None:
+        for ax, (metric, quantity) in zip(axes[0], metrics, strict=True):
+            for controller in comparison.values:
+                for motion, face in (("forwards", None), ("backwards", "white")):
+                    rows = comparison.conditions(motion)
+                    speed = np.abs([comparison.estimate_at(controller, "forward_velocity", i).mean for i in rows])
+                    estimates = [comparison.estimate_at(controller, metric, i) for i in rows]
+                    mean = np.array([e.mean for e in estimates])
+                    reach = [[e.mean - e.low for e in estimates], [e.high - e.mean for e in estimates]]
+                    # Several commands that end in the same speed make no line.
+                    known = speed[np.isfinite(speed)]
+                    travels = len(known) > 1 and float(np.ptp(known)) > 0.05
+                    if np.isfinite(mean).any():
+                        ax.errorbar(
+                            speed,
+                            mean,
+                            np.maximum(reach, 0.0),
+                            **look[controller],
+                            linestyle="-" if travels and face is None else "none",
+                            linewidth=1.0,
+                            markerfacecolor=face,
+                            label=label(controller) if face is None else None,
+                        )
+            ax.set(xlabel="speed reached (m/s)", ylabel=quantity)
+            ax.set_ylim(bottom=0.0)
+            ax.set_xlim(left=-0.02)
+        handles, names = axes[0, 1].get_legend_handles_labels()
+        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=4, handletextpad=0.4)
+
+    return draw_figure(1, 2, 2.8, draw)
+
+
+def motor_limits(comparison: Comparison) -> str:
+    """Where the policy runs its motors: torque over speed with the motors' limits, and every joint's share of them."""
+    rollout = comparison.rollouts["policy"]
+    counted = counted_samples(rollout)
+    torque, speed = rollout.joint_torque[counted], rollout.joint_velocity[counted]
+    reach = 1.25
+
+    def draw(axes: Any) -> None:
+        from matplotlib.colors import LogNorm
+
+        edges = (
+            np.linspace(-reach * VELOCITY_LIMIT, reach * VELOCITY_LIMIT, _BINS + 1),
+            np.linspace(-1.1 * EFFORT_LIMIT, 1.1 * EFFORT_LIMIT, _BINS + 1),
+        )
+        line = np.linspace(-reach * VELOCITY_LIMIT, reach * VELOCITY_LIMIT, 201)
+        for ax, joint, title in zip(axes[0], (0, 1), ("hips", "knees"), strict=True):
+            counts, _, _ = np.histogram2d(speed[:, joint::2].ravel(), torque[:, joint::2].ravel(), edges)
+            share = 100.0 * counts / max(counts.sum(), 1.0)
+            seen = np.where(share > 0.0, share, np.nan).T
+            mesh = ax.pcolormesh(*edges, seen, cmap="viridis_r", norm=LogNorm(1e-3, 10.0), rasterized=True)
+            for sign in (-1.0, 1.0):
+                # With full voltage the torque falls linearly to zero at the no-load speed, and below it when braking.
+                most = np.clip(EFFORT_LIMIT * (sign - line / VELOCITY_LIMIT), -EFFORT_LIMIT, EFFORT_LIMIT)
+                ax.plot(line, most, color=LIMIT, linewidth=1.2)
+            ax.set(xlabel="speed (rad/s)", title=title)
+            ax.set_xlim(edges[0][0], edges[0][-1])
+            ax.set_ylim(edges[1][0], edges[1][-1])
+        axes[0, 0].set_ylabel("torque (N m)")
+        axes[0, 0].figure.colorbar(mesh, ax=axes[0], label="% of the time", pad=0.01, aspect=14)
+        names = [name.removesuffix("_joint").replace("_", " ") for name in JOINT_NAMES]
+        quantities = (("torque", torque, EFFORT_LIMIT), ("speed", speed, VELOCITY_LIMIT))
+        for ax, (quantity, values, limit) in zip(axes[1], quantities, strict=True):
+            if len(values):
+                half, most, peak = 100.0 * np.percentile(np.abs(values), _SHARES, axis=0) / limit
+                place = np.arange(len(names))
+                ax.barh(place, most, color=looks(comparison.rollouts)["policy"]["color"], height=0.6, label="95 %")
+                ax.plot(half, place, "|", color="white", markersize=8, markeredgewidth=2, label="half")
+                ax.plot(peak, place, "D", color=GREY, markersize=4, label="peak")
+            ax.axvline(100.0, color=LIMIT, linewidth=1.2)
+            ax.set(xlabel=f"{quantity} (% of the limit)")
+            ax.set_yticks(range(len(names)), names)
+            ax.invert_yaxis()
+            ax.grid(visible=False, axis="y")
+        axes[1, 1].tick_params(labelleft=False)
+
+    return draw_figure(2, 2, 4.8, draw)
+
+
+def reward_terms(comparison: Comparison) -> str:
+    """Mean weighted reward terms a second, forwards and turning: those that pay, and on other scales those that cost.
+
+    The policy's are bars, the other controllers' marks.
+    """
+    motions: list[str | None] = [motion for motion in ("forwards", "turning") if comparison.conditions(motion)]
+    motions = motions or [None]
+    look = looks(comparison.rollouts)
+    names = np.array(comparison.rollouts["policy"].term_names)
+    means = {motion: _mean_terms(comparison, motion) for motion in motions}
+    pays = np.max([terms["policy"] for terms in means.values()], axis=0) > 0.0
+    happens = np.any([terms != 0.0 for motion in means.values() for terms in motion.values()], axis=0)
+    groups = [np.flatnonzero(group & happens) for group in (pays, ~pays) if (group & happens).any()]
+
+    def draw(axes: Any) -> None:
+        for row, group in zip(axes, groups, strict=True):
+            place = np.arange(len(group))
+            for ax, motion in zip(row, motions, strict=True):
+                for controller, terms in means[motion].items():
+                    if controller == "policy":
+                        colour = look[controller]["color"]
+                        ax.barh(place, terms[group], color=colour, height=0.62, label=label(controller))
+                    else:
+                        ax.plot(terms[group], place, linestyle="none", label=label(controller), **look[controller])
+                ax.axvline(0.0, color="#888888", linewidth=0.8)
+                ax.set_yticks(place, [name.replace("_", " ") for name in names[group]])
+                ax.set_ylim(len(group) - 0.4, -0.6)
+                ax.grid(visible=False, axis="y")
+                ax.tick_params(labelleft=ax is row[0])
+                ax.set_xlabel("reward (1/s)")
+        for ax, motion in zip(axes[0], motions, strict=True):
+            ax.set_title(motion or "")
+        handles, labels = axes[0, 0].get_legend_handles_labels()
+        axes[0, 0].figure.legend(handles, labels, loc="outside upper center", ncols=4, handletextpad=0.4)
+
+    ratios = [len(group) + 1.5 for group in groups]
+    return draw_figure(len(groups), len(motions), 0.9 + 0.24 * sum(ratios), draw, height_ratios=ratios)
+
+
+def _mean_terms(comparison: Comparison, motion: str | None) -> dict[str, NDArray[np.float64]]:
+    """Controller -> mean of each term a second (K,), of the controllers that last longer than the start-up."""
+    rows = np.concatenate([comparison.rows(i) for i in comparison.conditions(motion)])
+    means = {}
+    for controller, rollout in comparison.rollouts.items():
+        some = rollout.select(rows)
+        terms = masked_mean(some.reward_terms, counted_samples(some)) / some.timestep
+        known = np.isfinite(terms).all(axis=1)
+        if known.any() or controller == "policy":
+            means[controller] = terms[known].mean(axis=0) if known.any() else np.zeros(terms.shape[1])
+    return means

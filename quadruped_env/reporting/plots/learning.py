@@ -1,0 +1,70 @@
+"""What a training run logged, and its figure."""
+
+import csv
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.documents import check_regular
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.reporting.plots.canvas import draw_figure, looks
+
+LEARNING_CURVES: Final = (
+    ("return", "return of\nan episode (1)"),
+    ("forward_velocity_error", "forward velocity\nerror (m/s)"),
+    ("fall_rate", "episodes that\nend in a fall (1)"),
+)
+
+
+def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
+    """The learning curve of a training run: column -> values, NaN where there is none.
+
+    Raises:
+        QuadrupedError: if the file is not a table of numbers with a column `timesteps`.
+    """
+    check_regular(path, "remove it to make the report without a learning curve")
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            reader = csv.DictReader(file)
+            names = list(reader.fieldnames or ())
+            rows = list(reader)
+            # A line that a killed run left unfinished has fewer cells: those are None.
+            columns = {name: np.array([float(row[name] or math.nan) for row in rows]) for name in names}
+    except (ValueError, OSError, csv.Error) as error:
+        raise QuadrupedError(f"{path}: {error}; remove the file to make the report without a learning curve") from error
+    if "timesteps" not in columns:
+        raise QuadrupedError(f"{path}: expected a column 'timesteps'; found {', '.join(names) or 'an empty file'}")
+    return columns
+
+
+def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str:
+    """What trainings measured over their time steps: name of the run -> its columns, as `read_progress` gives them."""
+    curves = [curve for curve in LEARNING_CURVES if any(curve[0] in columns for columns in progress.values())]
+    look = looks(progress)
+
+    def draw(axes: Any) -> None:
+        for ax, (quantity, label) in zip(axes[:, 0], curves, strict=True):
+            for name, columns in progress.items():
+                if quantity not in columns:
+                    continue
+                # Only some rows have a return: those in which an episode ended.
+                known = np.isfinite(columns[quantity])
+                steps = columns["timesteps"][known] / 1e6
+                ax.plot(
+                    steps, columns[quantity][known], color=look[name]["color"], marker=".", markersize=3, label=name
+                )
+            ax.set_ylabel(label)
+            if quantity == "fall_rate":
+                ax.set_ylim(-0.03, 1.03)
+            elif quantity != "return":
+                ax.set_ylim(bottom=0.0)
+        axes[-1, 0].set_xlabel("time steps (millions)")
+        if len(progress) > 1:
+            handles, labels = axes[0, 0].get_legend_handles_labels()
+            axes[0, 0].figure.legend(handles, labels, loc="outside upper center", ncols=2)
+
+    return draw_figure(len(curves), 1, 0.5 + 1.3 * len(curves), draw, sharex=True)

@@ -1,0 +1,129 @@
+"""Figures of feet and joints over time."""
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.metrics import counted_samples, foot_clearance, slip_of_feet
+from quadruped_env.reporting.palette import LEG_COLOURS, LIMIT
+from quadruped_env.reporting.plots.canvas import draw_figure, label, looks, shown_samples
+from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
+
+_CENTI: Final = 100.0
+
+
+def gait_diagram(comparison: Comparison, command: int, seconds: float = 2.0) -> str:
+    """When each foot is on the ground, for every controller that moves its feet."""
+    shown = [name for name in comparison.rollouts if name != "zero"]
+
+    def draw(axes: Any) -> None:
+        for ax, controller in zip(axes[:, 0], shown, strict=True):
+            one = comparison.rollouts[controller].select([comparison.episode(command, controller)])
+            samples = shown_samples(one.valid, one.timestep, seconds)
+            for leg, name in enumerate(LEG_NAMES):
+                spans = _spans(one.contact[samples, 0, leg])
+                start = (samples[0] if len(samples) else 0) * one.timestep
+                ax.broken_barh(
+                    [(start + begin * one.timestep, length * one.timestep) for begin, length in spans],
+                    (leg - 0.36, 0.72),
+                    color=LEG_COLOURS[name],
+                )
+            ax.set_yticks(range(len(LEG_NAMES)), LEG_NAMES)
+            ax.set_ylim(len(LEG_NAMES) - 0.4, -0.6)
+            ax.grid(visible=False, axis="y")
+            ax.set_title(label(controller))
+            ax.set_ylabel("foot")
+        axes[-1, 0].set_xlabel("time (s)")
+
+    return draw_figure(len(shown), 1, 0.5 + 1.15 * len(shown), draw, sharex=True)
+
+
+def _spans(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First index and length of every run of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], on.astype(np.int8), [0]])))
+    return [(int(begin), int(end - begin)) for begin, end in edges.reshape(-1, 2)]
+
+
+def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
+    """Height of the policy's soles over time, and clearance and slip of each foot for every controller that steps."""
+    shown = {name: rollout for name, rollout in comparison.rollouts.items() if name != "zero"}
+    look = looks(comparison.rollouts)
+    one = shown["policy"].select([comparison.episode(command)])
+    samples = shown_samples(one.valid, one.timestep, seconds)
+    time = (samples + 1) * one.timestep
+
+    def draw(axes: Any) -> None:
+        figure = axes[0, 0].figure
+        grid = axes[0, 0].get_gridspec()
+        for ax in axes[0]:
+            ax.remove()
+        heights = figure.add_subplot(grid[0, :])
+        for leg, name in enumerate(LEG_NAMES):
+            heights.plot(time, _CENTI * one.foot_height[samples, 0, leg], color=LEG_COLOURS[name], label=name)
+        heights.set(xlabel="time (s)", ylabel="height of the sole (cm)", title=label("policy"))
+        heights.legend(ncols=4, loc="upper right")
+        top = heights.get_ylim()[1]
+        heights.set_ylim(top=top * 1.25)
+        for controller, rollout in shown.items():
+            some = rollout.select(comparison.rows(command))
+            counted = counted_samples(some)
+            measured = (
+                (axes[1, 0], foot_clearance(some.foot_height, counted)),
+                (axes[1, 1], slip_of_feet(some.slip_speed, some.contact, counted)),
+            )
+            for ax, values in measured:
+                finite = np.isfinite(values).all(axis=1)
+                if finite.any():
+                    mean = values[finite].mean(axis=0)
+                    ax.plot(LEG_NAMES, _CENTI * mean, linestyle="none", label=label(controller), **look[controller])
+        axes[1, 0].set(ylabel="clearance (cm)", xlabel="foot")
+        axes[1, 1].set(ylabel="slip (cm/s)", xlabel="foot")
+        for ax in axes[1]:
+            ax.set_ylim(bottom=0.0)
+            ax.margins(x=0.15)
+        handles, names = axes[1, 0].get_legend_handles_labels()
+        figure.legend(handles, names, loc="outside lower center", ncols=3)
+
+    return draw_figure(2, 2, 4.6, draw)
+
+
+def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
+    """Position, speed and torque of the policy's joints with their limits, from the end of the start-up on.
+
+    Args:
+        comparison: what was run.
+        command: index of the command.
+        seconds: of it.
+    """
+    one = comparison.rollouts["policy"].select([comparison.episode(command)])
+    samples = shown_samples(one.valid, one.timestep, seconds)
+    time = (samples + 1) * one.timestep
+    quantities: tuple[tuple[str, NDArray[Any], NDArray[Any], NDArray[Any]], ...] = (
+        ("position (rad)", one.joint_position, JOINT_POSITION_LOW, JOINT_POSITION_HIGH),
+        ("speed (rad/s)", one.joint_velocity, np.full(8, -VELOCITY_LIMIT), np.full(8, VELOCITY_LIMIT)),
+        ("torque (N m)", one.joint_torque, np.full(8, -EFFORT_LIMIT), np.full(8, EFFORT_LIMIT)),
+    )
+
+    def draw(axes: Any) -> None:
+        for row, (quantity, values, low, high) in zip(axes, quantities, strict=True):
+            for joint, ax in enumerate(row):
+                for limit in (low[joint], high[joint]):
+                    line = ax.axhline(limit, color=LIMIT, linewidth=1.0)
+                for leg, name in enumerate(LEG_NAMES):
+                    trace = values[samples, 0, 2 * leg + joint]
+                    ax.plot(time, trace, color=LEG_COLOURS[name], linewidth=1.2, label=name)
+                margin = 0.06 * (high[joint] - low[joint])
+                ax.set_ylim(low[joint] - margin, high[joint] + margin)
+            row[0].set_ylabel(quantity)
+        axes[0, 0].set_title("hips")
+        axes[0, 1].set_title("knees")
+        for ax in axes[-1]:
+            ax.set_xlabel("time (s)")
+        handles, names = axes[0, 0].get_legend_handles_labels()
+        axes[0, 0].figure.legend(
+            [*handles, line], [*names, "limit"], loc="outside upper center", ncols=5, columnspacing=1.0
+        )
+
+    return draw_figure(3, 2, 4.8, draw, sharex=True)

@@ -1,0 +1,24 @@
+"""The directory of a report."""
+
+import importlib.util
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+
+REPORT_FILE: Final = "report.html"
+
+
+def prepare_output(output: Path) -> None:
+    """Create the directory of a report, and fail now if the report could not be written later.
+
+    Raises:
+        MissingExtraError: if a library of the `report` extra is not installed.
+        QuadrupedError: if the directory cannot be created.
+    """
+    if any(importlib.util.find_spec(name) is None for name in ("matplotlib", "jinja2", "av", "PIL")):
+        raise MissingExtraError("The report", "report")
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise QuadrupedError(f"{output}: cannot be created ({error.strerror}); name another place") from error

@@ -1,0 +1,20 @@
+"""The colours of films and reports, as the browser's scene takes them."""
+
+from typing import Final
+
+from quadruped_env.reporting.palette import BLUE, GREEN, LEG_COLOURS, ORANGE, VERMILION
+
+Colour = tuple[int, int, int]
+
+
+def rgb(colour: str) -> Colour:
+    """`#rrggbb` as three numbers in 0 to 255."""
+    red, green, blue = bytes.fromhex(colour.removeprefix("#"))
+    return red, green, blue
+
+
+COMMANDED: Final = rgb(GREEN)
+ACTUAL: Final = rgb(BLUE)
+CONTACT: Final = rgb(VERMILION)
+PUSH: Final = rgb(ORANGE)
+LEGS: Final = tuple(map(rgb, LEG_COLOURS.values()))

@@ -1,0 +1,34 @@
+"""Modules that the nodes load: those that run on a robot load neither viewer, evaluation nor training."""
+
+import subprocess
+import sys
+
+import pytest
+
+ON_A_ROBOT = ("controller", "echo", "gait", "hz", "list", "record", "sim", "state", "teleop")
+LIST_MODULES = """
+import sys
+from quadruped_env.live.nodes import node_module
+node_module(sys.argv[1])
+print(*sys.modules)
+"""
+
+
+def loaded_by(node):
+    """Names of the modules that a fresh Python has loaded once it imported a node."""
+    result = subprocess.run([sys.executable, "-c", LIST_MODULES, node], capture_output=True, text=True, check=True)
+    return result.stdout.split()
+
+
+@pytest.mark.parametrize("node", ON_A_ROBOT)
+def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node):
+    loaded = loaded_by(node)
+    assert f"quadruped_env.live.nodes.{node}" in loaded
+    packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "reporting", "replay", "evaluation", "training"))
+    assert [name for name in loaded if name.startswith(packages)] == []
+    assert not {"matplotlib", "viser", "torch", "stable_baselines3"} & set(loaded)
+
+
+def test_view_node_imports_the_viewer():
+    """The names that the other test looks for exist."""
+    assert "quadruped_env.viewer.scene" in loaded_by("view")
