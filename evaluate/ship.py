@@ -14,8 +14,8 @@ from quadruped_env import QuadrupedError
 from quadruped_env._python import pasteable
 from quadruped_env.cli.options import plain_warnings
 from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.shipping import ship
-from quadruped_env.policies.policy import SHIPPED
 
 
 def main() -> int:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quadruped_env.live.pilot import Measurement, Mode, Pilot, Safety
+from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.robot import STANCE
 from quadruped_env.task import TaskConfig
 
@@ -33,7 +33,7 @@ class Bench:
     def __init__(self, controller=None, **safety):
         self.controller = controller or Recording()
         self.said = []
-        self.pilot = Pilot(self.controller, TaskConfig(), Safety(**safety), self.said.append)
+        self.pilot = LiveController(self.controller, TaskConfig(), Safety(**safety), self.said.append)
         self.now = 50.0
         self.positions = LYING.copy()
         self.orientation = LEVEL

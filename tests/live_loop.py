@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quadruped_env.live.pilot import Measurement, Pilot
+from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.policies import find_controller
 
@@ -21,7 +21,7 @@ class Loop:
 
     def restart_pilot(self):
         """The controller ended, and another one begins."""
-        self.pilot = Pilot(*find_controller(self._controller).make())
+        self.pilot = LiveController(*find_controller(self._controller).make())
 
     @property
     def time(self):

@@ -7,8 +7,9 @@ import gymnasium
 import numpy as np
 
 from quadruped_env.envs import ENV_ID
+from quadruped_env.readings import Readings
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, load_model
-from quadruped_env.simulation import BatchSimulation, State
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import (
     OBSERVATION_LAYOUT,
     CommandConfig,
@@ -63,7 +64,7 @@ def random_state(rng, rows):
         "foot_angular_velocity": (4, 3),
     }
     values = {}
-    for field in dataclasses.fields(State):
+    for field in dataclasses.fields(Readings):
         width = (8,) if field.name.startswith("joint") else widths.get(field.name, (3,))
         values[field.name] = rng.standard_normal((rows, *width))
     # Around their thresholds.
@@ -73,7 +74,7 @@ def random_state(rng, rows):
     values["base_position"][:, 2] = rng.uniform(0.1, 0.2, rows)
     values["joint_position"] = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH, (rows, 8))
     values["up_b"] /= np.linalg.norm(values["up_b"], axis=1, keepdims=True)
-    return State(**values)
+    return Readings(**values)
 
 
 def random_memory(rng, rows):
@@ -96,5 +97,5 @@ def random_memory(rng, rows):
 
 
 def convert(batch, function):
-    """A State or Memory with a function applied to every array."""
+    """A Readings or Memory with a function applied to every array."""
     return type(batch)(**{f.name: function(getattr(batch, f.name)) for f in dataclasses.fields(batch)})

@@ -9,11 +9,11 @@ import pytest
 from PIL import Image
 
 from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env.control.policy import shipped_directory
 from quadruped_env.evaluation.episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
-from quadruped_env.policies.policy import shipped_directory
 from quadruped_env.replay.replay import replay
 from quadruped_env.reporting.films import film, overlay, video
 from quadruped_env.reporting.films.film import Camera, Motion

@@ -11,9 +11,9 @@ from bags import fields, write_bag
 from hanging import bounded
 
 from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, load_policy, shipped_directory
 from quadruped_env.documents import MAX_BYTES, MAX_DEPTH, parse_json, read_json, read_toml
 from quadruped_env.errors import MAX_MESSAGE, cut, short
-from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE, load_policy, shipped_directory
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.plots.learning import read_progress
 from quadruped_env.task import TaskConfig

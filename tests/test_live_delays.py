@@ -12,10 +12,10 @@ from live_delays import COMMAND_PERIOD, KINDS, PERIOD, Disturbance, Link
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
+from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
+from quadruped_env.control.timestamp_filter import TimestampFilter
 from quadruped_env.live import Node
-from quadruped_env.live.commands import LIMP
-from quadruped_env.live.gate import Gate
-from quadruped_env.live.pilot import Measurement, Mode, Pilot, Safety
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.topics import CMD_VEL, ODOMETRY
 from quadruped_env.policies import find_controller
@@ -51,7 +51,7 @@ class Still(Link):
     """A robot that stays in its stance, and is laid on its side and put up again once."""
 
     def __init__(self):
-        super().__init__(Pilot(Asks(), TaskConfig()), self._still)
+        super().__init__(LiveController(Asks(), TaskConfig()), self._still)
 
     def _still(self, stamp):
         fallen = any(one.holds("fall", self.time) for one in self.disturbances)
@@ -138,7 +138,7 @@ def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_me
 
 def test_stale_states_among_fresh_ones_never_become_the_measure():
     """Every other state is 0.5 s late, for long, and while nothing moves: the fresh ones stay the measure."""
-    gate = Gate("/test")
+    gate = TimestampFilter("/test")
     for i in range(1000):
         now = 10.0 + i * PERIOD
         late = i % 2
@@ -201,7 +201,7 @@ class Walking(Link):
 
     def __init__(self, seed):
         self.robot = SimulatedRobot(seed)
-        super().__init__(Pilot(*find_controller("flat").make()), self._measured, self.robot.command, (0.5, 0.0))
+        super().__init__(LiveController(find_controller("flat").make()), self._measured, self.robot.command, (0.5, 0.0))
 
     def _measured(self, stamp):
         state = self.robot.state

@@ -7,12 +7,12 @@ import time
 import numpy as np
 import pytest
 from live_nodes import usable
+from quadruped_env.live.mirror import Mirror, mirror_source
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.joints import JointReader
-from quadruped_env.live.mirror import Mirror, mirror_source
 from quadruped_env.live.node import Received
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session

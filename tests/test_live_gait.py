@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from browser import fill
+from quadruped_env.live.mirror import Mirror, mirror_source
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.joints import JointReader
-from quadruped_env.live.mirror import Mirror, mirror_source
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, PUSH
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController

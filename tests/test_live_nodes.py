@@ -11,9 +11,9 @@ from live_nodes import joint_state, received_from
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
+from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node, Topic, benchmark
 from quadruped_env.live.joints import JointReader
-from quadruped_env.live.pilot import Safety
 from quadruped_env.live.sole import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, STANCE_HEIGHT

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from live_loop import EPOCH, Loop
 from live_nodes import received_from
+from quadruped_env.live.mirror import Mirror, mirror_source
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
+from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
 from quadruped_env.live.benchmark import speed_in_environment
-from quadruped_env.live.commands import LIMP
-from quadruped_env.live.mirror import Mirror, mirror_source
-from quadruped_env.live.pilot import Mode
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp

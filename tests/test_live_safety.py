@@ -5,14 +5,15 @@ import math
 import numpy as np
 import pytest
 from live_bench import EPOCH, LEVEL, LYING, PERIOD, Bench, Recording
+from quadruped_env.live.measured import MeasuredRobot, up_in_body
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
-from quadruped_env.live.commands import LIMP, CommandWriter, limited, positions_message, read_positions, read_target
-from quadruped_env.live.gate import Gate
+from quadruped_env.control.joint_command import LIMP, limited
+from quadruped_env.control.live_controller import Mode, Safety
+from quadruped_env.control.timestamp_filter import TimestampFilter
+from quadruped_env.live.commands import CommandWriter, positions_message, read_positions, read_target
 from quadruped_env.live.imu import read_imu
 from quadruped_env.live.joints import JointReader
-from quadruped_env.live.measured import MeasuredRobot, up_in_body
-from quadruped_env.live.pilot import Mode, Safety
 from quadruped_env.policies import GaitController, PolicyController, load_policy
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT, load_model
 from quadruped_env.ros import cdr
@@ -230,7 +231,7 @@ def test_a_clock_that_leapt_is_refused_until_all_begins_anew():
 
 
 def test_a_gate_allows_for_clocks_that_drift():
-    gate = Gate("/test")
+    gate = TimestampFilter("/test")
     for second in range(0, 3600):
         assert gate.refusal(round(second * 1e9), second * 1.0005) == ""
     assert "leapt ahead" in gate.refusal(round(3600.5e9), 3600.5)
@@ -293,7 +294,7 @@ def test_up_in_body_is_the_models_sensor(model):
         orientation /= np.linalg.norm(orientation)
         qpos = np.concatenate([[0.0, 0.0, 5.0], orientation, STANCE])
         simulation.reset(np.zeros(1, dtype=np.intp), qpos[None], np.zeros((1, 14)))
-        np.testing.assert_allclose(up_in_body(orientation), simulation.state.up_b[0], atol=1e-12)
+        np.testing.assert_allclose(up_in_body(orientation), simulation.readings.up_b[0], atol=1e-12)
 
 
 @pytest.mark.parametrize("kind", ["policy", "gait"])
@@ -315,7 +316,7 @@ def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
     for task in (real, told):
         task.reset(row, seeds=[4], command=(0.4, 0.2))
     for _ in range(100):
-        state = simulation.state
+        state = simulation.readings
         robot.measure(
             state.joint_position[0], state.joint_velocity[0], state.orientation[0], state.angular_velocity_b[0]
         )

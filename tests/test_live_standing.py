@@ -5,10 +5,10 @@ import pytest
 from live_loop import Loop
 from scipy.spatial.transform import Rotation
 
-from quadruped_env.live.commands import LIMP, limited
-from quadruped_env.live.pilot import Safety
+from quadruped_env.control.joint_command import LIMP, limited
+from quadruped_env.control.live_controller import Safety
+from quadruped_env.control.stand_up import StandUp
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.live.standing import Rise
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 
 pytest.importorskip("cyclonedds")
@@ -19,7 +19,7 @@ SAFETY = Safety()
 
 
 def plan(start):
-    return Rise.plan(np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.ramp_least)
+    return StandUp.plan(np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.ramp_least)
 
 
 def sampled(rise):

@@ -217,7 +217,7 @@ class Collapse:
     action_mode = "position"
 
     def step(self, task, observation):
-        return task.step_joint_target(np.tile([1.5, 0.0], (task.num_rows, 4)))
+        return task.step_joint_target(np.tile([1.5, 0.0], (task.num_envs, 4)))
 
 
 def test_a_fall_is_counted_once_and_for_good():

@@ -96,7 +96,7 @@ def test_delayed_motors_start_as_if_they_had_held_the_start(make):
             simulation.step(STANCE[None] + 0.3, 3)
         simulation.reset(ROW, START, np.zeros((1, 14)))
         simulation.step(STANCE[None], 4)
-    prompt, late = (simulation.state.joint_position.copy() for simulation in simulations)
+    prompt, late = (simulation.readings.joint_position.copy() for simulation in simulations)
     np.testing.assert_array_equal(late, prompt)
 
 

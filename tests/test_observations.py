@@ -4,6 +4,13 @@ import math
 
 import numpy as np
 import pytest
+from quadruped_env.task.observations import (
+    OBSERVATION_HIGH,
+    OBSERVATION_LOW,
+    OBSERVATION_NOISE,
+    OBSERVATION_SCALE,
+    scale_observation,
+)
 from tasks import NEVER_FALLS, STILL_START, column, make_env, make_task
 
 from quadruped_env import JOINT_NAMES
@@ -13,13 +20,6 @@ from quadruped_env.task import (
     OBSERVATION_WIDTH,
     RandomizationConfig,
     randomization,
-)
-from quadruped_env.task.observations import (
-    OBSERVATION_HIGH,
-    OBSERVATION_LOW,
-    OBSERVATION_NOISE,
-    OBSERVATION_SCALE,
-    scale_observation,
 )
 
 # --- observations ---
@@ -45,7 +45,7 @@ def test_an_observation_is_the_readings_offset_scaled_and_clipped():
     for _ in range(20):
         action = rng.choice([-1.0, -0.5, 1.0], (64, 8))
         observation = task.step(action).observation
-        state = task.simulation.state
+        state = task.simulation.readings
         clock = np.stack([np.sin(task.phase), np.cos(task.phase)], axis=1)
         clock[(task.command == 0).all(axis=1)] = 0.0
         readings = {
@@ -147,7 +147,7 @@ def test_the_clock_turns_at_its_frequency_and_stops_at_a_zero_command():
 def test_observation_noise_stays_within_each_fields_amplitude():
     quiet = make_task(32, randomization=RandomizationConfig(observation_noise=0.0))
     noisy = make_task(32, randomization=RandomizationConfig(observation_noise=1.0))
-    np.testing.assert_array_equal(noisy.simulation.state.joint_position, quiet.simulation.state.joint_position)
+    np.testing.assert_array_equal(noisy.simulation.readings.joint_position, quiet.simulation.readings.joint_position)
     differences = []
     for _ in range(20):
         action = np.zeros((32, 8))

@@ -16,10 +16,10 @@ from gymnasium import make, make_vec
 from safetensors.numpy import load_file, save
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, SHIPPED, TENSORS_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, PolicyController, load_policy
-from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, SHIPPED, TENSORS_FILE
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, TaskConfig
 
 TASK = TaskConfig.from_dict({"action": {"mode": "residual"}, "decimation": 5})

@@ -50,7 +50,7 @@ def test_starts_are_drawn_in_their_ranges():
 
 def test_without_randomization_every_start_is_the_stance_on_the_ground():
     task = make_task(3, randomization=STILL_START)
-    state = task.simulation.state
+    state = task.simulation.readings
     np.testing.assert_allclose(state.joint_position, np.tile(STANCE, (3, 1)), atol=1e-12)
     np.testing.assert_allclose(state.linear_velocity_b, 0.0, atol=1e-12)
     np.testing.assert_allclose(state.up_b, [[0, 0, 1]] * 3, atol=1e-12)
@@ -106,7 +106,7 @@ def test_a_payload_presses_on_the_ground():
     plain = make_task(2, randomization=STILL_START, termination=NEVER_FALLS)
     for _ in range(60):
         heavy.step(np.zeros((2, 8))), plain.step(np.zeros((2, 8)))
-    weight = [task.simulation.state.foot_force.sum(axis=1) for task in (heavy, plain)]
+    weight = [task.simulation.readings.foot_force.sum(axis=1) for task in (heavy, plain)]
     np.testing.assert_allclose(weight[0] - weight[1], 9.81, rtol=0.05)
 
 

@@ -11,9 +11,9 @@ from trainings import ENDLESS, TINY, assert_complete, command, progress, running
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.control.policy import CARD_FILE, CHECKPOINTS, TENSORS_FILE
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.policies import load_policy
-from quadruped_env.policies.policy import CARD_FILE, CHECKPOINTS, TENSORS_FILE
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE

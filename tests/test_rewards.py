@@ -231,7 +231,7 @@ def test_the_velocity_that_is_tracked_is_a_first_order_average():
     rng = np.random.default_rng(0)
     for _ in range(30):
         task.step(rng.uniform(-1, 1, (3, 8)))
-        state = task.simulation.state
+        state = task.simulation.readings
         average += share * (np.stack([state.linear_velocity_b[:, 0], state.angular_velocity_b[:, 2]], axis=1) - average)
         np.testing.assert_allclose(task.smooth_velocity, average, rtol=1e-12)
     task.reset(np.array([1]))

@@ -8,8 +8,9 @@ import mujoco
 import numpy as np
 import pytest
 
+from quadruped_env.readings import Readings
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT, load_model
-from quadruped_env.simulation import BatchSimulation, SingleSimulation, State
+from quadruped_env.simulation import BatchSimulation, SingleSimulation
 
 ROWS = 5
 ALL = np.arange(ROWS)
@@ -70,7 +71,7 @@ DRIVERS = {
 }
 
 
-READINGS = tuple(field.name for field in fields(State))
+READINGS = tuple(field.name for field in fields(Readings))
 
 
 def side_by_side(columns):
@@ -78,7 +79,7 @@ def side_by_side(columns):
 
 
 def readings_of(state):
-    """Every reading of a `State` side by side (N, ...), a copy."""
+    """Every reading of a `Readings` side by side (N, ...), a copy."""
     return side_by_side([getattr(state, name) for name in READINGS])
 
 
@@ -328,7 +329,7 @@ def test_a_copied_single_simulation_goes_on_identically(model, duplicate):
             simulation.step(target, SUBSTEPS)
         expected = original.get_state(0)
         for simulation in duplicates:
-            np.testing.assert_array_equal(readings_of(simulation.state), readings_of(original.state))
+            np.testing.assert_array_equal(readings_of(simulation.readings), readings_of(original.readings))
             np.testing.assert_array_equal(simulation.get_state(0).integration, expected.integration)
     # Nothing is shared: the copies do not feel a reset of the original, nor its new friction.
     before = readings_of(duplicates[0].state)
@@ -419,17 +420,17 @@ def test_readings_are_live_views_with_the_documented_shapes(model):
         "foot_velocity": (4, 3),
         "foot_angular_velocity": (4, 3),
     }
-    assert {field.name for field in fields(State)} == set(widths)
+    assert {field.name for field in fields(Readings)} == set(widths)
     batch, single = BatchSimulation(model, ROWS, 1), SingleSimulation(model)
     for simulation, rows in ((batch, ROWS), (single, 1)):
-        state = simulation.state
+        state = simulation.readings
         views = {name: getattr(state, name) for name in widths}
         simulation.reset(np.arange(rows), *draw_starts(np.random.default_rng(0), rows))
         for name, width in widths.items():
             assert views[name].shape == (rows, *width), name
         copies = {name: view.copy() for name, view in views.items()}
         simulation.step(np.tile(STANCE, (rows, 1)), 10)
-        assert simulation.state is state
+        assert simulation.readings is state
         assert (views["joint_position"] != copies["joint_position"]).any()
         # Together they are all that the model senses.
         assert readings_of(state).shape[1] == model.nsensordata

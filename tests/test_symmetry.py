@@ -6,11 +6,11 @@ import gymnasium
 import numpy as np
 import pytest
 from conftest import mirrored
+from quadruped_env.task.symmetry import mirror_action, mirror_observation
 
 import quadruped_env  # noqa: F401  registers the environment
 from quadruped_env.robot import STANCE
 from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH
-from quadruped_env.task.symmetry import mirror_action, mirror_observation
 
 ROW = np.array([0])
 

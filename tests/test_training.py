@@ -21,9 +21,9 @@ from waiting import output_of
 
 import quadruped_env
 from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.control.policy import TENSORS_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
-from quadruped_env.policies.policy import TENSORS_FILE
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run import (

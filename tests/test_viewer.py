@@ -11,10 +11,10 @@ import pytest
 from viewing import DT, now, robot, throw_on_the_back
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
+from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.evaluation.episode import publish, record
 from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.policies import PolicyController, find_controllers, load_policy
-from quadruped_env.policies.policy import CARD_FILE
 from quadruped_env.robot import STANCE, TOTAL_MASS
 from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS, RESTART_AFTER
 from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
@@ -381,7 +381,7 @@ def test_turning_the_start_ahead_keeps_the_motion(control):
     plain = robot(controller)
     velocity = now(controller).velocity.copy()
     plain.task.reset(np.zeros(1, np.intp), seeds=[seed], command=(0.0, 0.0))
-    state = plain.task.simulation.state
+    state = plain.task.simulation.readings
     # Forward velocity and yaw rate are the robot's own, whichever way it faces.
     np.testing.assert_allclose(velocity, [state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]], atol=1e-12)
 

@@ -10,8 +10,8 @@ from viewing import showing
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
+from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.policies.policy import CARD_FILE
 from quadruped_env.viewer.controller import MAX_PUSH
 from quadruped_env.viewer.scene import OVERLAYS
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from waiting import DEADLINE, wait_until
 
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.policies.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 

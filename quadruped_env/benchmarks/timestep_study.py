@@ -131,7 +131,7 @@ def standing_height(setting: Setting) -> float:
     simulation = _at_stance(setting, 1)
     for _ in range(round(_STANDING_SECONDS / CONTROL_TIMESTEP)):
         simulation.step(STANCE[None], setting.substeps)
-    return float(simulation.state.base_position[0, 2])
+    return float(simulation.readings.base_position[0, 2])
 
 
 def impact_velocity(setting: Setting) -> float:
@@ -141,7 +141,7 @@ def impact_velocity(setting: Setting) -> float:
     speed at a step alone would depend on how that step happens to fall.
     """
     simulation = _at_stance(setting, 1, height=_DROP_HEIGHT)
-    state = simulation.state
+    state = simulation.readings
     height, speed = _DROP_HEIGHT, 0.0
     while True:
         simulation.step(STANCE[None], 1)
@@ -162,7 +162,7 @@ def gait_speeds(
     rng = np.random.default_rng(seed)
     jitter = _START_JITTER * rng.uniform(-1.0, 1.0, (starts, len(STANCE)))
     simulation = _at_stance(setting, starts, jitter=jitter, num_threads=num_threads)
-    state = simulation.state
+    state = simulation.readings
     offset = gait.period * np.arange(starts) / starts
     begin = round(_WARM_UP_SECONDS / CONTROL_TIMESTEP)
     cycles = max(1, int((seconds - _WARM_UP_SECONDS) / gait.period))

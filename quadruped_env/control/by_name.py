@@ -8,7 +8,7 @@ from typing import Final
 from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.loop import LoopController
-from quadruped_env.control.policy import CARD_FILE, SHIPPED, Terms, load_policy, training_advice
+from quadruped_env.control.policy import CARD_FILE, SHIPPED, Policy, load_policy, training_advice
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import shown_path
 from quadruped_env.gait import PRESETS
@@ -20,6 +20,9 @@ MAX_RUNS: Final = 12
 BAG_FILE: Final = "metadata.yaml"
 """File that marks a directory as a ROS 2 bag."""
 STANDING: Final = "stand still"
+
+Load = Callable[[str | Path], Policy]
+"""Reads a policy by its name or the directory of its run."""
 
 
 @dataclass(frozen=True)
@@ -35,9 +38,9 @@ def _gait(preset: str) -> ControllerSpec:
     return ControllerSpec(f"gait {preset}", lambda: EditableGaitController(preset))
 
 
-def _policy(name: str, where: str | Path, terms: Terms | None = None) -> ControllerSpec:
+def _policy(name: str, where: str | Path, load: Load) -> ControllerSpec:
     """A shipped policy or a run's. It is read at every `make`, since training may still be writing it."""
-    return ControllerSpec(name, lambda: PolicyController(load_policy(where, terms), name))
+    return ControllerSpec(name, lambda: PolicyController(load(where), name))
 
 
 def _recording(path: Path) -> ControllerSpec:
@@ -47,18 +50,18 @@ def _recording(path: Path) -> ControllerSpec:
     return ControllerSpec(f"recording {path.name}", make)
 
 
-def find_controller(text: str, terms: Terms | None = None) -> ControllerSpec:
+def find_controller(text: str, load: Load = load_policy) -> ControllerSpec:
     """The controller that a user names.
 
     Args:
         text: a shipped policy, a scripted gait, a run's directory, or a recording of joint states (a file or a bag).
-        terms: of the user's file that a run was trained with.
+        load: reads policies.
 
     Raises:
         QuadrupedError: if it is none of these. A run or recording is not read yet.
     """
     if text in SHIPPED:
-        return _policy(f"policy {text}", text)
+        return _policy(f"policy {text}", text, load)
     if text in PRESETS:
         return _gait(text)
     path = Path(text)
@@ -68,28 +71,28 @@ def find_controller(text: str, terms: Terms | None = None) -> ControllerSpec:
             f"directory and no recording; name one of these, or {training_advice()}"
         )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
-    return _recording(path) if recorded else _policy(f"run {shown_path(path)}", text, terms)
+    return _recording(path) if recorded else _policy(f"run {shown_path(path)}", text, load)
 
 
 def find_controllers(
-    asked: Sequence[str] = (), runs: Path = RUNS, terms: Terms | None = None
+    asked: Sequence[str] = (), runs: Path = RUNS, load: Load = load_policy
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """All controllers to choose from, by name, and the names of those to begin with.
 
     Args:
         asked: texts of `find_controller`; without any, the latest run that fits, or else the shipped policy.
         runs: directory of the training runs.
-        terms: of the user's file that the runs were trained with.
+        load: reads policies.
 
     Raises:
         QuadrupedError: if one of those asked for cannot be used.
     """
-    wanted = _distinct(asked, terms)
+    wanted = _distinct(asked, load)
     for spec in wanted:
         spec.make()
     offered = [
-        *_latest_runs(runs),
-        *(find_controller(name) for name in (*SHIPPED, *reversed(PRESETS))),
+        *_latest_runs(runs, load),
+        *(find_controller(name, load) for name in (*SHIPPED, *reversed(PRESETS))),
         ControllerSpec(STANDING, ZeroController),
     ]
     specs: dict[str, ControllerSpec] = {}
@@ -98,11 +101,11 @@ def find_controllers(
     return specs, tuple(spec.name for spec in wanted or [_first_that_fits(offered)])
 
 
-def _distinct(asked: Sequence[str], terms: Terms | None) -> list[ControllerSpec]:
+def _distinct(asked: Sequence[str], load: Load) -> list[ControllerSpec]:
     """Controllers with different names where the texts differ."""
     by_text: dict[str, ControllerSpec] = {}
     for text in asked:
-        spec = find_controller(text, terms)
+        spec = find_controller(text, load)
         taken = {other.name for name, other in by_text.items() if name != text}
         names = (spec.name, *(f"{spec.name} ({number})" for number in range(2, len(asked) + 1)))
         by_text[text] = replace(spec, name=next(name for name in names if name not in taken))
@@ -120,9 +123,9 @@ def _first_that_fits(specs: Sequence[ControllerSpec]) -> ControllerSpec:
     raise AssertionError("a scripted gait always fits")
 
 
-def _latest_runs(runs: Path) -> list[ControllerSpec]:
+def _latest_runs(runs: Path, load: Load) -> list[ControllerSpec]:
     if not runs.is_dir():
         return []
     # The names begin with the time. `latest` is one of them under another name.
     finished = [path for path in runs.iterdir() if (path / CARD_FILE).is_file() and not path.is_symlink()]
-    return [_policy(f"run {path.name}", path) for path in sorted(finished, reverse=True)[:MAX_RUNS]]
+    return [_policy(f"run {path.name}", path, load) for path in sorted(finished, reverse=True)[:MAX_RUNS]]

@@ -20,7 +20,12 @@ def check(condition: bool, name: str, value: object, rule: str) -> None:
 
 def check_range(name: str, value: Any) -> None:
     """Raise a QuadrupedError unless a value is a pair (low, high) with low <= high."""
-    check(isinstance(value, (tuple, list)) and len(value) == 2 and value[0] <= value[1], name, value, "a pair (low, high) with low <= high")
+    check(
+        isinstance(value, (tuple, list)) and len(value) == 2 and value[0] <= value[1],
+        name,
+        value,
+        "a pair (low, high) with low <= high",
+    )
 
 
 @dataclass(frozen=True)
@@ -45,7 +50,7 @@ class ActionConfig(PlainFields):
 
     @property
     def scale(self) -> float:
-        """rad of joint target per unit of action, in the mode that is chosen."""
+        """Rad of joint target per unit of action, in the mode that is chosen."""
         return self.residual_scale if self.mode == "residual" else self.position_scale
 
 

@@ -29,7 +29,8 @@ class ControlInterface:
     """Gait clock, command, actions and observations of N robots.
 
     One control step is `advance()`, then `joint_target(action)` if a policy acts; then the robot moves; then
-    `observe(readings)` gives the next observation. An env's numbers do not depend on N: see the rules in CONTRIBUTING.md.
+    `observe(readings)` gives the next observation. An env's numbers do not depend on N: see the rules in
+    CONTRIBUTING.md.
 
     Args:
         robot: what is controlled.

@@ -216,10 +216,6 @@ class ObservationLayout:
             for entry in self.fields
         ]
 
-    def mirror(self, observation: NDArray[np.floating]) -> NDArray[np.floating]:
-        """The observation (..., width) that the robot's mirror image would have."""
-        return observation[..., self.mirror_order] * self.mirror_sign
-
     @classmethod
     def of(cls, robot: Robot, fields: Sequence[ObservationField]) -> Self:
         """A layout from any sequence of fields."""

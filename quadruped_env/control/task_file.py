@@ -83,8 +83,8 @@ def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
         else:
             whole = " and ".join(" and ".join(names_of(terms[i])) for i in taken)
             raise QuadrupedError(
-                f"{' and '.join(names_of(term))} would replace a part of {whole}, which are computed together; name all "
-                f"of them, or choose another name and give the old one the weight 0"
+                f"{' and '.join(names_of(term))} would replace a part of {whole}, which are computed together; name "
+                f"all of them, or choose another name and give the old one the weight 0"
             )
     return tuple(terms)
 
@@ -103,7 +103,9 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
     try:
         content = file.read_bytes()
     except OSError as error:
-        raise QuadrupedError(f"{file}: cannot be read ({error.strerror}); name the Python file of your terms") from error
+        raise QuadrupedError(
+            f"{file}: cannot be read ({error.strerror}); name the Python file of your terms"
+        ) from error
     found = TaskFile(file.name, hashlib.sha256(content).hexdigest())
     if expected is not None and found.sha256 != expected.sha256:
         raise QuadrupedError(
@@ -128,8 +130,9 @@ def _executed(file: Path, content: bytes, found: TaskFile) -> ModuleType:
         exec(compile(content, str(file), "exec"), vars(module))  # noqa: S102
     except Exception as error:
         del sys.modules[name]
-        line = next((f.lineno for f in reversed(traceback.extract_tb(error.__traceback__)) if f.filename == str(file)), None)
-        line = line or getattr(error, "lineno", None)
+        frames = traceback.extract_tb(error.__traceback__)
+        lines = [frame.lineno for frame in frames if frame.filename == str(file)]
+        line = lines[-1] if lines else getattr(error, "lineno", None)
         where = f", line {line}" if line else ""
         raise QuadrupedError(f"{file}{where}: {type(error).__name__}: {error}") from error
     return module

@@ -16,13 +16,12 @@ MOVING_THRESHOLD: Final = 0.02
 """A velocity command below this in both m/s and rad/s asks the robot to stand."""
 
 
-def check_command(
-    command: Sequence[float] | NDArray[np.float64], commands: Sequence[Command]
-) -> NDArray[np.float64]:
+def check_command(command: Sequence[float] | NDArray[np.float64], commands: Sequence[Command]) -> NDArray[np.float64]:
     """A command that a user fixed, as an array (C,).
 
     Args:
-        command: forward velocity and yaw rate, or one number per entry of `commands`; what is left out takes its default.
+        command: forward velocity and yaw rate, or one number per entry of `commands`; the others take their
+            defaults.
         commands: what is commanded (C,), the velocities first.
 
     Raises:

@@ -10,8 +10,8 @@ from gymnasium.vector import AutoresetMode
 from numpy.typing import NDArray
 
 from quadruped_env._plain import whole_number
-from quadruped_env.errors import QuadrupedError
 from quadruped_env.control.velocity_command import check_command
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.definition import BUILT_IN, load_task_file
 
@@ -114,8 +114,8 @@ def reset_options(
         num_envs: number of environments; None for a single one, which takes no mask.
 
     Returns:
-        The command (C,), in m/s and rad/s first, that stays fixed for the episode, or None; and the environments (num_envs,)
-        to reset, or None for all.
+        The command (C,), in m/s and rad/s first, that stays fixed for the episode, or None; and the environments
+        (num_envs,) to reset, or None for all.
 
     Raises:
         QuadrupedError: if there is an unknown option, or a value is not valid.

@@ -43,7 +43,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.render_mode = env.render_mode
         self.metadata = env.metadata
         super().__init__(env.num_envs, env.single_observation_space, env.single_action_space)
-        self._actions = np.zeros(env.action_space.shape, dtype=np.float32)
+        self._actions = np.zeros((env.num_envs, env.task.control.robot.num_joints), dtype=np.float32)
         self.last_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._episode_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._start_time = time.time()

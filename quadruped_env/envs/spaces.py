@@ -10,8 +10,8 @@ from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
 from quadruped_env._plain import plain
-from quadruped_env.envs.arguments import RENDER_MODES
 from quadruped_env.control.observations import ObservationLayout
+from quadruped_env.envs.arguments import RENDER_MODES
 from quadruped_env.robot import Robot
 from quadruped_env.task import Task, TaskConfig, Transition
 

@@ -9,17 +9,23 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.config import Range
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
 from quadruped_env.gait import SinusoidalGait
-from quadruped_env.policies import CommandedGaitController, Controller, GaitController, PolicyController, ZeroController
-from quadruped_env.policies.policy import Policy
+from quadruped_env.policies import (
+    CommandedGaitController,
+    Controller,
+    GaitController,
+    Policy,
+    PolicyController,
+    ZeroController,
+)
 from quadruped_env.progress import Progress
 from quadruped_env.task import RandomizationConfig, TaskConfig
-from quadruped_env.task.commands import MOVING_THRESHOLD
-from quadruped_env.task.config import Range
 
 Command = tuple[float, float]
 
@@ -217,8 +223,7 @@ def compare_policies(
 
 def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
     """A policy's task without randomization, with ranges that hold the commands."""
-    ranges = dataclasses.replace(
-        config.command,
+    ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )

@@ -163,7 +163,7 @@ def record(
     position, velocity, torque = np.empty((3, steps + 1, len(JOINT_NAMES)))
     base_pose, velocity_b = np.empty((steps + 1, 7)), np.empty((steps + 1, 2))
     contact = np.empty((steps + 1, len(LEG_NAMES)), np.bool_)
-    state = task.simulation.state
+    state = task.simulation.readings
 
     def keep(row: int) -> None:
         position[row], velocity[row], torque[row] = state.joint_position, state.joint_velocity, state.joint_torque
@@ -175,7 +175,7 @@ def record(
     rows, fell_at = 1, None
     keep(0)
     for step in range(1, steps + 1):
-        transition = controller.step(task, observation)
+        transition = task.act(controller, observation)
         observation = transition.observation
         if fell_at is None and transition.terminated[0]:
             fell_at = step * config.control_timestep

@@ -12,11 +12,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, TOTAL_MASS, VELOCITY_LIMIT
 from quadruped_env.rotations import yaw
-from quadruped_env.task.commands import MOVING_THRESHOLD
-from quadruped_env.task.rewards import mechanical_power
+from quadruped_env.task.quantities import mechanical_power
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -11,10 +11,11 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
+from quadruped_env.readings import Readings
 from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, LEG_NAMES, load_model
-from quadruped_env.simulation import BatchSimulation, State
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
-from quadruped_env.task.rewards import foot_slip
+from quadruped_env.task.quantities import sliding_squared
 
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = 1_000_000
@@ -136,12 +137,12 @@ def roll_out(
     alive = np.ones(rows, dtype=np.bool_)
     observation = task.observe()
     for t in range(steps):
-        transition = controller.step(task, observation)
+        transition = task.act(controller, observation)
         observation = transition.observation
         alive &= ~transition.terminated
         record["valid"][t] = alive
         record["reward_terms"][t] = transition.terms
-        _write(record, t, task.simulation.state, config.reward.contact_threshold)
+        _write(record, t, task.simulation.readings, config.reward.contact_threshold)
         if progress is not None:
             progress((t + 1) / steps)
         if not alive.any():
@@ -171,7 +172,7 @@ def _empty_record(steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
     return record
 
 
-def _write(record: dict[str, NDArray[Any]], t: int, state: State, contact_threshold: float) -> None:
+def _write(record: dict[str, NDArray[Any]], t: int, state: Readings, contact_threshold: float) -> None:
     for name in (
         "base_position",
         "orientation",
@@ -185,8 +186,5 @@ def _write(record: dict[str, NDArray[Any]], t: int, state: State, contact_thresh
     record["yaw_rate"][t] = state.angular_velocity_b[:, 2]
     contact = state.foot_force > contact_threshold
     record["contact"][t] = contact
-    # The reward's term sums over a row's feet; here every foot is a row of its own.
-    squared = foot_slip(
-        contact[..., None], state.foot_velocity[..., None, :], state.foot_angular_velocity[..., None, :]
-    )
-    record["slip_speed"][t] = np.sqrt(squared)
+    squared = sliding_squared(state.foot_velocity, state.foot_angular_velocity, np.array([-FOOT_RADIUS, FOOT_RADIUS]))
+    record["slip_speed"][t] = np.sqrt(squared * contact)

@@ -6,13 +6,13 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.control.policy import finished_directory, shipped_directory
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.files import write_whole
 from quadruped_env.policies import Policy, PolicyController, load_policy
-from quadruped_env.policies.policy import finished_directory, shipped_directory
 from quadruped_env.progress import Progress
 from quadruped_env.training.run import PROGRESS_FILE
 

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from quadruped_env.control.policy import SHIPPED, finished_directory, shipped_directory
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.policy import SHIPPED, finished_directory, shipped_directory
 from quadruped_env.training.run import PROGRESS_FILE, run_name
 
 LATEST_RUN: Final = Path("runs", "latest")

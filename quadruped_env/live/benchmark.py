@@ -16,9 +16,10 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import LIMP
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import write_whole
-from quadruped_env.live.commands import LIMP, read_target
+from quadruped_env.live.commands import read_target
 from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import Node

@@ -1,37 +1,17 @@
-"""What controllers tell the robot, on both ends: joint targets, or to go limp."""
+"""Messages of joint targets, on both ends."""
 
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.joints import Joints
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, VELOCITY_LIMIT
+from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import cdr
 from quadruped_env.ros.joint_state import Encoder
-
-LIMP: Final = None
-"""In place of joint targets: no motor pulls"""
-
-Target = NDArray[np.float64] | None
-"""Joint positions to go to, rad (8,), or `LIMP`"""
-
-
-def limited(target: NDArray[np.float64], last: NDArray[np.float64], seconds: float) -> NDArray[np.float64]:
-    """A target that a motor may be given: within the joints' range, and no faster from the last one than 5 rad/s.
-
-    Args:
-        target: rad (8,).
-        last: the target before, or where the joints were; rad (8,).
-        seconds: since then.
-    """
-    reach = VELOCITY_LIMIT * seconds
-    within = np.minimum(np.maximum(target, JOINT_POSITION_LOW), JOINT_POSITION_HIGH)
-    # The range has the last word: joints that were beyond it come back at once.
-    near = np.minimum(np.maximum(within, last - reach), last + reach)
-    return np.minimum(np.maximum(near, JOINT_POSITION_LOW), JOINT_POSITION_HIGH)
 
 
 class CommandWriter:

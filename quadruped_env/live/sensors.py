@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from quadruped_env.live.node import Node
 from quadruped_env.live.stamps import write_stamp
 from quadruped_env.live.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
+from quadruped_env.readings import Readings
 from quadruped_env.robot import JOINT_NAMES, LINK_NAMES
 from quadruped_env.robot.transforms import ODOMETRY_FRAME
 from quadruped_env.ros import cdr
 from quadruped_env.ros.joint_state import Encoder
 from quadruped_env.ros.tf import TfEncoder
-from quadruped_env.simulation import State
 
 _BASE: Final = LINK_NAMES[0]
 
@@ -34,7 +34,7 @@ class Sensors:
         self._attitude = cdr.message("sensor_msgs/msg/Imu", header=cdr.header(0, _BASE))
         self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=_BASE)
 
-    def send(self, stamp: int, state: State) -> None:
+    def send(self, stamp: int, state: Readings) -> None:
         """Send everything about one time.
 
         Args:

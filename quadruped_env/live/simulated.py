@@ -6,12 +6,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.live.commands import LIMP, Target
+from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.live.terrain import Terrain
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
+from quadruped_env.rotations import from_yaw
 from quadruped_env.simulation import SingleSimulation
-from quadruped_env.task import RandomizationConfig
-from quadruped_env.task.randomization import START_DRAWS, start_states
 
 TIMESTEP: Final = 0.005
 """s of a physics step"""
@@ -34,7 +33,7 @@ class SimulatedRobot:
     def __init__(self, seed: int = 0, terrain: str = "flat") -> None:
         self._terrain = Terrain.make(terrain, seed)
         self._simulation = SingleSimulation(self._terrain.model(TIMESTEP))
-        self.state = self._simulation.state
+        self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
         self._target = STANCE.copy()
         self.limp = False
@@ -45,11 +44,8 @@ class SimulatedRobot:
 
     def reset(self) -> None:
         """Put the robot on its feet, at the origin."""
-        still = RandomizationConfig(
-            start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
-        )
-        qpos, _ = start_states(self._generator.random((1, START_DRAWS)), still)
-        self.put(qpos[0])
+        heading = from_yaw(self._generator.uniform(-math.pi, math.pi))
+        self.put(np.concatenate([[0.0, 0.0, STANCE_HEIGHT], heading, STANCE]))
 
     def put(self, qpos: NDArray[np.float64]) -> None:
         """Put the robot somewhere, still, its motors on as if it had just begun.

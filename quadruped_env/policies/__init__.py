@@ -1,6 +1,6 @@
 """Trained policies together with their tasks, and the controllers that need none."""
 
-from quadruped_env.control.by_name import ControllerSpec, find_controller, find_controllers
+from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import (
     CommandedGaitController,
     Controller,
@@ -9,7 +9,14 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.policies.policy import Policy, load_policy, task_of, with_task
+from quadruped_env.policies.policy import (
+    Policy,
+    find_controller,
+    find_controllers,
+    load_policy,
+    task_of,
+    with_task,
+)
 
 __all__ = [
     "CommandedGaitController",

@@ -1,5 +1,6 @@
 """A trained policy together with the task that it was trained for."""
 
+import functools
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -8,7 +9,9 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control import by_name
 from quadruped_env.control import policy as control_policy
+from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import Controller, PolicyController
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
@@ -137,6 +140,18 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
             f"{control_policy.CARD_FILE}: {error}; train again, or install the version that made it"
         ) from error
     return Policy(policy.weights, policy.biases, policy.activation, config, policy.card)
+
+
+def find_controller(text: str, task_file: str | Path | None = None) -> ControllerSpec:
+    """As `quadruped_env.control.by_name.find_controller`, for policies with their task."""
+    return by_name.find_controller(text, functools.partial(load_policy, task_file=task_file))
+
+
+def find_controllers(
+    asked: Sequence[str] = (), runs: Path = by_name.RUNS, task_file: str | Path | None = None
+) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
+    """As `quadruped_env.control.by_name.find_controllers`, for policies with their task."""
+    return by_name.find_controllers(asked, runs, functools.partial(load_policy, task_file=task_file))
 
 
 def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> TaskConfig:

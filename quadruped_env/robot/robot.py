@@ -40,12 +40,12 @@ class Robot:
 
     @property
     def num_joints(self) -> int:
-        """J"""
+        """Number of joints, J."""
         return len(self.joint_names)
 
     @property
     def num_legs(self) -> int:
-        """L"""
+        """Number of legs, L."""
         return len(self.leg_names)
 
     @property

@@ -7,11 +7,11 @@ import numpy as np
 from mujoco.batch import Batch, SimulationError
 from numpy.typing import NDArray
 
+from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState, force_columns
-from quadruped_env.readings import Readings, sensor_columns
 
 _WARNING_COUNT = 1
 

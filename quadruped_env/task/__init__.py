@@ -2,6 +2,7 @@
 
 from quadruped_env.control.config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
+from quadruped_env.control.task_file import TaskFile
 from quadruped_env.task.config import (
     CommandConfig,
     RandomizationConfig,
@@ -10,8 +11,9 @@ from quadruped_env.task.config import (
     TerminationConfig,
 )
 from quadruped_env.task.context import TaskContext
-from quadruped_env.task.definition import BUILT_IN, TaskDefinition, TaskFile, load_task_file
+from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
 from quadruped_env.task.randomization import Event, ModelField, Randomization
+from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.terms import Parameter, RewardTerm, Termination, reward, reward_group, termination
 
@@ -28,6 +30,7 @@ __all__ = [
     "RandomizationConfig",
     "RewardConfig",
     "RewardTerm",
+    "Section",
     "Task",
     "TaskConfig",
     "TaskContext",

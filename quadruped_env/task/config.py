@@ -35,9 +35,7 @@ _POSITIVE_SECONDS: Final = Parameter.positive("s")
 @functools.cache
 def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     """The fields of the sections that follow from a definition."""
-    command: dict[str, Entry] = {
-        entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands
-    } | {
+    command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands} | {
         "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "straight_fraction": parameter_entry(Parameter(low=0.0), 0.4),
         "resample_interval": range_entry((3.0, 6.0), _POSITIVE_SECONDS),
@@ -59,11 +57,11 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
                 section.setdefault(name, entry)
     randomization: dict[str, Entry] = {}
     for entry_ in definition.randomizations:
-        default = entry_.default
+        setting = entry_.default
         randomization[entry_.name] = (
-            amplitude_entry(default, entry_.unit)
-            if isinstance(default, (int, float))
-            else range_entry(default, entry_.valid)
+            amplitude_entry(setting, entry_.unit)
+            if isinstance(setting, (int, float))
+            else range_entry(setting, entry_.valid)
         )
         if entry_.interval is not None:
             randomization[entry_.interval[0]] = range_entry(entry_.interval[1], _POSITIVE_SECONDS)
@@ -153,9 +151,7 @@ class TaskConfig(PlainFields):
     @property
     def commands(self) -> tuple[Command, ...]:
         """What may be commanded, the velocity command first."""
-        return tuple(
-            dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands
-        )
+        return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain nested values, as `from_dict` and JSON take them; the file of a user's terms by name and SHA-256."""
@@ -168,7 +164,9 @@ class TaskConfig(PlainFields):
                 if value.file is not None:
                     values[TASK_FILE] = value.file.to_dict()
             else:
-                values[entry.name] = dataclasses.asdict(value) if dataclasses.is_dataclass(value) else value
+                values[entry.name] = (
+                    dataclasses.asdict(value) if isinstance(value, (ActionConfig, MotorConfig)) else value
+                )
         return values
 
     @classmethod

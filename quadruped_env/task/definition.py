@@ -106,8 +106,8 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
     ]
     if not terms:
         raise QuadrupedError(
-            f"{path}: defines no term; use @reward, @reward_group, @observation or @termination, or make a Randomization or "
-            f"Command, at the top level of the file (docs/make-it-yours.md)"
+            f"{path}: defines no term; use @reward, @reward_group, @observation or @termination, or make a "
+            f"Randomization or Command, at the top level of the file (docs/make-it-yours.md)"
         )
     return BUILT_IN.extended(terms, file, str(Path(path).resolve()))
 

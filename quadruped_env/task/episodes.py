@@ -57,9 +57,7 @@ class Randomizer:
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
         starts = Purposes({r.name: r.draws(robot) for r in starting})
         self._at_start = (
-            starts
-            + Purposes({"phase": 1, **{f"{r.name}/interval": 1 for r in recurring}})
-            + self._commands.purposes
+            starts + Purposes({"phase": 1, **{f"{r.name}/interval": 1 for r in recurring}}) + self._commands.purposes
         )
         self._command_columns = slice(
             self._at_start.slices["command/kind"].start, self._at_start.slices["command/interval"].stop

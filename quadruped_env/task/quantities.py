@@ -45,6 +45,7 @@ def clock_agreement(lift: Any, clock_sine: Any, xp: Namespace = NUMPY) -> Any:
     Args:
         lift: 1 for a foot in the air, -1 on the ground, or anything between (N, L).
         clock_sine: positive while the foot should swing (N, L).
+        xp: the arrays' functions.
     """
     return xp.dot(clock_sine, lift) * (1.0 / clock_sine.shape[-1])
 

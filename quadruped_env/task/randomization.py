@@ -27,7 +27,7 @@ class Event:
     env_ids: NDArray[np.intp]
     """(R,)"""
     qpos: Floats
-    """The start: base position and attitude, joint positions, as MuJoCo has them, (R, 7 + J); empty within an episode"""
+    """The start: base pose and joint positions as MuJoCo has them, (R, 7 + J); empty within an episode"""
     qvel: Floats
     """(R, 6 + J)"""
     tilt: Floats
@@ -48,7 +48,7 @@ class Randomization:
 
     name: str
     """Also its field in `config["randomization"]`"""
-    apply: Apply
+    apply: "Apply | ModelField"
     """(event, values (R, width)); or a `ModelField`"""
     default: Range | float | None
     """The range to draw from: a number stands for -number to number; None or 0 draws nothing"""
@@ -127,9 +127,7 @@ class ModelField:
             raise QuadrupedError(f"ModelField: {self.field!r} is no array of MuJoCo's model; see the docs of MjModel")
         before = getattr(model, self.field).copy()
         try:
-            rows: Any = (
-                slice(None) if self.names is None else [getattr(model, kind)(name).id for name in self.names]
-            )
+            rows: Any = slice(None) if self.names is None else [getattr(model, kind)(name).id for name in self.names]
         except (AttributeError, KeyError) as error:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
         inertia = model.body_inertia[rows].copy() if self.field == "body_mass" else None
@@ -146,9 +144,9 @@ class ModelField:
                 where = (*where, self.column)
             target[where] = new
             if inertia is not None:
-                simulation.model_field("body_inertia")[event.env_ids[:, None], ids[None, :]] = (
-                    new / old
-                )[..., None] * inertia
+                simulation.model_field("body_inertia")[event.env_ids[:, None], ids[None, :]] = (new / old)[
+                    ..., None
+                ] * inertia
 
         return apply
 
@@ -186,16 +184,15 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     Randomization("start_tilt", _tilt, 0.05, "rad", 2),
     Randomization("start_heading", _heading, math.pi, "rad"),
     # A contact takes the larger friction of its two geoms, so that all are set.
+    Randomization("friction", ModelField("geom_friction", column=0, mode="set"), None, valid=Parameter.positive()),
     Randomization(
-        "friction", ModelField("geom_friction", column=0, mode="set"), None, valid=Parameter.positive()
-    ),
-    Randomization(
-        "payload", ModelField("body_mass", ("base_link",), mode="add"), None, "kg",
+        "payload",
+        ModelField("body_mass", ("base_link",), mode="add"),
+        None,
+        "kg",
         valid=Parameter("kg", -1.0, exclusive=True),
     ),
-    Randomization(
-        "push_velocity", _push, 0.0, "m/s", 2, interval=("push_interval", (4.0, 8.0))
-    ),
+    Randomization("push_velocity", _push, 0.0, "m/s", 2, interval=("push_interval", (4.0, 8.0))),
 )
 """Start offsets around the stance at rest, friction of foot and ground, mass on the base, and pushes."""
 

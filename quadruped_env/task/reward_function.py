@@ -64,11 +64,11 @@ class RewardFunction:
             QuadrupedError: if a term fails or returns something of another shape than (N,), or (N, K) for K names.
         """
         n = len(context.velocity)
-        names = {row: name for row, name in enumerate(self.names)}
-        for rows, function in [*self._single, *self._joint]:
-            shape = (n,) if isinstance(rows, int) else (n, rows.stop - rows.start)
-            name = names[rows] if isinstance(rows, int) else " and ".join(self.names[rows])
-            checked(f"reward {name}", shape, functools.partial(function, context))
+        for row, function in self._single:
+            checked(f"reward {self.names[row]}", (n,), functools.partial(function, context))
+        for rows, function in self._joint:
+            names = self.names[rows]
+            checked(f"reward {' and '.join(names)}", (n, len(names)), functools.partial(function, context))
 
 
 def checked(what: str, shape: tuple[int, ...], call: Callable[[], Any]) -> None:
@@ -113,6 +113,7 @@ class Terminations:
 def _with_parameters(term: RewardTerm | Termination, config: Section, context: TaskContext) -> Any:
     """A term's function with the config's parameters; of a class, an instance."""
     parameters = {name: config[name] for name in term.parameters}
-    if inspect.isclass(term.function):
-        return term.function(context, **parameters)
-    return functools.partial(term.function, **parameters) if parameters else term.function
+    function: Any = term.function
+    if inspect.isclass(function):
+        return function(context, **parameters)
+    return functools.partial(function, **parameters) if parameters else function

@@ -4,7 +4,7 @@ A term is a function of a `TaskContext` with a weight per second, a unit and a d
 Its arguments with a default are fields of `config["reward"]`.
 """
 
-from typing import Annotated, Any, Final
+from typing import Annotated, Any, Final, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ class tracking:  # noqa: N801  a term, and named as the others are
         self._std = context.xp.constant([[forward_velocity_std, yaw_rate_std]])
 
     def __call__(self, context: TaskContext) -> Any:
-        """(N, 2)"""
+        """Values (N, 2)."""
         return quantities.tracking_kernel(context.smooth_velocity, context.command, self._std, context.xp)
 
 
@@ -49,7 +49,7 @@ class progress:  # noqa: N801
         self._scale[env_ids], self._whole[env_ids] = quantities.progress_scale(command)
 
     def __call__(self, context: TaskContext) -> Any:
-        """(N, 2)"""
+        """Values (N, 2)."""
         share = context.velocity * self._scale
         return quantities.progress(share, self._whole, self._overshoot, context.xp)
 
@@ -62,10 +62,8 @@ class gait_clock:  # noqa: N801
         self._lift = quantities.FootLift(foot_lift, context.xp)
 
     def __call__(self, context: TaskContext) -> Any:
-        """(N,)"""
-        agreement = quantities.clock_agreement(
-            self._lift(context.sole_height), context.control.leg_clock(), context.xp
-        )
+        """Values (N,)."""
+        agreement = quantities.clock_agreement(self._lift(context.sole_height), context.control.leg_clock(), context.xp)
         return agreement * context.moving
 
 
@@ -84,28 +82,28 @@ class base_height:  # noqa: N801
         self._target = context.xp.constant(base_height)
 
     def __call__(self, context: TaskContext) -> Any:
-        """(N,)"""
+        """Values (N,)."""
         missing = context.xp.positive(self._target - context.base_height)
         return missing * missing
 
 
 @reward(weight=-0.5, unit="m^2/s^2")
 def vertical_velocity(context: TaskContext) -> Any:
-    """v_z^2"""
+    """v_z^2."""
     velocity = context.readings.linear_velocity_b[:, 2]
     return velocity * velocity
 
 
 @reward(weight=-0.03, unit="rad^2/s^2")
 def roll_pitch_rate(context: TaskContext) -> Any:
-    """w_x^2 + w_y^2"""
+    """w_x^2 + w_y^2."""
     rate = context.readings.angular_velocity_b[:, :2]
     return context.xp.dot(rate, rate)
 
 
 @reward(weight=-0.5, unit="m^2/s^2")
 def lateral_velocity(context: TaskContext) -> Any:
-    """v_y^2"""
+    """v_y^2."""
     velocity = context.readings.linear_velocity_b[:, 1]
     return velocity * velocity
 
@@ -132,7 +130,7 @@ class foot_slip:  # noqa: N801
         self._sole = context.xp.constant([-radius, radius])
 
     def __call__(self, context: TaskContext) -> Any:
-        """(N,)"""
+        """Values (N,)."""
         readings = context.readings
         sliding = quantities.sliding_squared(
             readings.foot_velocity, readings.foot_angular_velocity, self._sole, context.xp
@@ -155,7 +153,7 @@ class joint_speed:  # noqa: N801
         self._free = context.xp.constant(context.robot.velocity_limit - joint_speed_margin)
 
     def __call__(self, context: TaskContext) -> Any:
-        """(N,)"""
+        """Values (N,)."""
         excess = context.xp.positive(context.xp.abs(context.readings.joint_velocity) - self._free)
         return context.xp.dot(excess, excess)
 
@@ -166,20 +164,24 @@ def fall(context: TaskContext) -> Any:
     return context.fallen
 
 
-REWARDS: Final[tuple[RewardTerm, ...]] = (
-    tracking,
-    progress,
-    gait_clock,
-    upright,
-    base_height,
-    vertical_velocity,
-    roll_pitch_rate,
-    lateral_velocity,
-    action_rate,
-    mechanical_power,
-    foot_slip,
-    stand_still,
-    joint_speed,
-    fall,
+# mypy does not see what a class decorator returns.
+REWARDS: Final = cast(
+    "tuple[RewardTerm, ...]",
+    (
+        tracking,
+        progress,
+        gait_clock,
+        upright,
+        base_height,
+        vertical_velocity,
+        roll_pitch_rate,
+        lateral_velocity,
+        action_rate,
+        mechanical_power,
+        foot_slip,
+        stand_still,
+        joint_speed,
+        fall,
+    ),
 )
 """In the order in which they are added."""

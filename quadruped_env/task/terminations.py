@@ -1,7 +1,7 @@
 """The built-in conditions that end an episode as a fall. Their arguments are fields of `config["termination"]`."""
 
 import math
-from typing import Annotated, Final
+from typing import Annotated, Final, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ class tilted:  # noqa: N801  a term, and named as the others are
         self._lowest = context.xp.constant(math.cos(max_tilt))
 
     def __call__(self, context: TaskContext) -> NDArray[np.bool_]:
-        """(N,)"""
+        """Values (N,)."""
         return context.readings.up_b[:, 2] < self._lowest
 
 
@@ -32,8 +32,9 @@ class trunk_contact:  # noqa: N801
         self._most = context.xp.constant(max_trunk_force)
 
     def __call__(self, context: TaskContext) -> NDArray[np.bool_]:
-        """(N,)"""
+        """Values (N,)."""
         return context.xp.any(context.readings.trunk_force > self._most)
 
 
-TERMINATIONS: Final[tuple[Termination, ...]] = (tilted, trunk_contact)
+# mypy does not see what a class decorator returns.
+TERMINATIONS: Final = cast("tuple[Termination, ...]", (tilted, trunk_contact))

@@ -140,7 +140,7 @@ def _term(weights: dict[str, float], unit: str, function: Callable[..., Any]) ->
     return RewardTerm(weights, function, unit, parameters_of(function), described(function))
 
 
-def termination(function: Callable[..., NDArray[np.bool_]]) -> Termination:
+def termination(function: Callable[..., Any]) -> Termination:
     """Decorator: a function (context) -> bool (N,) becomes a termination of the same name."""
     return Termination(function.__name__, function, parameters_of(function), described(function))
 

@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
+from quadruped_env.control.config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.task.config import ACTION_MODES
 
 STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 """Median of the steps until a policy walks at 0.5 m/s, as `evaluate/learning_speed.py` measured them (README)"""

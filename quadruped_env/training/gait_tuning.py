@@ -17,7 +17,7 @@ from quadruped_env.gait import TURNS, CommandedGait, LegTable
 from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, VELOCITY_LIMIT, load_model
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.rewards import foot_lift, foot_slip, gait_clock, mechanical_power
+from quadruped_env.task.quantities import FootLift, clock_agreement, mechanical_power, sliding_squared
 
 CONTROL_TIMESTEP: Final = TaskConfig().control_timestep
 SUBSTEPS: Final = TaskConfig().decimation
@@ -29,6 +29,7 @@ SECONDS: Final = 4.0
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
 """s over which a candidate's amplitude grows from the stance"""
+_SOLE: Final = np.array([-FOOT_RADIUS, FOOT_RADIUS])
 _MIDDLE: Final = 0.8
 """of the clock's sine, above which a foot is in the middle of its swing"""
 
@@ -72,12 +73,12 @@ def measure(
 
     Frequency (rad/s) and turns (cycles, one a leg) are the clock's.
     """
-    n = simulation.num_rows
+    n = simulation.num_envs
     qpos = np.zeros((n, 15))
     qpos[:, 2], qpos[:, 3], qpos[:, 7:] = STANCE_HEIGHT, 1.0, STANCE
     simulation.reset(np.arange(n), qpos, np.zeros((n, 14)))
-    state = simulation.state
-    fallen, moving = np.zeros(n, dtype=np.bool_), np.ones(n)
+    state = simulation.readings
+    fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
     phases = np.array(turns) * 2.0 * np.pi
     sums, height_in_swing = np.zeros((8, n)), np.zeros((n, 4))
     steps, swings = 0, np.zeros(4)
@@ -94,11 +95,12 @@ def measure(
             sums[3] += (state.up_b[:, :2] ** 2).sum(axis=1)
             sums[4] += mechanical_power(state.joint_torque, state.joint_velocity)
             contact = (state.foot_force > 1.0) * 1.0
-            sums[5] += foot_slip(contact, state.foot_velocity, state.foot_angular_velocity)
+            sliding = sliding_squared(state.foot_velocity, state.foot_angular_velocity, _SOLE)
+            sums[5] += np.vecdot(sliding, contact)
             height = state.foot_position[..., 2]
             sine = np.sin(angular_frequency * t + phases)
-            sums[6] += gait_clock(foot_lift(height, FOOT_LIFT), sine, moving)
-            sums[7] += gait_clock(1.0 - 2.0 * contact, sine, moving)
+            sums[6] += clock_agreement(foot_lift(height - FOOT_RADIUS), sine)
+            sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
             height_in_swing += height * (sine > _MIDDLE)
             swings += sine > _MIDDLE
     vx, wz, vy, tilt, power, slip, lift, clock = sums / steps

@@ -23,13 +23,14 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 import numpy as np
 
+from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.symmetry import Mirror
 from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable, whole, write_whole
 from quadruped_env.policies import Policy
-from quadruped_env.policies.policy import CHECKPOINTS
-from quadruped_env.task import TaskConfig
+from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run, check_latest
@@ -140,7 +141,8 @@ def make_model(config: TrainConfig, env: Any) -> NativePPO:
         clip_range=config.clip_range,
         ent_coef=config.ent_coef,
         max_grad_norm=config.max_grad_norm,
-        policy_kwargs={
+        policy_kwargs=({"mirror": Mirror.of(env.task.control.layout)} if config.symmetric else {})
+        | {
             "net_arch": {"pi": list(config.hidden), "vf": list(config.hidden)},
             "activation_fn": _ACTIVATIONS[config.activation],
             "log_std_init": config.first_log_std,
@@ -156,7 +158,7 @@ def export_policy(model: PPO, task: TaskConfig, activation: str, card: dict[str,
     linear = [layer for layer in network if isinstance(layer, torch.nn.Linear)] + [model.policy.action_net]
     layers = [(layer.weight.detach().numpy().T.copy(), layer.bias.detach().numpy().copy()) for layer in linear]
     if isinstance(model.policy, SymmetricPolicy):
-        layers = symmetrized(layers)
+        layers = symmetrized(layers, model.policy._mirror)
     return Policy(
         weights=tuple(weight for weight, _ in layers),
         biases=tuple(bias for _, bias in layers),
@@ -166,7 +168,9 @@ def export_policy(model: PPO, task: TaskConfig, activation: str, card: dict[str,
     )
 
 
-def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = None) -> tuple[Path, bool]:
+def train(
+    config: TrainConfig, runs: Path, command: str, resume: Path | None = None, task_file: Path | None = None
+) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
     Args:
@@ -174,6 +178,7 @@ def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = N
         runs: parent of the run directory.
         command: what the user typed, for the record.
         resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
+        task_file: a user's file of terms, which is executed.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -183,11 +188,18 @@ def train(config: TrainConfig, runs: Path, command: str, resume: Path | None = N
             written; then what was saved before is kept.
     """
     check_latest(runs)
-    parent = None if resume is None else Parent.load(resume)
+    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    parent = None if resume is None else Parent.load(resume, definition)
     if parent is not None:
         parent.check(asdict(config))
         config = replace(config, task=parent.config.task)
-    env = make_sb3_vec_env(config.num_envs, seed=config.seed, action_mode=config.action_mode, config=config.task)
+    env = make_sb3_vec_env(
+        config.num_envs,
+        seed=config.seed,
+        action_mode=config.action_mode,
+        config=config.task,
+        task_file=task_file,
+    )
     task = env.task.config
     model = make_model(config, env)
     if parent is not None:

@@ -8,11 +8,11 @@ from dataclasses import MISSING, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE, finished_directory
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.policies import load_policy
-from quadruped_env.policies.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE, finished_directory
-from quadruped_env.task import TaskConfig
+from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE, RESUMED_FROM, run_name
 
@@ -44,7 +44,7 @@ class Parent:
         return run_name(self.directory)
 
     @classmethod
-    def load(cls, directory: Path) -> "Parent":
+    def load(cls, directory: Path, definition: TaskDefinition = BUILT_IN) -> "Parent":
         """Read a run; of one that was killed, its last checkpoint.
 
         Raises:
@@ -62,7 +62,7 @@ class Parent:
                     f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its "
                     f"checkpoints/, or train anew"
                 )
-        config, budget_left_at_start = _read_config(directory / CONFIG_FILE)
+        config, budget_left_at_start = _read_config(directory / CONFIG_FILE, definition)
         card, path = load_policy(directory).card, directory / CARD_FILE
         timesteps = _number(path, "card", card, "timesteps", whole=True)
         return cls(
@@ -141,7 +141,7 @@ def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] |
     return None
 
 
-def _read_config(path: Path) -> tuple[TrainConfig, float]:
+def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, float]:
     """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
     document = read_json(path, "train anew")
     training, task = _section(path, document, "training"), _section(path, document, "task")
@@ -160,7 +160,7 @@ def _read_config(path: Path) -> tuple[TrainConfig, float]:
         raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; train anew")
     try:
         config = TrainConfig(**{**values, "hidden": tuple(values["hidden"])})
-        whole_task = TaskConfig.from_dict(task)
+        whole_task = TaskConfig.from_dict(task, definition)
     except QuadrupedError as error:
         raise QuadrupedError(f"{path}: {error}; train anew") from error
     if whole_task.action.mode != config.action_mode:

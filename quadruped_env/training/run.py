@@ -12,9 +12,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.control.policy import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import unwritable, write_whole
-from quadruped_env.policies.policy import CHECKPOINTS
 from quadruped_env.provenance import git_commit, machine, versions
 from quadruped_env.training.config import TrainConfig
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import MlpExtractor
 
-from quadruped_env.task.symmetry import ACTION_ORDER, OBSERVATION_ORDER, OBSERVATION_SIGN, mirror_action
+from quadruped_env.control.symmetry import Mirror
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
@@ -22,10 +22,10 @@ Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 class _MirroredExtractor(MlpExtractor):
     """SB3's hidden layers, run on an observation and on its mirror image."""
 
-    def __init__(self, *args: Any, **kwargs: Any) -> None:
+    def __init__(self, mirror: Mirror, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
-        self.register_buffer("order", torch.as_tensor(OBSERVATION_ORDER), persistent=False)
-        self.register_buffer("sign", torch.as_tensor(OBSERVATION_SIGN), persistent=False)
+        self.register_buffer("order", torch.as_tensor(mirror.observation_order), persistent=False)
+        self.register_buffer("sign", torch.as_tensor(mirror.observation_sign), persistent=False)
 
     def _both(self, observation: torch.Tensor) -> torch.Tensor:
         return torch.stack([observation, observation.index_select(-1, self.order) * self.sign])
@@ -40,13 +40,29 @@ class _MirroredExtractor(MlpExtractor):
 
 
 class SymmetricPolicy(ActorCriticPolicy):
-    """SB3's actor and critic, left/right symmetric."""
+    """SB3's actor and critic, left/right symmetric.
+
+    Args:
+        mirror: how observations and actions change when the robot is mirrored.
+        args, kwargs: of `ActorCriticPolicy`.
+    """
+
+    def __init__(self, *args: Any, mirror: Mirror, **kwargs: Any) -> None:
+        self._mirror = mirror
+        super().__init__(*args, **kwargs)
+
+    def _get_constructor_parameters(self) -> dict[str, Any]:
+        return {**super()._get_constructor_parameters(), "mirror": self._mirror}
 
     def _build_mlp_extractor(self) -> None:
         self.mlp_extractor = _MirroredExtractor(
-            self.features_dim, net_arch=self.net_arch, activation_fn=self.activation_fn, device=self.device
+            self._mirror,
+            self.features_dim,
+            net_arch=self.net_arch,
+            activation_fn=self.activation_fn,
+            device=self.device,
         )
-        self.register_buffer("action_order", torch.as_tensor(ACTION_ORDER), persistent=False)
+        self.register_buffer("action_order", torch.as_tensor(self._mirror.action_order), persistent=False)
 
     def _get_action_dist_from_latent(self, latent_pi: torch.Tensor) -> Any:
         one, other = self.action_net(latent_pi)
@@ -55,13 +71,13 @@ class SymmetricPolicy(ActorCriticPolicy):
         )
 
 
-def symmetrized(layers: list[Layer]) -> list[Layer]:
+def symmetrized(layers: list[Layer], mirror: Mirror) -> list[Layer]:
     """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
     (first, first_bias), *inner, (last, last_bias) = layers
     half = np.float32(0.5)
-    mirrored = (first * OBSERVATION_SIGN[:, None])[np.argsort(OBSERVATION_ORDER)]
+    mirrored = (first * mirror.observation_sign[:, None])[np.argsort(mirror.observation_order)]
     return [
         (np.concatenate([first, mirrored], axis=1), np.tile(first_bias, 2)),
         *((np.kron(np.eye(2, dtype=np.float32), weight), np.tile(bias, 2)) for weight, bias in inner),
-        (half * np.concatenate([last, mirror_action(last)]), half * (last_bias + mirror_action(last_bias))),
+        (half * np.concatenate([last, mirror.action(last)]), half * (last_bias + mirror.action(last_bias))),
     ]

@@ -3,10 +3,11 @@
 Every method may be called from any thread.
 """
 
+import copy
 import math
 import threading
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -20,8 +21,8 @@ from quadruped_env.evaluation.episode import STILL
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
-from quadruped_env.task import CommandConfig, RandomizationConfig
-from quadruped_env.viewer.robot import Robot
+from quadruped_env.task import CommandConfig, RandomizationConfig, Section
+from quadruped_env.viewer.robot import Robot, ViewedRobot, contact_forces, heading
 from quadruped_env.viewer.sample import Sample
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
 
@@ -32,7 +33,7 @@ MAX_PUSH: Final = 1.5
 """m/s"""
 RESTART_AFTER: Final = 2.0
 """s that a robot lies where it fell"""
-RANDOMIZATIONS: Final[dict[str, RandomizationConfig | None]] = {
+RANDOMIZATIONS: Final[dict[str, Section | None]] = {
     "off": STILL,
     "start": RandomizationConfig(),
     "start, ground, payload, noise, pushes": RandomizationConfig(
@@ -114,16 +115,20 @@ class View:
 
 @dataclass
 class _Slot:
-    robot: Robot
+    robot: ViewedRobot
     clock: float
     """s of the show that the robot has done"""
+
+
+Source = ControllerSpec | Callable[[], ViewedRobot]
 
 
 class ViewController:
     """Robots under one command.
 
     Args:
-        sources: what there is to choose from, by name.
+        sources: what there is to choose from, by name: controllers of a simulated robot, or functions that make another
+            kind of robot.
         chosen: the names of the sources to begin with, one a robot.
         results: where recordings go.
 
@@ -131,7 +136,7 @@ class ViewController:
         QuadrupedError: if a source is unknown or does not fit this robot.
     """
 
-    def __init__(self, sources: dict[str, ControllerSpec], chosen: Sequence[str], results: Path = RESULTS) -> None:
+    def __init__(self, sources: Mapping[str, Source], chosen: Sequence[str], results: Path = RESULTS) -> None:
         if not 1 <= len(chosen) <= MAX_ROBOTS:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
         self.sources = sources
@@ -161,7 +166,7 @@ class ViewController:
     def robots(self) -> tuple[str, ...]:
         """The name of each robot's source."""
         with self._lock:
-            return tuple(slot.robot.source.name for slot in self._slots)
+            return tuple(slot.robot.name for slot in self._slots)
 
     def set_source(self, index: int, name: str | None) -> None:
         """Let another source drive a robot, from a new start of that robot; None takes the robot away.
@@ -342,7 +347,7 @@ class ViewController:
             if self._take is None:
                 self._saver.check_room()
                 robot = self._watched_robot
-                self._take = Take(robot.source.name, robot.timestep, [robot.history[-1]])
+                self._take = Take(robot.name, robot.timestep, [robot.history[-1]])
 
     def stop_recording(self) -> None:
         """End the recording, if there is one, and have it saved."""
@@ -388,22 +393,23 @@ class ViewController:
     def model(self) -> mujoco.MjModel:
         """A model like the robots', of the caller's own."""
         with self._lock:
-            return self._slots[0].robot.copy_model()
+            return copy.copy(self._slots[0].robot.model)
 
     # --- inside
 
     @property
-    def _watched_robot(self) -> Robot:
+    def _watched_robot(self) -> ViewedRobot:
         return self._slots[self._watched].robot
 
     @property
     def _timestep(self) -> float:
         return self._slots[0].robot.timestep
 
-    def _make(self, name: str) -> Robot:
+    def _make(self, name: str) -> ViewedRobot:
         if name not in self.sources:
             raise QuadrupedError(f"source: there is no {name!r}; there are {', '.join(self.sources)}")
-        return Robot(self.sources[name], RANDOMIZATIONS[self._randomization])
+        source = self.sources[name]
+        return Robot(source, RANDOMIZATIONS[self._randomization]) if isinstance(source, ControllerSpec) else source()
 
     def _tick(self) -> None:
         self._time += self._timestep
@@ -412,7 +418,7 @@ class ViewController:
                 slot.clock += slot.robot.timestep
                 self._step(index, slot.robot)
 
-    def _step(self, index: int, robot: Robot) -> None:
+    def _step(self, index: int, robot: ViewedRobot) -> None:
         moment = robot.step()
         if index == self._watched and self._take is not None:
             self._take.samples.append(moment)
@@ -426,18 +432,20 @@ class ViewController:
             robot.reset(self._seed, self._command)
 
 
-def _view(robot: Robot) -> RobotView:
-    points, forces = robot.contact_forces()
+def _view(robot: ViewedRobot) -> RobotView:
+    # A control step ends before the forces of its last state are known: they are found on a copy.
+    data = copy.copy(robot.data)
+    points, forces = contact_forces(robot.model, data)
     return RobotView(
-        robot.source.name,
+        robot.name,
         robot.data.xpos.copy(),
         robot.data.xmat.reshape(-1, 3, 3).copy(),
-        robot.heading,
+        heading(robot.data),
         points,
         forces,
         tuple(robot.history),
         robot.timestep,
-        robot.task.term_names,
+        robot.term_names,
         robot.gait,
         tuple(robot.complaints()),
         robot.fell_at,

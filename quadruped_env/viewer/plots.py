@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LEG_COLOURS, LIMIT, VERMILION
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
-from quadruped_env.task import CommandConfig
+from quadruped_env.task import Section
 from quadruped_env.viewer.controller import RobotView
 from quadruped_env.viewer.robot import HISTORY_SECONDS
 from quadruped_env.viewer.sample import Sample, over_time
@@ -32,7 +32,7 @@ _POINTS: Final = 125
 class Plots:
     """A panel of charts at the left edge."""
 
-    def __init__(self, server: "viser.ViserServer", commands: CommandConfig) -> None:
+    def __init__(self, server: "viser.ViserServer", commands: Section) -> None:
         panel = server.gui.add_panel()
         panel.dock_left()
         panel.set_width(_WIDTH)

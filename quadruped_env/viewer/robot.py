@@ -1,23 +1,22 @@
 """One robot of the viewer: a source, the task that it runs on, and what it did lately."""
 
-import copy
 from collections import deque
 from dataclasses import replace
-from typing import Final
+from typing import Final, Protocol
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.editable_gait import HasGait
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import GaitSettings
-from quadruped_env.policies import ControllerSpec
-from quadruped_env.policies.editable_gait import HasGait
+from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import load_model
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import SingleSimulation
-from quadruped_env.task import RandomizationConfig, Task
+from quadruped_env.task import Section, Task
 from quadruped_env.viewer.sample import Sample, sample
 
 HISTORY_SECONDS: Final = 5.0
@@ -25,8 +24,63 @@ HISTORY_SECONDS: Final = 5.0
 _ROW: Final = np.zeros(1, dtype=np.intp)
 
 
+class ViewedRobot(Protocol):
+    """A robot that the viewer shows and steers: a simulated one, or one that sends messages."""
+
+    name: str
+    """Of what drives it"""
+    timestep: float
+    """s between samples"""
+    history: deque[Sample]
+    """The last seconds, the present last"""
+    fell_at: float | None
+    """s of the episode, or None while it is on its feet"""
+    diverged: bool
+    """Whether a simulation has to begin again"""
+    term_names: tuple[str, ...]
+    """Of the samples' reward terms"""
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model."""
+        ...
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's data: where it is."""
+        ...
+
+    @property
+    def gait(self) -> GaitSettings | None:
+        """The settings of its scripted gait; None if it has none."""
+        ...
+
+    @gait.setter
+    def gait(self, settings: GaitSettings) -> None: ...
+
+    def complaints(self) -> list[str]:
+        """Limits of the joints that its scripted gait exceeds, in words."""
+        ...
+
+    def reset(self, seed: int, command: tuple[float, float]) -> None:
+        """Begin again, under a command."""
+        ...
+
+    def set_command(self, command: tuple[float, float]) -> None:
+        """Command a forward velocity in m/s and a yaw rate in rad/s."""
+        ...
+
+    def push(self, velocity: tuple[float, float]) -> None:
+        """Add a velocity (forwards, to the left) in m/s, as the robot faces, to its base."""
+        ...
+
+    def step(self) -> Sample:
+        """Advance by one sample."""
+        ...
+
+
 class Robot:
-    """A robot on its own ground, which no other robot is on.
+    """A simulated robot on its own ground, which no other robot is on.
 
     Args:
         source: what drives it.
@@ -36,16 +90,16 @@ class Robot:
         QuadrupedError: if the source does not fit this robot.
     """
 
-    def __init__(self, source: ControllerSpec, randomization: RandomizationConfig | None = None) -> None:
-        self.source = source
-        controller, config = source.make()
-        config = task_config(controller.action_mode, config)
+    def __init__(self, source: ControllerSpec, randomization: Section | None = None) -> None:
+        self.name = source.name
+        controller = source.make()
+        config = task_config(controller.action_mode, task_of(controller))
         if randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
         self._simulation = SingleSimulation(load_model(config.physics_timestep, config.motor))
         self.task = Task(self._simulation, config)
-        self._forces = mujoco.MjData(self._simulation.model)
+        self.term_names = self.task.term_names
         self.timestep = config.control_timestep
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
         self.fell_at: float | None = None
@@ -57,10 +111,6 @@ class Robot:
     def model(self) -> mujoco.MjModel:
         """MuJoCo's model."""
         return self._simulation.model
-
-    def copy_model(self) -> mujoco.MjModel:
-        """A copy of the model, to draw with."""
-        return copy.copy(self.model)
 
     @property
     def data(self) -> mujoco.MjData:
@@ -80,7 +130,7 @@ class Robot:
     @gait.setter
     def gait(self, settings: GaitSettings) -> None:
         if not isinstance(self._controller, HasGait) or self._controller.settings is None:
-            raise QuadrupedError(f"gait: {self.source.name!r} is no scripted gait; choose one to change its gait")
+            raise QuadrupedError(f"gait: {self.name!r} is no scripted gait; choose one to change its gait")
         self._controller.settings = settings
 
     def complaints(self) -> list[str]:
@@ -103,17 +153,14 @@ class Robot:
 
     def push(self, velocity: tuple[float, float]) -> None:
         """Add a velocity (forwards, to the left) in m/s, as the robot faces, to its base."""
-        heading = self.heading
-        c, s = np.cos(heading), np.sin(heading)
-        world = np.array([[c * velocity[0] - s * velocity[1], s * velocity[0] + c * velocity[1], 0.0]])
-        self._simulation.push(_ROW, world)
+        self._simulation.push(_ROW, world_velocity(velocity, heading(self.data))[None])
         self.observation = self.task.observe()
 
     def step(self) -> Sample:
         """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
         if self.diverged:
             return self.history[-1]
-        transition = self._controller.step(self.task, self.observation)
+        transition = self.task.act(self._controller, self.observation)
         self.observation = transition.observation
         self.diverged = bool(transition.diverged[0])
         moment = sample(self.task, transition)
@@ -121,31 +168,6 @@ class Robot:
         if self.fell_at is None and transition.terminated[0]:
             self.fell_at = moment.time
         return moment
-
-    @property
-    def heading(self) -> float:
-        """Direction that it faces, rad from the world's x."""
-        return float(yaw(self.data.qpos[3:7]))
-
-    def contact_forces(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Where the ground presses on the robot, m (K, 3), and with what force, N (K, 3), in the world."""
-        model, data = self.model, self._forces
-        # A control step ends before the forces of its last state are known: they are found on a copy.
-        mujoco.mj_copyState(model, self.data, data, mujoco.mjtState.mjSTATE_INTEGRATION)
-        mujoco.mj_forward(model, data)
-        points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))
-        wrench = np.empty(6)
-        touching = 0
-        for i, contact in enumerate(data.contact):
-            first, second = model.geom_bodyid[contact.geom]
-            if first and second:
-                continue
-            mujoco.mj_contactForce(model, data, i, wrench)
-            points[touching] = contact.pos
-            # The force acts on the second geom, in a frame that is the matrix's rows.
-            forces[touching] = contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0)
-            touching += 1
-        return points[:touching], forces[:touching]
 
     def _within(self, command: tuple[float, float]) -> tuple[float, float]:
         ranges = self.task.config.command
@@ -155,8 +177,41 @@ class Robot:
     def _face_ahead(self) -> None:
         """Turn the start, which faces anywhere, to the x direction, the velocity of the base with it."""
         qpos, qvel = self.data.qpos.copy(), self.data.qvel.copy()
-        back = from_yaw(-self.heading)
+        back = from_yaw(-heading(self.data))
         qpos[3:7] = multiply(back, qpos[3:7])
         # MuJoCo's angular velocity is in the body frame and turns with it.
         qvel[:3] = rotate(back, qvel[:3])
         self._simulation.reset(_ROW, qpos[None], qvel[None])
+
+
+def heading(data: mujoco.MjData) -> float:
+    """Direction that a robot faces, rad from the world's x."""
+    return float(yaw(data.qpos[3:7]))
+
+
+def world_velocity(velocity: tuple[float, float], heading: float) -> NDArray[np.float64]:
+    """A horizontal velocity (forwards, to the left) of a robot that faces somewhere (rad), in the world (3,)."""
+    return rotate(from_yaw(heading), [*velocity, 0.0])
+
+
+def contact_forces(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Where the ground presses on the robot, m (K, 3), and with what force, N (K, 3), in the world.
+
+    Args:
+        model: the robot on its ground.
+        data: where it is; overwritten with the forces there.
+    """
+    mujoco.mj_forward(model, data)
+    points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))
+    wrench = np.empty(6)
+    touching = 0
+    for i, contact in enumerate(data.contact):
+        first, second = model.geom_bodyid[contact.geom]
+        if first and second:
+            continue
+        mujoco.mj_contactForce(model, data, i, wrench)
+        points[touching] = contact.pos
+        # The force acts on the second geom, in a frame that is the matrix's rows.
+        forces[touching] = contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0)
+        touching += 1
+    return points[:touching], forces[:touching]

@@ -46,7 +46,7 @@ def sample(task: Task, transition: Transition | None = None) -> Sample:
         task: the task.
         transition: what its last step gave; None at the start of an episode.
     """
-    state = task.simulation.state
+    state = task.simulation.readings
     terms = np.zeros(len(task.term_names)) if transition is None else transition.terms[0].copy()
     return Sample(
         time=float(task.steps[0] * task.config.control_timestep),

@@ -13,19 +13,22 @@ that are all late are taken as they come after 0.5 s. Each command bears the sta
 """
 
 import argparse
+import functools
 import time
 from typing import Any, Final
 
+from quadruped_env.control.by_name import find_controller
+from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.live_controller import Answer, LiveController, Measurement, Mode
+from quadruped_env.control.policy import load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import LIMP, CommandWriter, positions_message
+from quadruped_env.live.commands import CommandWriter, positions_message
 from quadruped_env.live.imu import Imu, read_imu
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Subscription, message_reader
-from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
-from quadruped_env.policies import find_controller
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
 
@@ -52,13 +55,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"send the targets as ros2_control takes them, on {JOINT_POSITIONS.name}: eight numbers in the order "
         f"{', '.join(JOINT_NAMES)}. There is none that says limp: it falls silent, and the driver has to let go",
     )
+    parser.add_argument(
+        "--task",
+        metavar="FILE",
+        help="the Python file of terms that the policy was trained with, if it was; it is executed",
+    )
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Drive the robot until the session ends, then let it go limp."""
-    controller, config = find_controller(arguments.policy).make()
-    pilot = Pilot(controller, config, say=session.say)
+    terms = None if arguments.task is None else load_terms(arguments.task)
+    load = functools.partial(load_policy, terms=terms)
+    pilot = LiveController(find_controller(arguments.policy, load).make(), say=session.say)
     node = session.node
     outbox = _Outbox(session, arguments.arrays)
     # Drivers of real robots may offer best effort only.
@@ -114,7 +123,7 @@ class _Inbox:
         return measurement, received.taken
 
 
-def _take_command(session: Session, pilot: Pilot, velocities: Subscription[Any]) -> None:
+def _take_command(session: Session, pilot: LiveController, velocities: Subscription[Any]) -> None:
     newest = velocities.newest(session.refuse)
     if newest is None:
         return
@@ -156,7 +165,7 @@ class _Outbox:
             self._commands.wait_until_read(0.5)
 
 
-def _missing(pilot: Pilot, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
+def _missing(pilot: LiveController, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
     if pilot.mode is not Mode.WAITING:
         return ""
     silent = [one.topic.name for one in (states, attitudes) if not one.writers]

@@ -19,9 +19,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.commands import CommandWriter, limited
+from quadruped_env.live.commands import CommandWriter
 from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import message_reader

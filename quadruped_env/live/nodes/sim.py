@@ -20,8 +20,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import Target
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import Target, read_positions, read_target
+from quadruped_env.live.commands import read_positions, read_target
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Received, message_reader
 from quadruped_env.live.pace import Pace

@@ -12,6 +12,7 @@ this program ends, or is killed, the controller lets the robot stand.
 import argparse
 from typing import Any
 
+from quadruped_env.control.config import COMMANDS
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
 from quadruped_env.live.node import Publisher
 from quadruped_env.live.pace import Pace
@@ -19,7 +20,6 @@ from quadruped_env.live.session import LOOK, Session
 from quadruped_env.live.topics import CMD_VEL
 from quadruped_env.ros import cdr
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
-from quadruped_env.task import CommandConfig
 
 SUMMARY = "drive the robot with the keyboard: /cmd_vel"
 PERIOD = 0.1
@@ -37,7 +37,6 @@ STEPS = {
 }
 """Key -> steps forward and to the left"""
 
-_LIMITS = CommandConfig()
 
 Command = tuple[float, float]
 """m/s forward, rad/s to the left"""
@@ -77,7 +76,7 @@ def after(command: Command, key: str) -> Command:
         return 0.0, 0.0
     if key not in STEPS:
         return command
-    ranges = _LIMITS.forward_velocity, _LIMITS.yaw_rate
+    ranges = [command.range for command in COMMANDS]
     sizes = FORWARD_STEP, TURN_STEP
     forward, left = (
         min(max(next_step(value, size, steps), low), high)

@@ -9,7 +9,7 @@ import argparse
 import time
 from typing import Final
 
-from quadruped_env.live.mirror import NAME, Mirror, mirror_source
+from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.session import LOOK, Session
 from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
@@ -26,22 +26,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
-    mirror = Mirror(session.node, session.refuse)
-    source = mirror_source(mirror)
-    controller = ViewController({source.name: source}, [NAME], RESULTS)
+    robot = LiveRobot(session.node, session.refuse)
+    controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS)
     controller.restart_after_fall = False
-    controller.offered = mirror.offered()
+    controller.offered = robot.offered()
     show = Show(controller, port=arguments.port)
     try:
         session.say(f"the live robot: {show.address}")
         while session.running:
             began = time.monotonic()
             show.run(LOOK)
-            controller.offered = mirror.offered()
+            controller.offered = robot.offered()
             if controller.paused and not controller.offered.clock:
                 # The simulation that could be paused has gone, and the button with it.
                 controller.paused = False
-            session.wait_for("" if mirror.hears else JOINT_STATES.name)
+            session.wait_for("" if robot.hears else JOINT_STATES.name)
             for message in controller.messages():
                 session.say(message)
             session.report("" if time.monotonic() - began < 2 * LOOK else "slow")

@@ -18,7 +18,7 @@ _SIDES: Final = [np.array([leg.startswith(side) for leg in LEG_NAMES]) for side 
 
 
 @dataclass(frozen=True)
-class Rise:
+class StandUp:
     """The way of the joints to the stance, from rest to rest at each point of it.
 
     From upright legs it leads straight there. A robot that was let go in mid-step lies as it fell, on its nose or a

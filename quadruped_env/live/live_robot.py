@@ -1,8 +1,11 @@
 """The viewer as a follower: it draws the robot where the messages say, and sends commands and pushes as messages."""
 
+import math
 import time
+from collections import deque
 from typing import Any, Final
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,15 +15,22 @@ from quadruped_env.live.gaits import read_settings, settings_message
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node, Refused, message_reader
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.policies import ControllerSpec
-from quadruped_env.robot import STANCE, resting_pose
+from quadruped_env.robot import STANCE, load_model, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
+from quadruped_env.rotations import rotate
 from quadruped_env.simulation import SingleSimulation
-from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.viewer.controller import Offered
+from quadruped_env.viewer.robot import HISTORY_SECONDS, heading, world_velocity
+from quadruped_env.viewer.sample import Sample
 
 NAME: Final = "live robot"
 _ROW: Final = np.zeros(1, dtype=np.intp)
+_TIMESTEP: Final = 0.02
+"""s between samples"""
+_SMOOTHING: Final = 1.0 - math.exp(-_TIMESTEP / 0.2)
+"""Share of a new velocity in the average over about a gait cycle, as in the simulated robot's plots"""
+_CONTACT: Final = 1.0
+"""N; a foot that presses harder is on the ground"""
 _ODOMETRY_LASTS: Final = 1.0
 """s; without a newer one the robot is drawn resting on its feet where it was"""
 _STOP: Final = 1.0
@@ -34,16 +44,19 @@ _SHORTEST: Final = 1e-3
 """Length of a quaternion that still says where to"""
 
 
-class Mirror:
-    """`quadruped_env.policies.Controller` that puts the robot where the topics say.
+class LiveRobot:
+    """`quadruped_env.viewer.robot.ViewedRobot` that is where the topics say, and is steered by messages.
 
     Args:
-        node: that listens, and publishes the viewer's command.
-        refused: is called with the reason for each message that cannot be drawn.
+        node: that listens, and publishes commands and pushes.
+        refused: called with the reason for each message that cannot be drawn.
     """
 
     name = NAME
-    action_mode = "position"
+    timestep = _TIMESTEP
+    fell_at: float | None = None
+    diverged = False
+    term_names: tuple[str, ...] = ()
 
     def __init__(self, node: Node, refused: Refused = lambda reason: None) -> None:
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
@@ -56,47 +69,97 @@ class Mirror:
         self._joints = Joints(0, STANCE, np.zeros(8), None)
         self._pose = resting_pose(STANCE)
         self._twist = np.zeros(6)
-        self._velocity = np.zeros(3)
         self._odometry_at = -_ODOMETRY_LASTS
+        self._command = np.zeros(2)
         self._moved_at = -_STOP
         self._sent_at = 0.0
         self._refused = refused
+        self._simulation = SingleSimulation(load_model())
+        self._steps = 0
+        self._smooth_velocity = np.zeros(2)
+        self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
+        self.reset(0, (0.0, 0.0))
 
-    def step(self, task: Task, observation: NDArray[np.float32]) -> Transition:
-        """Take the newest state from the topics in place of a step of physics."""
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model."""
+        return self._simulation.model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's data: where the messages say that the robot is."""
+        return self._simulation.data
+
+    def reset(self, seed: int, command: tuple[float, float]) -> None:
+        """Begin the plots again, under a command; the robot stays where it is."""
+        self._command = np.array(command)
+        self._steps = 0
+        self._smooth_velocity[:] = 0.0
+        self.history.clear()
+        self._place()
+
+    def set_command(self, command: tuple[float, float]) -> None:
+        """Command a forward velocity in m/s and a yaw rate in rad/s, with the next message."""
+        self._command = np.array(command)
+
+    def push(self, velocity: tuple[float, float]) -> None:
+        """Send a push: a velocity (forwards, to the left) in m/s, as the robot faces, to be added to its base."""
+        x, y, z = world_velocity(velocity, heading(self.data)).tolist()
+        self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
+
+    def step(self) -> Sample:
+        """Take the newest state from the topics, and send the command."""
         now = time.monotonic()
         self._listen(now)
-        self._steer(task.command[0], now)
-        simulation = task.simulation
-        assert isinstance(simulation, SingleSimulation)
-        if task.steps[0] > 0:
-            self._pass_push_on(simulation.data.qvel[:3])
-        positions, velocities = self._joints.positions, self._joints.velocities
+        self._steer(self._command, now)
+        positions = self._joints.positions
         assert positions is not None
-        transition = task.step_joint_target(positions[None].copy())
         if now - self._odometry_at > _ODOMETRY_LASTS:
             resting = resting_pose(positions)
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
+        self._steps += 1
+        return self._place()
+
+    def _place(self) -> Sample:
+        """Put the model where the last messages say."""
+        positions, velocities, efforts = self._joints.positions, self._joints.velocities, self._joints.efforts
+        assert positions is not None
         qpos = np.concatenate([self._pose, positions])
         qvel = np.concatenate([self._twist, np.zeros(8) if velocities is None else velocities])
-        simulation.reset(_ROW, qpos[None], qvel[None])
-        self._velocity = qvel[:3]
-        transition.terminated[:] = False
-        transition.diverged[:] = False
-        return transition
+        self._simulation.reset(_ROW, qpos[None], qvel[None])
+        readings = self._simulation.readings
+        velocity = np.array([readings.linear_velocity_b[0, 0], readings.angular_velocity_b[0, 2]])
+        self._smooth_velocity += _SMOOTHING * (velocity - self._smooth_velocity)
+        sample = Sample(
+            time=self._steps * self.timestep,
+            command=self._command.copy(),
+            velocity=velocity,
+            smooth_velocity=self._smooth_velocity.copy(),
+            base_pose=self._pose.copy(),
+            joint_position=readings.joint_position[0].copy(),
+            joint_velocity=readings.joint_velocity[0].copy(),
+            joint_torque=np.zeros(8) if efforts is None else efforts.copy(),
+            foot_position=readings.foot_position[0].copy(),
+            contact=readings.foot_force[0] > _CONTACT,
+            reward_terms=np.zeros(0),
+        )
+        self.history.append(sample)
+        return sample
 
     @property
-    def settings(self) -> GaitSettings | None:
+    def gait(self) -> GaitSettings | None:
         """The settings of the `gait` node's gait; None while there is no such node."""
         return self._settings if self._gaits.readers else None
 
-    @settings.setter
-    def settings(self, settings: GaitSettings) -> None:
+    @gait.setter
+    def gait(self, settings: GaitSettings) -> None:
+        if self.gait is None:
+            raise QuadrupedError(f"gait: {self.name!r} has no scripted gait; start the `gait` node to change one")
         self._gaits.send(settings_message(settings))
         self._settings, self._changed_at = settings, time.monotonic()
 
     def complaints(self) -> list[str]:
-        """Nothing: the `gait` node says what its gait asks for beyond the robot's limits."""
+        """Nothing: the `gait` node says which limits its gait exceeds."""
         return []
 
     def offered(self) -> Offered:
@@ -122,13 +185,6 @@ class Mirror:
         if settings is not None and now - self._changed_at > _CHANGING:
             self._settings = settings[1]
 
-    def _pass_push_on(self, velocity: NDArray[np.float64]) -> None:
-        """Send what somebody added to the base's velocity (3,) since it was put where it is: a push in the viewer."""
-        added = velocity - self._velocity
-        if added.any():
-            x, y, z = added.tolist()
-            self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
-
     def _steer(self, command: NDArray[np.float64], now: float) -> None:
         """Send the viewer's command, for as long as it asks for something and a little longer."""
         if command.any():
@@ -138,11 +194,6 @@ class Mirror:
         self._sent_at = now
         twist = {"linear": {"x": command[0]}, "angular": {"z": command[1]}}
         self._velocities.send(cdr.message(CMD_VEL.type_name, **twist))
-
-
-def mirror_source(mirror: Mirror) -> ControllerSpec:
-    """A mirror as the viewer takes it."""
-    return ControllerSpec(NAME, lambda: (mirror, TaskConfig()))
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -163,13 +214,4 @@ def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float
             f"numbers and a unit quaternion"
         )
     pose[3:] /= length
-    return pose, np.concatenate([_in_world(pose[3:], velocity), rate])
-
-
-def _in_world(orientation: NDArray[np.float64], vector: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A vector (3,) of the axes of a base, whose attitude is a unit quaternion, in the world's."""
-    import mujoco
-
-    turned = np.empty(3)
-    mujoco.mju_rotVecQuat(turned, vector, orientation)
-    return turned
+    return pose, np.concatenate([rotate(pose[3:], velocity), rate])

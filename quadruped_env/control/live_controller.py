@@ -1,4 +1,4 @@
-"""The controller's head: when to act, on what, and when to stop. It knows no network and no clock but what it is told.
+"""State machine of the live controller. Pure logic: times and measurements are passed in.
 
     waiting --fresh states--> ramping --at the stance--> walking
     ramping, walking --no state for 0.2 s--> holding --for 1 s--> limp --> waiting
@@ -11,22 +11,27 @@ Walking is following the command, which is to stand where there is none, or none
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.controllers import Controller, PolicyController
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.joint_command import LIMP, Target, limited
+from quadruped_env.control.observations import OBSERVATIONS
+from quadruped_env.control.stand_up import StandUp
+from quadruped_env.control.timestamp_filter import TimestampFilter
+from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import LIMP, Target, limited
-from quadruped_env.live.gate import Gate
-from quadruped_env.live.measured import MeasuredRobot
-from quadruped_env.live.stamps import NANOSECONDS
-from quadruped_env.live.standing import Rise
-from quadruped_env.policies import Controller
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
-from quadruped_env.task import RandomizationConfig, Task, TaskConfig
+from quadruped_env.readings import Readings
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
+from quadruped_env.ros.joint_state import NANOSECONDS
+from quadruped_env.rotations import rotate_inverse
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
 _LONGEST_STEP: Final = 2.5
@@ -61,6 +66,8 @@ class Safety:
     """s; the shortest ramp from one pose to the next"""
     settle: float = 0.5
     """s in the stance before walking"""
+    max_tilt: float = 1.0
+    """rad between the base's up axis and the world's, beyond which the robot counts as fallen"""
 
 
 class Mode(Enum):
@@ -96,39 +103,47 @@ class Answer(NamedTuple):
     target: Target
 
 
-class Pilot:
+class LiveController:
     """Drives one robot with one controller.
 
     Args:
-        controller: what decides while walking.
-        config: the task that the controller is made for.
+        controller: computes the joint targets while walking.
+        config: time step, clock and commands; None takes a policy's own, and the defaults for other controllers.
         safety: when to stop.
-        say: is told every change in words.
+        say: called with every change of mode, in words.
+        robot: that is driven.
+
+    Raises:
+        QuadrupedError: if the controller's policy observes something that the robot does not measure.
     """
 
     def __init__(
         self,
         controller: Controller,
-        config: TaskConfig,
+        config: ControlConfig | None = None,
         safety: Safety | None = None,
         say: Callable[[str], None] = lambda text: None,
+        robot: Robot = MINI_QUADRUPED,
     ) -> None:
-        # What a training varies is here as it is.
-        config = replace(config, randomization=RandomizationConfig())
+        policy = controller.policy if isinstance(controller, PolicyController) else None
+        if config is None:
+            config = ControlConfig() if policy is None else policy.control
         self.safety = safety or Safety()
         self.mode = Mode.WAITING
         self._say = say
         self._controller = controller
-        self._robot = MeasuredRobot()
-        self._task = Task(self._robot, config)
-        self._ranges = config.command.forward_velocity, config.command.yaw_rate
-        self._max_tilt = config.termination.max_tilt
-        self.period = config.control_timestep
+        self._robot = robot
+        self._readings = Readings.of_a_real_robot(robot)
+        self._control = ControlInterface(robot, config, fields=OBSERVATIONS if policy is None else policy.fields)
+        self._check_observation()
+        self._ranges = [entry.range for entry in config.commands[:VELOCITY]]
+        self._defaults = np.array([entry.default for entry in config.commands])
+        self.period = config.timestep
         """s between commands"""
         self._step = round(self.period * NANOSECONDS)
-        self._gate = Gate("/joint_states", self._relearned)
+        self._timestamps = TimestampFilter("/joint_states", self._relearned)
         self._fresh = 0
-        self._rest = STANCE
+        self._rest = robot.stance
         self._fallen = False
         """Whether it was let go limp because it had fallen"""
         self._upright_since: int | None = None
@@ -139,8 +154,8 @@ class Pilot:
         self._silent_due = 0.0
         self._command = np.zeros(2)
         self._command_at = -math.inf
-        self._last = STANCE.copy()
-        self._rise = Rise.plan(STANCE, self.safety.ramp_speed, self.safety.ramp_least)
+        self._last = robot.stance.copy()
+        self._rise = StandUp.plan(robot.stance, self.safety.ramp_speed, self.safety.ramp_least)
         self._risen = 0.0
         """s of the rise that are done"""
         self._rise_at = 0, 0.0
@@ -175,16 +190,16 @@ class Pilot:
         if self._moving and now - self._heard > self.safety.limp_after:
             # This process was held up for so long that the robot's own watchdog has let the motors go.
             return self._let_go()
-        refusal = self._gate.refusal(measurement.stamp, now, self._moving)
+        refusal = self._timestamps.refusal(measurement.stamp, now, self._moving)
         if refusal:
             raise QuadrupedError(refusal)
         self._heard, self._stamp = now, measurement.stamp
-        self._robot.measure(*measurement[1:])
+        self._take_in(measurement)
         if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP):
             self._qualify(measurement, now)
         if self.mode not in (Mode.RAMPING, Mode.WALKING):
             return None
-        if math.acos(min(1.0, max(-1.0, float(self._robot.state.up_b[0, 2])))) > self._max_tilt:
+        if not self._upright:
             self._go_limp("the robot has fallen; put it on its feet")
             self._fallen = True
             return Answer(measurement.stamp, LIMP)
@@ -225,8 +240,7 @@ class Pilot:
         if self._fresh == 0:
             self._rest = measurement.positions
         self._fresh += 1
-        upright = float(self._robot.state.up_b[0, 2]) > math.cos(self._max_tilt)
-        if not upright:
+        if not self._upright:
             self._fresh, self._upright_since = 0, None
             return
         if self._upright_since is None:
@@ -240,8 +254,8 @@ class Pilot:
         if self._fresh < self.safety.fresh_states:
             return
         # From beyond the range the way would have no bound.
-        self._last = np.clip(measurement.positions, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
-        self._rise = Rise.plan(self._last, self.safety.ramp_speed, self.safety.ramp_least)
+        self._last = np.clip(measurement.positions, self._robot.joint_position_low, self._robot.joint_position_high)
+        self._rise = StandUp.plan(self._last, self.safety.ramp_speed, self.safety.ramp_least)
         self._risen, self._rise_at = 0.0, (measurement.stamp, now)
         self._due = None
         self._fallen = False
@@ -251,13 +265,39 @@ class Pilot:
         if self.mode is Mode.RAMPING:
             target = self._ramp(now)
         else:
-            command = self._command if self.moving(now) else np.zeros(2)
-            if not np.array_equal(command, self._task.command[0]):
-                self._task.set_command(_ROW, command)
-            self._controller.step(self._task, self._task.observe())
-            target = self._robot.joint_target
+            self._follow(self._command if self.moving(now) else np.zeros(VELOCITY))
+            observation = self._control.observe(self._readings)
+            self._control.advance()
+            target = self._controller.act(observation, self._control)[0]
         self._last = limited(target, self._last, self.period)
         return Answer(self._stamp, self._last)
+
+    def _follow(self, velocity: NDArray[np.float64]) -> None:
+        """Command a velocity (2,), in m/s and rad/s, where it is another than before."""
+        command = np.concatenate([velocity, self._defaults[VELOCITY:]])
+        if not np.array_equal(command, self._control.commands[0]):
+            self._control.set_command(_ROW, command[None])
+
+    def _take_in(self, measurement: Measurement) -> None:
+        readings = self._readings
+        readings.joint_position[0] = measurement.positions
+        readings.joint_velocity[0] = measurement.velocities
+        readings.orientation[0] = measurement.orientation
+        readings.up_b[0] = rotate_inverse(measurement.orientation, [0.0, 0.0, 1.0])
+        readings.angular_velocity_b[0] = measurement.angular_velocity
+
+    @property
+    def _upright(self) -> bool:
+        return float(self._readings.up_b[0, 2]) > math.cos(self.safety.max_tilt)
+
+    def _check_observation(self) -> None:
+        observation = self._control.observe(self._readings)[0]
+        for name, columns in self._control.layout.slices.items():
+            if not np.isfinite(observation[columns]).all():
+                raise QuadrupedError(
+                    f"policy: it observes {name}, which the robot does not measure: it measures joint positions and "
+                    f"velocities, attitude and angular velocity; train a policy without {name}"
+                )
 
     def _ramp(self, now: float) -> NDArray[np.float64]:
         stamp, then = self._rise_at
@@ -265,7 +305,8 @@ class Pilot:
         self._risen += min((self._stamp - stamp) / NANOSECONDS, now - then, _LONGEST_STEP * self.period)
         self._rise_at = self._stamp, now
         if self._risen >= self._rise.duration + self.safety.settle - _ROUNDING:
-            self._task.reset(_ROW, seeds=[0], command=(0.0, 0.0))
+            self._control.reset(_ROW)
+            self._follow(np.zeros(VELOCITY))
             self._enter(Mode.WALKING, "")
         return self._rise.positions(self._risen)
 
@@ -289,7 +330,7 @@ class Pilot:
         self._begin_anew()
 
     def _begin_anew(self) -> None:
-        self._gate.reset()
+        self._timestamps.reset()
         self._count_anew()
 
     def _count_anew(self) -> None:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.ros.joint_state import NANOSECONDS
 
 MAX_AGE: Final = 0.2
 """s"""
@@ -16,7 +16,7 @@ _CLOCK_DRIFT: Final = 1e-3
 """s/s by which the clocks of robot and controller may drift apart"""
 
 
-class Gate:
+class TimestampFilter:
     """Judges the stamps of one stream.
 
     The robot's clock need not be this machine's: what is late is known from how far stamps lag behind the time of their
