@@ -6,19 +6,25 @@ import math
 import gymnasium
 import numpy as np
 
+from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.envs import ENV_ID
 from quadruped_env.readings import Readings
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, load_model
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED, load_model
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import (
-    OBSERVATION_LAYOUT,
     CommandConfig,
     RandomizationConfig,
     Task,
     TaskConfig,
+    TaskContext,
     TerminationConfig,
-    rewards,
 )
+from quadruped_env.task.reward_function import RewardFunction
+from quadruped_env.task.rewards import REWARDS
+
+LAYOUT = ObservationLayout(MINI_QUADRUPED)
+OBSERVATION_WIDTH = LAYOUT.width
+ACTION_WIDTH = MINI_QUADRUPED.num_joints
 
 NEVER_FALLS = TerminationConfig(max_tilt=math.pi, max_trunk_force=1e9)
 # Long enough that nothing is drawn anew within a test.
@@ -46,15 +52,10 @@ def make_env(fixed_command=None, **config):
 
 def column(name, observation):
     """The columns of one field of the layout."""
-    start = 0
-    for field in OBSERVATION_LAYOUT:
-        if field.name == name:
-            return observation[..., start : start + field.width]
-        start += field.width
-    raise AssertionError(name)
+    return observation[..., LAYOUT.slices[name]]
 
 
-def random_state(rng, rows):
+def random_readings(rng, num_envs):
     widths = {
         "orientation": (4,),
         "foot_force": (4,),
@@ -66,36 +67,45 @@ def random_state(rng, rows):
     values = {}
     for field in dataclasses.fields(Readings):
         width = (8,) if field.name.startswith("joint") else widths.get(field.name, (3,))
-        values[field.name] = rng.standard_normal((rows, *width))
+        values[field.name] = rng.standard_normal((num_envs, *width))
     # Around their thresholds.
-    values["foot_force"] = rng.uniform(0.0, 2.0, (rows, 4))
-    values["trunk_force"] = rng.uniform(0.0, 1.2, (rows, 5))
-    values["foot_position"][..., 2] = rng.uniform(0.0, 0.06, (rows, 4))
-    values["base_position"][:, 2] = rng.uniform(0.1, 0.2, rows)
-    values["joint_position"] = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH, (rows, 8))
+    values["foot_force"] = rng.uniform(0.0, 2.0, (num_envs, 4))
+    values["trunk_force"] = rng.uniform(0.0, 1.2, (num_envs, 5))
+    values["foot_position"][..., 2] = rng.uniform(0.0, 0.06, (num_envs, 4))
+    values["base_position"][:, 2] = rng.uniform(0.1, 0.2, num_envs)
+    values["joint_position"] = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH, (num_envs, 8))
     values["up_b"] /= np.linalg.norm(values["up_b"], axis=1, keepdims=True)
     return Readings(**values)
 
 
-def random_memory(rng, rows):
-    command = rng.uniform(-0.5, 0.5, (rows, 2))
-    command[::5] = 0.0
-    scale, whole = rewards.progress_scale(command)
-    return rewards.Memory(
-        action=rng.uniform(-1, 1, (rows, 8)),
-        last_action=rng.uniform(-1, 1, (rows, 8)),
-        joint_offset=rng.standard_normal((rows, 8)),
-        command=command,
-        progress_scale=scale,
-        progress_whole=whole,
-        velocity=rng.standard_normal((rows, 2)) * 0.3,
-        smooth_velocity=rng.standard_normal((rows, 2)) * 0.3,
-        moving=(command != 0).any(axis=1) * 1.0,
-        clock_sine=np.sin(rng.uniform(0, math.tau, (rows, 4))),
-        fallen=(rng.random(rows) < 0.3) * 1.0,
-    )
+class Terms:
+    """The built-in reward terms on readings and commands of a test's own, unweighted."""
 
+    def __init__(self, readings, config=None):
+        self.config = config or TaskConfig()
+        self.control = ControlInterface(MINI_QUADRUPED, ControlConfig(), len(readings.up_b))
+        reward = self.config.reward
+        self.context = TaskContext(readings, self.control, reward.velocity_time_constant, reward.contact_threshold)
+        weights = dict.fromkeys(reward.weights, 1.0 / self.context.timestep)
+        self.function = RewardFunction(REWARDS, reward.replace(weights=weights), self.context)
 
-def convert(batch, function):
-    """A Readings or Memory with a function applied to every array."""
-    return type(batch)(**{f.name: function(getattr(batch, f.name)) for f in dataclasses.fields(batch)})
+    def set_command(self, command):
+        everywhere = np.arange(len(command))
+        self.control.set_command(everywhere, command)
+        self.function.command_changed(everywhere, command)
+
+    def randomize(self, rng):
+        """Actions, commands, velocities, clocks and falls at random."""
+        n = self.control.num_envs
+        command = rng.uniform(-0.5, 0.5, (n, 2))
+        command[::5] = 0.0
+        self.set_command(command)
+        self.control.action[:], self.control.previous_action[:] = rng.uniform(-1, 1, (2, n, ACTION_WIDTH))
+        self.control.phase[:] = rng.uniform(0, math.tau, n)
+        self.context.velocity[:], self.context.smooth_velocity[:] = 0.3 * rng.standard_normal((2, n, 2))
+        self.context.fallen[:] = rng.random(n) < 0.3
+        return self
+
+    def values(self):
+        """Name -> (N,)."""
+        return dict(zip(self.function.names, self.function(self.context), strict=True))

@@ -69,7 +69,7 @@ def test_next_step_mode_ignores_the_action_of_an_env_that_restarts():
     action[0] = np.nan
     assert_same(env.step(action), expected)
     np.testing.assert_array_equal(expected[4]["_diverged"], [False, True])
-    with pytest.raises(QuadrupedError, match="value nan for LF_hip_joint in row 0"):
+    with pytest.raises(QuadrupedError, match="value nan for LF_hip_joint in env 0"):
         env.step(action)
 
 

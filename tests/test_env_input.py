@@ -14,8 +14,8 @@ from quadruped_env.envs import make_sb3_vec_env
         (np.zeros(7), r"action: expected shape \(8,\), one value per joint; found \(7,\)"),
         (np.zeros((2, 8)), r"action: expected shape \(8,\).*found \(2, 8\)"),
         (0.0, r"action: expected shape \(8,\).*found \(\)"),
-        (np.full(8, np.nan), r"action: value nan for LF_hip_joint in row 0 is not finite"),
-        ([0, 0, 0, np.inf, 0, 0, 0, 0], r"action: value inf for RF_knee_joint in row 0 is not finite"),
+        (np.full(8, np.nan), r"action: value nan for LF_hip_joint in env 0 is not finite"),
+        ([0, 0, 0, np.inf, 0, 0, 0, 0], r"action: value inf for RF_knee_joint in env 0 is not finite"),
         ([0, 0, 0, np.inf, 0, -np.inf, 0, 0], r"action: value inf for RF_knee_joint"),
     ],
 )
@@ -34,7 +34,7 @@ def test_a_bad_action_of_one_row_is_refused_and_no_row_moves():
     before = env.get_state()
     action = np.zeros((3, 8))
     action[1, 7] = np.nan
-    with pytest.raises(QuadrupedError, match="value nan for RH_knee_joint in row 1 is not finite"):
+    with pytest.raises(QuadrupedError, match="value nan for RH_knee_joint in env 1 is not finite"):
         env.step(action)
     with pytest.raises(QuadrupedError, match=r"expected shape \(3, 8\).*found \(8,\)"):
         env.step(np.zeros(8))
@@ -49,7 +49,10 @@ def test_a_bad_action_of_one_row_is_refused_and_no_row_moves():
         ({"config": {"action": {"mode": "torque"}}}, r"'torque'.*position, residual"),
         ({"config": {"rewards": {}}}, r"config: unknown field 'rewards'; valid fields are .*reward.*randomization"),
         ({"config": {"reward": {"weight": {}}}}, r"config.reward: unknown field 'weight'; valid fields are weights"),
-        ({"config": {"reward": {"weights": {"speed": 1}}}}, r"unknown reward term 'speed'; valid terms are .*upright"),
+        (
+            {"config": {"reward": {"weights": {"speed": 1}}}},
+            r"config.reward.weights: unknown field 'speed'; valid fields are .*upright",
+        ),
         ({"config": {"randomization": {"friction": 0.5}}}, r"config.randomization.friction: expected a pair.*0\.5"),
         ({"config": {"decimation": 2.5}}, r"config.decimation: expected a whole number; found 2\.5"),
         ({"config": {"decimation": 0}}, r"decimation must be 1 or more; found 0"),

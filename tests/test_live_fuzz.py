@@ -7,12 +7,12 @@ import time
 import numpy as np
 import pytest
 from live_nodes import usable
-from quadruped_env.live.mirror import Mirror, mirror_source
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.joints import JointReader
+from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.node import Received
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session
@@ -130,12 +130,11 @@ def run_swamped(arguments, nodes, turns, seed=0):
 def test_viewer_swamped_with_damaged_messages_goes_on(nodes, tmp_path, seed):
     """And what it then draws is finite, whatever came before."""
     node, rng, refused = nodes(), np.random.default_rng(seed), []
-    mirror = Mirror(node, refused.append)
+    live = LiveRobot(node, refused.append)
     for subscription in node.subscriptions:
         topic = subscription.topic
         subscription.take = lambda topic=topic: [Received(damaged(rng, topic), 0, 1) for _ in range(3)]
-    source = mirror_source(mirror)
-    show = ViewController({source.name: source}, [source.name], tmp_path)
+    show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
     show.restart_after_fall = False
     for _ in range(200):
         show.advance(0.02)

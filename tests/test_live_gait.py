@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from browser import fill
-from quadruped_env.live.mirror import Mirror, mirror_source
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.joints import JointReader
+from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, PUSH
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController
@@ -93,17 +93,16 @@ def test_gait_takes_settings_and_says_which_it_has(start, nodes):
 
 
 def test_viewer_offers_what_has_a_node_that_takes_it(nodes, tmp_path):
-    robot, mirror = nodes("robot"), Mirror(nodes("viewer"))
-    source = mirror_source(mirror)
-    show = ViewController({source.name: source}, [source.name], tmp_path)
-    assert mirror.offered() == Offered(command=False, push=False, clock=False, sources=False)
+    robot, live = nodes("robot"), LiveRobot(nodes("viewer"))
+    show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
+    assert live.offered() == Offered(command=False, push=False, clock=False, sources=False)
     assert show.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
         show.set_gait(CHANGED)
     robot.subscribe(CMD_VEL)
-    wait_until(lambda: mirror.offered() == Offered(command=True, push=False, clock=False, sources=False))
+    wait_until(lambda: live.offered() == Offered(command=True, push=False, clock=False, sources=False))
     robot.subscribe(PUSH)
-    wait_until(lambda: mirror.offered() == Offered(command=True, push=True, clock=True, sources=False))
+    wait_until(lambda: live.offered() == Offered(command=True, push=True, clock=True, sources=False))
     wanted = robot.subscribe(GAIT, read=lambda data: cdr.deserialize(data, GAIT.type_name))
     robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
     wait_until(lambda: show.advance(0.02) and show.gait == CHANGED)

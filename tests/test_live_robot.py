@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from live_loop import EPOCH, Loop
 from live_nodes import received_from
-from quadruped_env.live.mirror import Mirror, mirror_source
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
@@ -15,6 +14,7 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
 from quadruped_env.live.benchmark import speed_in_environment
+from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
@@ -227,9 +227,8 @@ def test_the_sensors_say_what_the_robot_does(node):
 def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
-        mirror = Mirror(viewer_node)
-        source = mirror_source(mirror)
-        show = ViewController({source.name: source}, [source.name], tmp_path)
+        live = LiveRobot(viewer_node)
+        show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
         robot, sensors = SimulatedRobot(), Sensors(robot_node)
         velocities, pushes = robot_node.subscribe(CMD_VEL), robot_node.subscribe(PUSH)
         robot.push(np.array([0.4, 0.2, 0.0]))
@@ -241,7 +240,7 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
             sensors.send(next(stamps), robot.state)
             show.advance(0.02)
 
-        wait_until(lambda: goes_on() or (velocities.writers and mirror.hears), "both to be heard")
+        wait_until(lambda: goes_on() or (velocities.writers and live.hears), "both to be heard")
         show.advance(0.02)
         twist = velocities.decode(received_from(velocities, 1)[-1])
         assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
@@ -257,9 +256,8 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         np.testing.assert_allclose(seen.joint_velocity, robot.state.joint_velocity[0], atol=1e-12)
         np.testing.assert_allclose(seen.velocity[0], robot.state.linear_velocity_b[0, 0], atol=1e-9)
         assert not pushes.take()
-        show.push(direction=np.pi / 2, strength=0.5)
         wait_until(lambda: pushes.writers)
-        show.advance(0.02)
+        show.push(direction=np.pi / 2, strength=0.5)
         (received,) = wait_until(pushes.take, "the push")
         push = pushes.decode(received)
         heading = show.view().robots[0].heading
@@ -275,9 +273,8 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
 def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
-        mirror = Mirror(viewer_node)
-        source = mirror_source(mirror)
-        show = ViewController({source.name: source}, [source.name], tmp_path)
+        live = LiveRobot(viewer_node)
+        show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
         states = robot_node.publish(JOINT_STATES)
         positions = np.array([0.3, -0.9] * 4)
         message = cdr.message(
@@ -286,7 +283,7 @@ def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
             name=list(JOINT_NAMES),
             position=positions,
         )
-        wait_until(lambda: states.send(message) or show.advance(0.02) or mirror.hears, "the robot's states")
+        wait_until(lambda: states.send(message) or show.advance(0.02) or live.hears, "the robot's states")
         show.advance(0.02)
         seen = show.view().robots[0].now
         np.testing.assert_allclose(seen.joint_position, positions)

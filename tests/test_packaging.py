@@ -7,9 +7,10 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from tasks import LAYOUT
 
 from quadruped_env.envs import MiniQuadrupedEnv
-from quadruped_env.task import OBSERVATION_LAYOUT, TaskConfig
+from quadruped_env.task import TaskConfig
 
 ROOT = Path(__file__).parents[1]
 
@@ -69,7 +70,7 @@ def test_the_specification_in_the_docstring_is_the_config():
         name: float(weight) for name, weight in re.findall(r"^ *\| `(\w+)` \|.*\| (-?[\d.]+) \|$", doc, re.MULTILINE)
     }
     assert weights == TaskConfig().reward.weights
-    for field in OBSERVATION_LAYOUT:
+    for field in LAYOUT.fields:
         line = next(line for line in doc.splitlines() if f"| `{field.name}` |" in line)
         columns = [cell.strip() for cell in line.split("|")[1:-1]]
         assert float(columns[4]) == field.scale

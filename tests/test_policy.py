@@ -14,13 +14,14 @@ import numpy as np
 import pytest
 from gymnasium import make, make_vec
 from safetensors.numpy import load_file, save
+from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, SHIPPED, TENSORS_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, PolicyController, load_policy
-from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, TaskConfig
+from quadruped_env.task import TaskConfig
 
 TASK = TaskConfig.from_dict({"action": {"mode": "residual"}, "decimation": 5})
 
@@ -48,6 +49,9 @@ def run_directory(tmp_path):
     """The directory of a saved policy."""
     make_policy().save(tmp_path / "run")
     return tmp_path / "run"
+
+
+POSITION = {"action": {"mode": "position"}}
 
 
 def edit_card(directory, **changes):
@@ -270,7 +274,7 @@ DAMAGES = {
         r"policy.json: .*decimation must be 1 or more; found 0",
     ),
     "config of another version": (
-        lambda d: edit_card(d, config={"tempo": 1}),
+        lambda d: edit_card(d, config=POSITION | {"tempo": 1}, scripted_gait=None),
         r"policy.json: config: unknown field 'tempo'",
     ),
     "config a list": (lambda d: edit_card(d, config=[1]), r"policy.json: config: expected a mapping"),

@@ -1,6 +1,5 @@
 """What differs from episode to episode."""
 
-import dataclasses
 import math
 
 import numpy as np
@@ -15,20 +14,18 @@ from tasks import (
 
 from quadruped_env.robot import FOOT_RADIUS, STANCE, load_model
 from quadruped_env.simulation import BatchSimulation, SingleSimulation
-from quadruped_env.task import (
-    RandomizationConfig,
-    Task,
-    TaskConfig,
-    randomization,
-)
+from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 
 
 def test_starts_are_drawn_in_their_ranges():
     config = RandomizationConfig(
         start_joint_position=0.2, start_joint_velocity=0.7, start_base_velocity=0.3, start_tilt=0.15
     )
-    draws = np.random.default_rng(0).random((5000, randomization.START_DRAWS))
-    qpos, qvel = randomization.start_states(draws, config)
+    simulation = BatchSimulation(load_model(), 5000, 1)
+    starts = []
+    simulation.reset = lambda env_ids, qpos, qvel: starts.append((qpos, qvel))
+    Task(simulation, TaskConfig(randomization=config)).reset(np.arange(5000), range(5000))
+    ((qpos, qvel),) = starts
     for values, bound in (
         (qpos[:, 7:] - STANCE, 0.2),
         (qvel[:, 6:], 0.7),
@@ -102,7 +99,7 @@ def test_a_reset_of_some_rows_leaves_the_models_of_the_others():
 
 
 def test_a_payload_presses_on_the_ground():
-    heavy = make_task(2, randomization=dataclasses.replace(STILL_START, payload=(1.0, 1.0)), termination=NEVER_FALLS)
+    heavy = make_task(2, randomization=STILL_START.replace(payload=(1.0, 1.0)), termination=NEVER_FALLS)
     plain = make_task(2, randomization=STILL_START, termination=NEVER_FALLS)
     for _ in range(60):
         heavy.step(np.zeros((2, 8))), plain.step(np.zeros((2, 8)))
@@ -114,7 +111,7 @@ def test_pushes_add_a_horizontal_velocity_at_their_intervals():
     interval, size = 0.2, 0.5
     pushed = make_env(
         command=ONE_COMMAND,
-        randomization=dataclasses.replace(STILL_START, push_velocity=size, push_interval=(interval, interval)),
+        randomization=STILL_START.replace(push_velocity=size, push_interval=(interval, interval)),
         termination=NEVER_FALLS,
     )
     still = make_env(command=ONE_COMMAND, randomization=STILL_START)

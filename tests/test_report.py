@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation import failures, subject
@@ -33,7 +34,7 @@ from quadruped_env.reporting import plots, results
 from quadruped_env.reporting.pages import evaluation_report, pictures, run_comparison
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.pages.page import summary_table
-from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH, ActionConfig, CommandConfig, TaskConfig
+from quadruped_env.task import ActionConfig, CommandConfig, TaskConfig
 
 REPOSITORY = Path(__file__).parents[1]
 TINY = ((0.2, 0.0), (0.4, 0.0), (0.0, 0.0), (-0.2, 0.0), (0.0, 0.5))

@@ -5,34 +5,24 @@ import math
 
 import numpy as np
 import pytest
-from tasks import (
-    NEVER_FALLS,
-    column,
-    convert,
-    make_task,
-    random_memory,
-    random_state,
-)
+from tasks import NEVER_FALLS, Terms, column, make_task, random_readings
 
-from quadruped_env.robot import FOOT_RADIUS
-from quadruped_env.task import (
-    RewardConfig,
-    rewards,
-    terminations,
-)
+from quadruped_env.readings import Readings
+from quadruped_env.robot import FOOT_RADIUS, STANCE
+from quadruped_env.task import RewardConfig, TaskConfig, quantities
 
 # --- rewards, by hand ---
 
 
 def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
-    value = rewards.tracking_kernel(np.array([0.3, 0.45, 0.15, 0.6]), np.array([0.3] * 4), 0.15)
+    value = quantities.tracking_kernel(np.array([0.3, 0.45, 0.15, 0.6]), np.array([0.3] * 4), 0.15)
     np.testing.assert_allclose(value, [1.0, math.exp(-1), math.exp(-1), math.exp(-4)], rtol=1e-12)
 
 
 def progress(velocity, command, overshoot):
     """Progress at forward velocities under one command."""
-    scale, whole = rewards.progress_scale(np.array([[command, 0.0]]))
-    return rewards.progress(np.asarray(velocity) * scale[0, 0], whole[0, 0], overshoot)
+    scale, whole = quantities.progress_scale(np.array([[command, 0.0]]))
+    return quantities.progress(np.asarray(velocity) * scale[0, 0], whole[0, 0], overshoot)
 
 
 @pytest.mark.parametrize(
@@ -64,89 +54,91 @@ def test_progress_pays_small_commands_in_proportion():
     assert progress(0.05, 0.05, 2.0) == pytest.approx(0.5)
     assert progress(0.01, 0.01, 2.0) == pytest.approx(0.1)
     # A yaw rate is small under 0.2 rad/s.
-    scale, whole = rewards.progress_scale(np.array([[0.0, 0.05]]))
+    scale, whole = quantities.progress_scale(np.array([[0.0, 0.05]]))
     np.testing.assert_allclose((scale, whole), ([[0.0, 5.0]], [[0.0, 0.25]]))
 
 
-def test_gait_clock_agrees_when_the_swinging_feet_are_up():
-    sine = np.array([[1.0, -1.0, -1.0, 1.0]] * 4)
-    lift = np.array([[1, -1, -1, 1], [-1, 1, 1, -1], [0] * 4, [1, -1, -1, 1]])
-    moving = np.array([1.0, 1.0, 1.0, 0.0])
-    np.testing.assert_allclose(rewards.gait_clock(lift, sine, moving), [1.0, -1.0, 0.0, 0.0])
-    assert rewards.gait_clock(np.array([[1.0, 1.0, -1.0, -1.0]]), np.array([[0.5, -0.25, 1.0, 0.0]]), 1.0) == (
-        pytest.approx((0.5 - 0.25 - 1.0) / 4)
-    )
+def test_clock_agreement_is_full_when_the_swinging_feet_are_up():
+    sine = np.array([[1.0, -1.0, -1.0, 1.0]] * 3)
+    lift = np.array([[1, -1, -1, 1], [-1, 1, 1, -1], [0] * 4])
+    np.testing.assert_allclose(quantities.clock_agreement(lift, sine), [1.0, -1.0, 0.0])
+    one = quantities.clock_agreement(np.array([[1.0, 1.0, -1.0, -1.0]]), np.array([[0.5, -0.25, 1.0, 0.0]]))
+    assert one == pytest.approx((0.5 - 0.25 - 1.0) / 4)
 
 
 def test_foot_lift_goes_from_the_ground_to_a_full_lift_and_pays_the_first_of_it_most():
-    height = FOOT_RADIUS + np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.021, 1.0]])
+    height = np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.021, 1.0]])
     expected = [[-1.205, -1, -0.125, 1], [0.5, 0.875, 1, 1]]
-    np.testing.assert_allclose(rewards.foot_lift(height, 0.02), expected, atol=1e-12)
-
-
-def test_sum_of_squares():
-    np.testing.assert_array_equal(rewards.sum_of_squares(np.array([[3.0, -4.0], [0.0, 0.5]])), [25.0, 0.25])
-
-
-def test_base_height_error_forgives_standing_taller():
-    error = rewards.base_height_error(np.array([0.15, 0.175, 0.3]), 0.175)
-    np.testing.assert_allclose(error, [0.025**2, 0.0, 0.0], rtol=1e-12)
+    np.testing.assert_allclose(quantities.FootLift(0.02)(height), expected, atol=1e-12)
 
 
 def test_mechanical_power_counts_driving_and_not_braking():
-    power = rewards.mechanical_power(np.array([[2.0, -3.0, 1.0], [1.0, 1.0, 1.0]]), np.array([[3.0, -1.0, -5.0]] * 2))
+    power = quantities.mechanical_power(
+        np.array([[2.0, -3.0, 1.0], [1.0, 1.0, 1.0]]), np.array([[3.0, -1.0, -5.0]] * 2)
+    )
     np.testing.assert_array_equal(power, [9.0, 3.0])
 
 
-def test_foot_slip_is_the_sliding_of_the_lowest_point_of_feet_in_contact():
+def test_sliding_is_that_of_each_foots_lowest_point():
     velocity, spin = np.zeros((4, 4, 3)), np.zeros((4, 4, 3))
-    contact = np.array([[1.0, 1.0, 0.0, 0.0]] * 4)
     velocity[0, 0] = (0.3, 0.4, 9.0)  # slides; its vertical motion is no slip
-    velocity[1, 2] = (5.0, 0.0, 0.0)  # in the air
+    velocity[1, 2] = (5.0, 0.0, 0.0)
     velocity[2, 0, 0], spin[2, 0, 1] = 0.2, 0.2 / FOOT_RADIUS  # rolls forwards
     velocity[3, 1, 1], spin[3, 1, 0] = 0.2, -0.2 / FOOT_RADIUS  # rolls sideways
-    np.testing.assert_allclose(rewards.foot_slip(contact, velocity, spin), [0.25, 0.0, 0.0, 0.0], atol=1e-12)
+    expected = np.zeros((4, 4))
+    expected[0, 0], expected[1, 2] = 0.25, 25.0
+    sole = np.array([-FOOT_RADIUS, FOOT_RADIUS])
+    np.testing.assert_allclose(quantities.sliding_squared(velocity, spin, sole), expected, atol=1e-12)
 
 
-def test_joint_speed_excess_begins_a_margin_below_the_motors_top_speed():
-    velocity = np.array([[4.0, -4.0, 0.0], [5.0, -4.5, 1.0], [6.0, 0.0, 0.0]])
-    np.testing.assert_allclose(rewards.joint_speed_excess(velocity, 1.0), [0.0, 1.25, 4.0], atol=1e-12)
+def still_readings(**changes):
+    """One robot's readings: zeros, but for some."""
+    readings = random_readings(np.random.default_rng(0), 1)
+    zeros = {field.name: np.zeros_like(getattr(readings, field.name)) for field in dataclasses.fields(Readings)}
+    return Readings(**{**zeros, **changes})
+
+
+@pytest.mark.parametrize(("height", "expected"), [(0.15, 0.025**2), (0.175, 0.0), (0.3, 0.0)])
+def test_base_height_forgives_standing_taller(height, expected):
+    terms = Terms(still_readings(base_position=np.array([[0.0, 0.0, height]])))
+    assert terms.values()["base_height"] == pytest.approx([expected], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("speeds", "expected"), [([4.0, -4.0, 0.0], 0.0), ([5.0, -4.5, 1.0], 1.25), ([6.0, 0, 0], 4.0)]
+)
+def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected):
+    terms = Terms(still_readings(joint_velocity=np.array([[*speeds, 0, 0, 0, 0, 0.0]])))
+    assert terms.values()["joint_speed"] == pytest.approx([expected], abs=1e-12)
 
 
 def test_every_term_reads_what_its_name_says():
-    config = RewardConfig(base_height=0.2, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2)
-    state = dataclasses.replace(
-        convert(random_state(np.random.default_rng(0), 1), np.zeros_like),
+    config = TaskConfig(reward=RewardConfig(base_height=0.2, foot_lift=0.02, yaw_rate_std=0.2))
+    threshold = config.reward.contact_threshold
+    readings = still_readings(
         up_b=np.array([[0.3, 0.4, 0.8]]),
         base_position=np.array([[5.0, 6.0, 0.1]]),
         linear_velocity_b=np.array([[0.1, 0.2, 0.3]]),
         angular_velocity_b=np.array([[1.0, 2.0, 0.25]]),
+        joint_position=STANCE[None] + 0.1,
         joint_torque=np.full((1, 8), 2.0),
         joint_velocity=np.full((1, 8), 4.5),
-        foot_force=np.array([[config.contact_threshold + 1.0, config.contact_threshold, 0.0, 0.0]]),
+        foot_force=np.array([[threshold + 1.0, threshold, 0.0, 0.0]]),
         foot_velocity=np.full((1, 4, 3), 0.1),
         foot_position=np.full((1, 4, 3), FOOT_RADIUS + 0.01),
     )
-    # Velocity steady, so that the smoothed one is the same.
-    memory = rewards.Memory(
-        action=np.full((1, 8), 0.5),
-        last_action=np.full((1, 8), 0.25),
-        joint_offset=np.full((1, 8), 0.1),
-        command=np.array([[0.2, 0.5]]),
-        progress_scale=np.array([[5.0, 2.0]]),
-        progress_whole=np.ones((1, 2)),
-        velocity=np.array([[0.1, 0.25]]),
-        smooth_velocity=np.array([[0.1, 0.25]]),
-        moving=np.array([0.75]),
-        clock_sine=np.array([[1.0, -1.0, 1.0, 1.0]]),
-        fallen=np.array([1.0]),
-    )
+    terms = Terms(readings, config)
+    terms.set_command(np.array([[0.2, 0.5]]))
+    terms.control.action[:], terms.control.previous_action[:] = 0.5, 0.25
+    terms.control.phase[:] = math.pi / 6
+    terms.context.velocity[:] = terms.context.smooth_velocity[:] = [[0.1, 0.25]]
+    terms.context.fallen[:] = 1.0
     expected = {
         "track_forward_velocity": math.exp(-1.0),
         "track_yaw_rate": math.exp(-(1.25**2)),
         "forward_progress": 0.5,
         "turn_progress": 0.5,
-        "gait_clock": 0.75 * 0.5 * 2 / 4,  # feet half lifted
+        "gait_clock": 0.0,  # feet half lifted, and the sines of the trot's phases are two of 0.5 and two of -0.5
         "upright": 0.25,
         "base_height": 0.01,
         "vertical_velocity": 0.09,
@@ -155,56 +147,45 @@ def test_every_term_reads_what_its_name_says():
         "action_rate": 8 * 0.0625,
         "mechanical_power": 8 * 9.0,
         "foot_slip": 0.02,  # one foot presses harder than the threshold
-        "stand_still": 8 * 0.01 * 0.25,
-        "joint_speed": 8 * (config.joint_speed_margin - 0.5) ** 2,
+        "stand_still": 0.0,
+        "joint_speed": 8 * (config.reward.joint_speed_margin - 0.5) ** 2,
         "fall": 1.0,
     }
-    terms = rewards.reward_terms(state, memory, config)
-    assert set(terms) == set(expected)
-    for name, value in expected.items():
-        assert terms[name] == pytest.approx(np.array([value]), abs=1e-12), name
+    assert list(terms.values()) == list(expected)
+    assert terms.values() == {name: pytest.approx(np.array([value]), abs=1e-12) for name, value in expected.items()}
+    # The fore left foot up in its swing.
+    readings.foot_position[0, 0, 2] = FOOT_RADIUS + 0.02
+    assert terms.values()["gait_clock"] == pytest.approx([0.5 * 0.5 / 4])
+    terms.set_command(np.zeros((1, 2)))
+    assert terms.values()["gait_clock"] == [0.0]
+    assert terms.values()["stand_still"] == pytest.approx([8 * 0.01])
 
 
 # --- rewards, for any batch ---
 
 
 def test_every_weight_is_a_term_and_every_term_has_a_weight():
-    rng = np.random.default_rng(0)
-    terms = rewards.reward_terms(random_state(rng, 2), random_memory(rng, 2), RewardConfig())
-    assert tuple(terms) == tuple(RewardConfig().weights) == make_task(1).term_names
+    terms = Terms(random_readings(np.random.default_rng(0), 2))
+    assert tuple(terms.values()) == tuple(RewardConfig().weights) == make_task(1).term_names
 
 
-def test_numpy_and_torch_give_the_same_terms_and_terminations():
-    import torch
-
-    rng = np.random.default_rng(1)
-    state, memory = random_state(rng, 200), random_memory(rng, 200)
-    torch_state, torch_memory = convert(state, torch.from_numpy), convert(memory, torch.from_numpy)
-    config = RewardConfig()
-    expected = rewards.reward_terms(state, memory, config)
-    terms = rewards.reward_terms(torch_state, torch_memory, config)
-    assert tuple(terms) == tuple(expected)
-    for name, value in terms.items():
-        assert isinstance(value, torch.Tensor), name
-        assert value.dtype == torch.float64, name
-        np.testing.assert_allclose(value.numpy(), expected[name], rtol=1e-12, atol=1e-12, err_msg=name)
-    for function, reading in ((terminations.tilted, "up_b"), (terminations.trunk_contact, "trunk_force")):
-        ended = function(getattr(state, reading), 1.0)
-        assert 0 < ended.sum() < 200
-        np.testing.assert_array_equal(function(getattr(torch_state, reading), 1.0).numpy(), ended)
-
-
-@pytest.mark.parametrize("rows", [1, 2, 3, 7, 64])
-def test_a_rows_terms_do_not_depend_on_the_rows_beside_it(rows):
+@pytest.mark.parametrize("num_envs", [1, 2, 3, 7, 64])
+def test_an_envs_terms_do_not_depend_on_the_envs_beside_it(num_envs):
     rng = np.random.default_rng(2)
-    state, memory = random_state(rng, 256), random_memory(rng, 256)
-    chosen = rng.permutation(256)[:rows]
-    config = RewardConfig()
-    everywhere = rewards.reward_terms(state, memory, config)
-    here = rewards.reward_terms(convert(state, lambda x: x[chosen]), convert(memory, lambda x: x[chosen]), config)
-    for name, value in here.items():
-        assert value.shape == (rows,), name
-        np.testing.assert_array_equal(value, everywhere[name][chosen], err_msg=name)
+    readings = random_readings(rng, 256)
+    everywhere = Terms(readings).randomize(rng)
+    chosen = rng.permutation(256)[:num_envs]
+    fields = {field.name: getattr(readings, field.name)[chosen] for field in dataclasses.fields(Readings)}
+    here = Terms(Readings(**fields))
+    here.set_command(everywhere.control.command[chosen])
+    for name in ("action", "previous_action", "phase"):
+        getattr(here.control, name)[:] = getattr(everywhere.control, name)[chosen]
+    for name in ("velocity", "smooth_velocity", "fallen"):
+        getattr(here.context, name)[:] = getattr(everywhere.context, name)[chosen]
+    expected = everywhere.values()
+    for name, value in here.values().items():
+        assert value.shape == (num_envs,), name
+        np.testing.assert_array_equal(value, expected[name][chosen], err_msg=name)
 
 
 def test_weights_are_per_second_and_scale_their_terms():

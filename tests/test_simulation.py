@@ -20,9 +20,9 @@ SUBSTEPS = 4
 class Singles:
     """Several `SingleSimulation`s behind the interface of one simulation with as many rows."""
 
-    def __init__(self, model, num_rows):
+    def __init__(self, model, num_envs):
         # A model each: a single simulation writes a row's model fields into its own.
-        self.singles = [SingleSimulation(copy.copy(model)) for _ in range(num_rows)]
+        self.singles = [SingleSimulation(copy.copy(model)) for _ in range(num_envs)]
 
     def step(self, joint_target, substeps):
         for single, target in zip(self.singles, joint_target, strict=True):
@@ -50,7 +50,7 @@ class Singles:
         self.singles[row].set_state(0, state)
 
     def reading(self, name):
-        return np.concatenate([getattr(single.state, name) for single in self.singles])
+        return np.concatenate([getattr(single.readings, name) for single in self.singles])
 
 
 class Batched(BatchSimulation):
@@ -60,7 +60,7 @@ class Batched(BatchSimulation):
         self.model_field(name)[:] = values
 
     def reading(self, name):
-        return getattr(self.state, name).copy()
+        return getattr(self.readings, name).copy()
 
 
 DRIVERS = {
@@ -332,10 +332,10 @@ def test_a_copied_single_simulation_goes_on_identically(model, duplicate):
             np.testing.assert_array_equal(readings_of(simulation.readings), readings_of(original.readings))
             np.testing.assert_array_equal(simulation.get_state(0).integration, expected.integration)
     # Nothing is shared: the copies do not feel a reset of the original, nor its new friction.
-    before = readings_of(duplicates[0].state)
+    before = readings_of(duplicates[0].readings)
     original.model_field("geom_friction")[:] = 0.1
     original.reset(np.array([0]), *draw_starts(rng, 1))
-    np.testing.assert_array_equal(readings_of(duplicates[0].state), before)
+    np.testing.assert_array_equal(readings_of(duplicates[0].readings), before)
     assert duplicates[0].model.geom_friction[0, 0] == 0.6
 
 
@@ -440,7 +440,7 @@ def test_the_renderers_copy_of_a_row_is_that_row(model):
     simulation = BatchSimulation(model, ROWS, 1)
     simulation.reset(ALL, *draw_starts(np.random.default_rng(0), ROWS))
     simulation.step(np.tile(STANCE, (ROWS, 1)), SUBSTEPS)
-    data = simulation.row_data(3)
+    data = simulation.copy_data(3)
     qpos, qvel = physics_of(simulation, 3)
     np.testing.assert_array_equal(data.qpos, qpos)
     np.testing.assert_array_equal(data.qvel, qvel)

@@ -6,13 +6,14 @@ import gymnasium
 import numpy as np
 import pytest
 from conftest import mirrored
-from quadruped_env.task.symmetry import mirror_action, mirror_observation
+from tasks import ACTION_WIDTH, LAYOUT, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
+from quadruped_env.control.symmetry import Mirror
 from quadruped_env.robot import STANCE
-from quadruped_env.task import ACTION_WIDTH, OBSERVATION_WIDTH
 
 ROW = np.array([0])
+MIRROR = Mirror.of(LAYOUT)
 
 
 @pytest.mark.parametrize("mode", ["position", "residual"])
@@ -28,8 +29,8 @@ def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, c
     for _ in range(25):
         action = rng.uniform(-1, 1, ACTION_WIDTH)
         observation, reward, fallen, _, info = robot.step(action)
-        other, other_reward, other_fallen, _, other_info = mirror.step(mirror_action(action))
-        np.testing.assert_allclose(other, mirror_observation(observation), atol=1e-5)
+        other, other_reward, other_fallen, _, other_info = mirror.step(MIRROR.action(action))
+        np.testing.assert_allclose(other, MIRROR.observation(observation), atol=1e-5)
         assert other_reward == pytest.approx(reward, abs=1e-6)
         terms = {name: value for name, value in info.items() if name.startswith("reward_")}
         assert {name: other_info[name] for name in terms} == pytest.approx(terms, abs=1e-6)
@@ -41,10 +42,10 @@ def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, c
 def test_mirroring_twice_changes_nothing():
     rng = np.random.default_rng(0)
     observation, action = rng.normal(size=(3, OBSERVATION_WIDTH)), rng.normal(size=(3, ACTION_WIDTH))
-    np.testing.assert_array_equal(mirror_observation(mirror_observation(observation)), observation)
-    np.testing.assert_array_equal(mirror_action(mirror_action(action)), action)
-    assert (mirror_observation(observation) != observation).any()
-    assert (mirror_action(action) != action).any()
+    np.testing.assert_array_equal(MIRROR.observation(MIRROR.observation(observation)), observation)
+    np.testing.assert_array_equal(MIRROR.action(MIRROR.action(action)), action)
+    assert (MIRROR.observation(observation) != observation).any()
+    assert (MIRROR.action(action) != action).any()
 
 
 def test_a_symmetric_policy_acts_and_values_alike_on_both_sides():
@@ -55,7 +56,7 @@ def test_a_symmetric_policy_acts_and_values_alike_on_both_sides():
     from quadruped_env.training.ppo import make_model
 
     observation = np.random.default_rng(0).uniform(-1, 1, (50, OBSERVATION_WIDTH)).astype(np.float32)
-    both = torch.as_tensor(np.stack([observation, mirror_observation(observation)]))
+    both = torch.as_tensor(np.stack([observation, MIRROR.observation(observation)]))
     differs = {}
     for symmetric in (True, False):
         torch.manual_seed(0)
@@ -66,6 +67,6 @@ def test_a_symmetric_policy_acts_and_values_alike_on_both_sides():
                 parameter.add_(0.1 * torch.randn_like(parameter))
             mean = [model.policy.get_distribution(side).distribution.mean.numpy() for side in both]
             value = [model.policy.predict_values(side).numpy() for side in both]
-        differs[symmetric] = max(abs(mean[1] - mirror_action(mean[0])).max(), abs(value[1] - value[0]).max())
+        differs[symmetric] = max(abs(mean[1] - MIRROR.action(mean[0])).max(), abs(value[1] - value[0]).max())
     assert differs[True] < 1e-6
     assert differs[False] > 0.01

@@ -5,41 +5,44 @@ import math
 
 import numpy as np
 import pytest
-from tasks import (
-    NEVER_FALLS,
-    STILL_START,
-    column,
-    make_env,
-    make_task,
-)
+from tasks import ACTION_WIDTH, NEVER_FALLS, STILL_START, Terms, column, make_env, make_task, random_readings
 
 from quadruped_env import CommandedGait, QuadrupedError
+from quadruped_env.control.config import COMMANDS
+from quadruped_env.control.velocity_command import check_command
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, load_model
 from quadruped_env.simulation import BatchSimulation, SingleSimulation
 from quadruped_env.task import (
-    ACTION_WIDTH,
     ActionConfig,
     CommandConfig,
     Task,
     TaskConfig,
     TerminationConfig,
-    commands,
     terminations,
 )
+from quadruped_env.task.commands import CommandSampler
 
 # --- terminations ---
 
 
+def terms_on(**readings):
+    """The task's context on readings of which some are given."""
+    count = len(next(iter(readings.values())))
+    return Terms(dataclasses.replace(random_readings(np.random.default_rng(0), count), **readings)).context
+
+
 def test_tilted_is_an_angle_between_the_up_axes():
     angles = np.array([0.0, 0.5, 0.999, 1.001, 2.0, math.pi])
-    up = np.stack([np.sin(angles), np.zeros(6), np.cos(angles)], axis=1)
-    np.testing.assert_array_equal(terminations.tilted(up, 1.0), angles > 1.0)
+    context = terms_on(up_b=np.stack([np.sin(angles), np.zeros(6), np.cos(angles)], axis=1))
+    np.testing.assert_array_equal(terminations.tilted(context, max_tilt=1.0)(context), angles > 1.0)
 
 
 def test_trunk_contact_is_more_than_a_force_on_any_part():
     force = np.zeros((4, 5))
     force[1, 0], force[2, 4], force[3] = 1.5, 1.0, 0.5
-    np.testing.assert_array_equal(terminations.trunk_contact(force, 1.0), [False, True, False, False])
+    context = terms_on(trunk_force=force)
+    ended = terminations.trunk_contact(context, max_trunk_force=1.0)(context)
+    np.testing.assert_array_equal(ended, [False, True, False, False])
 
 
 def test_a_robot_that_lies_on_its_belly_has_fallen():
@@ -87,7 +90,7 @@ def test_commands_are_sampled_in_their_ranges_and_shares():
         forward_velocity=(-0.2, 0.7), yaw_rate=(-1.0, 0.5), standing_fraction=0.15, straight_fraction=0.3
     )
     n = 40_000
-    command, interval = commands.sample_command(np.random.default_rng(0).random((n, commands.DRAWS)), config)
+    command, interval = CommandSampler(COMMANDS, config).sample(np.random.default_rng(0).random((n, 4)))
     assert command.shape == (n, 2)
     standing = (command == 0).all(axis=1)
     straight = (command[:, 1] == 0) & ~standing
@@ -129,7 +132,7 @@ def test_a_fixed_command_is_not_replaced():
 @pytest.mark.parametrize("command", [(9.0, 0.0), (0.0, math.nan), (0.1,), None, "x"])
 def test_a_bad_command_is_refused_by_name(command):
     with pytest.raises(QuadrupedError, match=r"options\['command'\]"):
-        commands.check_command(command, CommandConfig())
+        check_command(command, COMMANDS)
 
 
 # --- actions ---
@@ -207,7 +210,15 @@ def test_a_joint_target_goes_to_the_motors_as_it_is_and_counts_as_no_action():
 def test_tasks_of_one_config_share_no_arrays():
     config = TaskConfig()
     tasks = [Task(BatchSimulation(load_model(), 2, 1), config) for _ in range(2)]
-    arrays = [{k: v for k, v in vars(task).items() if isinstance(v, np.ndarray)} for task in tasks]
+    arrays = [
+        {
+            f"{part}.{name}": value
+            for part in (task, task.control, task.context)
+            for name, value in vars(part).items()
+            if isinstance(value, np.ndarray) and value.flags.writeable and value.shape[:1] == (2,)
+        }
+        for task in tasks
+    ]
     assert len(arrays[0]) > 10
     for name, array in arrays[0].items():
         for other in arrays[1].values():
@@ -231,14 +242,15 @@ def test_a_reset_clears_what_has_memory_and_only_there():
     before = [task.get_state(row) for row in (0, 2)]
     task.reset(np.array([1]))
     fresh, others = task.get_state(1), [task.get_state(row) for row in (0, 2)]
-    np.testing.assert_array_equal(fresh["_last_action"], 0.0)
-    np.testing.assert_array_equal(fresh["_smooth_velocity"], 0.0)
+    np.testing.assert_array_equal(fresh["control"]["action"], 0.0)
+    np.testing.assert_array_equal(fresh["terms"]["smooth_velocity"], 0.0)
     np.testing.assert_array_equal(task.steps, [5, 0, 5])
     for old, new in zip(before, others, strict=True):
         assert old["generator"] == new["generator"]
         np.testing.assert_array_equal(new["simulation"].integration, old["simulation"].integration)
-        for name in old.keys() - {"generator", "simulation"}:
-            np.testing.assert_array_equal(new[name], old[name], err_msg=name)
+        for part in ("episode", "control", "terms", "randomizer", "draws"):
+            for name, value in old[part].items():
+                np.testing.assert_array_equal(new[part][name], value, err_msg=name)
 
 
 def test_a_command_set_within_an_episode_stays_and_is_followed(model):

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Self
 
-from quadruped_env._plain import PlainFields
+from quadruped_env._plain import PlainFields, is_finite_number
 from quadruped_env.errors import QuadrupedError, short
 
 ACTION_MODES: Final = ("position", "residual")
@@ -101,15 +101,21 @@ class ControlConfig:
         Raises:
             QuadrupedError: if a field is missing or not valid, saying which.
         """
+        if not isinstance(values, dict):
+            raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
+        default = cls()
+        decimation, physics_timestep = values.get("decimation", 4), values.get("physics_timestep", 0.005)
+        clock_frequency = values.get("clock_frequency", default.clock_frequency)
+        check(type(decimation) is int and decimation >= 1, "decimation", decimation, "1 or more")
+        for name, number in (("physics_timestep", physics_timestep), ("clock_frequency", clock_frequency)):
+            check(is_finite_number(number) and number > 0, name, number, "a positive number")
         try:
-            ranges = values["command"]
+            ranges = {command.name: command.range for command in commands} | values.get("command", {})
             return cls(
-                timestep=float(values["physics_timestep"] * values["decimation"]),
-                clock_frequency=float(values["clock_frequency"]),
-                action=ActionConfig(**values["action"]),
+                timestep=float(physics_timestep * decimation),
+                clock_frequency=float(clock_frequency),
+                action=ActionConfig(**values.get("action", {})),
                 commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
             )
-        except KeyError as error:
-            raise QuadrupedError(f"config: field {short(str(error.args[0]))} is missing") from error
         except TypeError as error:
             raise QuadrupedError(f"config: a field has a value of the wrong kind ({error})") from error

@@ -120,15 +120,15 @@ class ControlInterface:
 
     def joint_target(self, action: Floats) -> Floats:
         """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
-        np.minimum(action, _ONE, self.action)
-        np.maximum(self.action, _MINUS_ONE, self.action)
+        np.minimum(action, _ONE, out=self.action)
+        np.maximum(self.action, _MINUS_ONE, out=self.action)
         target = self.action * self._scale
         return self.within_limits(np.add(target, self.nominal(), target))
 
     def within_limits(self, target: Floats) -> Floats:
         """Joint targets (N, J) in rad, clipped in place to the joints' ranges."""
-        np.minimum(target, self._high, target)
-        return np.maximum(target, self._low, target)
+        np.minimum(target, self._high, out=target)
+        return np.maximum(target, self._low, out=target)
 
     def nominal(self) -> Floats:
         """Joint positions that a zero action stands for, rad: the stance (1, J), or the scripted gait (N, J)."""
@@ -161,8 +161,8 @@ class ControlInterface:
         if noise is not None:
             raw += noise
         np.multiply(raw, self._observation_scale, raw)
-        np.minimum(raw, self._observation_high, raw)
-        np.maximum(raw, self._observation_low, raw)
+        np.minimum(raw, self._observation_high, out=raw)
+        np.maximum(raw, self._observation_low, out=raw)
         return raw.astype(np.float32)
 
 

@@ -1,5 +1,6 @@
 """What a policy sees: a list of fields, each with its reader, scale, bounds, noise and mirror rule."""
 
+import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, Literal, Self
@@ -43,6 +44,10 @@ class ObservationField:
     """Amplitude of uniform noise on the reading, in its unit, at `randomization.observation_noise` 1"""
     description: str
 
+    def __reduce__(self) -> Any:
+        # By name, as functions are pickled: a field of a user's file may hold a lambda.
+        return _named, (self.read.__module__, self.name)
+
     def width(self, robot: Robot) -> int:
         """Number of columns."""
         if self.mirror == "joints":
@@ -78,6 +83,10 @@ def observation(
         )
 
     return decorate
+
+
+def _named(module: str, name: str) -> ObservationField:
+    return getattr(importlib.import_module(module), name)
 
 
 def _first_line(function: Callable[..., Any]) -> str:

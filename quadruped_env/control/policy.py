@@ -65,6 +65,8 @@ class Policy:
     task: dict[str, Any]
     card: dict[str, Any]
     robot: Robot = MINI_QUADRUPED
+    source: str = CARD_FILE
+    """Name of its file in errors"""
 
     @property
     def action_mode(self) -> str:

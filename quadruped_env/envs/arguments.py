@@ -41,7 +41,7 @@ def task_config(
     if isinstance(config, TaskConfig):
         task = config if definition == config.definition else dataclasses.replace(config, definition=definition)
     else:
-        task = TaskConfig.from_dict(config or {}, definition)
+        task = TaskConfig.from_dict({} if config is None else config, definition)
     if action_mode is not None:
         mode: Any = action_mode  # checked by ActionConfig
         task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))

@@ -50,7 +50,7 @@ class PlainSpec:
 
 def _plain_argument(value: Any) -> Any:
     if isinstance(value, TaskConfig):
-        return value.to_dict()
+        return plain(value.to_dict())
     return os.fspath(value) if isinstance(value, os.PathLike) else plain(value)
 
 

@@ -136,9 +136,7 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
     try:
         config = TaskConfig.from_dict(policy.task, definition)
     except QuadrupedError as error:
-        raise QuadrupedError(
-            f"{control_policy.CARD_FILE}: {error}; train again, or install the version that made it"
-        ) from error
+        raise QuadrupedError(f"{policy.source}: {error}; train again, or install the version that made it") from error
     return Policy(policy.weights, policy.biases, policy.activation, config, policy.card)
 
 

@@ -118,7 +118,7 @@ class TaskConfig(PlainFields):
     randomization: Section = field(default_factory=RandomizationConfig)
     motor: MotorConfig = field(default_factory=MotorConfig)
     """The robot's own, or those that `evaluate/identify.py` found on another"""
-    definition: TaskDefinition = BUILT_IN
+    definition: TaskDefinition = field(default=BUILT_IN, repr=False)
     """The terms; those of a user's file come from `load_task_file`"""
 
     def __post_init__(self) -> None:

@@ -130,25 +130,32 @@ class ModelField:
             rows: Any = slice(None) if self.names is None else [getattr(model, kind)(name).id for name in self.names]
         except (AttributeError, KeyError) as error:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
-        inertia = model.body_inertia[rows].copy() if self.field == "body_mass" else None
         ids = np.arange(len(before))[rows]
+        return _BoundField(self, simulation, ids, before, model.body_inertia.copy())
 
-        def apply(event: Event, values: Floats) -> None:
-            target = simulation.model_field(self.field)
-            old = before[ids] if self.column is None or before.ndim == 1 else before[ids, self.column]
-            # One value for all rows and columns, or one per row.
-            shaped = values.reshape(*values.shape, *([1] * (old.ndim - 1)))
-            new = {"set": shaped + 0.0 * old, "scale": shaped * old, "add": shaped + old}[self.mode]
-            where: tuple[Any, ...] = (event.env_ids[:, None], ids[None, :])
-            if self.column is not None and before.ndim > 1:
-                where = (*where, self.column)
-            target[where] = new
-            if inertia is not None:
-                simulation.model_field("body_inertia")[event.env_ids[:, None], ids[None, :]] = (new / old)[
-                    ..., None
-                ] * inertia
 
-        return apply
+@dataclass(frozen=True, eq=False)
+class _BoundField:
+    """A `ModelField` in a simulation."""
+
+    model_field: ModelField
+    simulation: Simulation
+    ids: NDArray[np.intp]
+    before: Floats
+    """What the model file says"""
+    inertia: Floats
+
+    def __call__(self, event: Event, values: Floats) -> None:
+        """Write values (R, 1), or (R, rows) for one per row."""
+        field, simulation = self.model_field, self.simulation
+        column = field.column if self.before.ndim > 1 else None
+        where: tuple[Any, ...] = (event.env_ids[:, None], self.ids[None, :])
+        old = self.before[self.ids] if column is None else self.before[self.ids, column]
+        shaped = values.reshape(*values.shape, *([1] * (old.ndim - 1)))
+        new = {"set": shaped + 0.0 * old, "scale": shaped * old, "add": shaped + old}[field.mode]
+        simulation.model_field(field.field)[where if column is None else (*where, column)] = new
+        if field.field == "body_mass":
+            simulation.model_field("body_inertia")[where] = (new / old)[..., None] * self.inertia[self.ids]
 
 
 def _joint_position(event: Event, values: Floats) -> None:

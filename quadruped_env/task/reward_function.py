@@ -114,6 +114,6 @@ def _with_parameters(term: RewardTerm | Termination, config: Section, context: T
     """A term's function with the config's parameters; of a class, an instance."""
     parameters = {name: config[name] for name in term.parameters}
     function: Any = term.function
-    if inspect.isclass(function):
+    if inspect.isclass(term.function):
         return function(context, **parameters)
     return functools.partial(function, **parameters) if parameters else function

@@ -76,7 +76,7 @@ class Section(Mapping[str, Any]):
         return len(self._values)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Section) and (self._name, self._values) == (other._name, other._values)
+        return isinstance(other, Mapping) and self._values == dict(other)
 
     def __hash__(self) -> int:
         return hash((self._name, repr(self._values)))

@@ -137,12 +137,19 @@ def reward_group(unit: str = "1", **weights: float) -> Callable[[Callable[..., A
 
 
 def _term(weights: dict[str, float], unit: str, function: Callable[..., Any]) -> RewardTerm:
+    _stay_importable(function)
     return RewardTerm(weights, function, unit, parameters_of(function), described(function))
 
 
 def termination(function: Callable[..., Any]) -> Termination:
     """Decorator: a function (context) -> bool (N,) becomes a termination of the same name."""
+    _stay_importable(function)
     return Termination(function.__name__, function, parameters_of(function), described(function))
+
+
+def _stay_importable(function: Callable[..., Any]) -> None:
+    """Let a function or class be pickled by name, though the term has taken its name in the module."""
+    function.__qualname__ = f"{function.__qualname__}.function"
 
 
 def described(function: Callable[..., Any]) -> str:
