@@ -5,7 +5,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 DOCS = tuple(sorted((ROOT / "docs").glob("*.md")))
-CHANGELOG = ROOT / "CHANGELOG.md"
 PAGES = (*sorted(ROOT.glob("*.md")), *sorted((ROOT / "assets").rglob("*.md")), *DOCS)
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 

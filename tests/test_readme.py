@@ -5,7 +5,6 @@ import contextlib
 import io
 import re
 import tomllib
-from pathlib import Path
 
 import gymnasium
 import pytest
@@ -127,7 +126,7 @@ def test_both_languages_have_the_same_commands_figures_and_links(english, chines
 def test_figures_differ_where_a_digit_or_unit_does():
     assert figures("at 0.5 m/s") != figures("at 0.6 m/s")
     assert figures("at 0.5 m/s") != figures("at 0.5 rad/s")
-    assert figures("5 seeds, 20 s") == figures("5 个种子，20 s 回合") == {"5", "20 s"}
+    assert figures("5 seeds, 20 s") == figures("5 个种子, 20 s 回合") == {"5", "20 s"}
 
 
 def test_chinese_tutorial_map_covers_the_english_one():
