@@ -58,14 +58,14 @@ def test_readme_is_one_page_in_the_agreed_order():
         "Install",
         "In Python",
         "The environment",
-        "Six commands",
-        "Three figures",
+        "Commands",
+        "Results",
         TUTORIAL,
         "Documentation",
     ]
     assert README.index("walk.webp") < README.index("A small four-legged robot") < README.index("## Install")
-    assert len(table_lines(sections(README)["Six commands"])) == 1 + 6
-    assert len(table_lines(sections(README)["Three figures"])) == 1 + 3
+    assert len(table_lines(sections(README)["Commands"])) == 1 + 6
+    assert len(table_lines(sections(README)["Results"])) == 1 + 3
 
 
 def test_environment_table_states_the_spaces_terms_and_limits_of_the_env():
@@ -87,7 +87,7 @@ def test_environment_table_states_the_spaces_terms_and_limits_of_the_env():
 
 def test_three_figures_are_those_of_the_measurements_page():
     measurements = (ROOT / "docs" / "measurements.md").read_text()
-    walking, speed, falls = (line.split("|")[2] for line in table_lines(sections(README)["Three figures"])[1:])
+    walking, speed, falls = (line.split("|")[2] for line in table_lines(sections(README)["Results"])[1:])
     (seconds,) = re.findall(r"[\d.]+", walking)
     assert f"| residual | 5 of 5 | {seconds} |" in measurements
     steps, share = re.findall(r"\d[\d,.]*\d", speed)
