@@ -1,13 +1,13 @@
 """Measure a scripted gait, and record the joints of a robot that walks with it.
 
 The gait's metrics come from several episodes with random starts. The recorded episode begins with the robot at rest
-in its stance and has nothing random in it, so evaluate/replay.py can repeat it to the last bit:
+in its stance and is not randomized, so evaluate/replay.py can repeat it bit for bit:
 
     python evaluate/baseline.py --preset tuned --commands --out results/tuned.csv
     python evaluate/replay.py results/tuned.csv --mode dynamic
 
-The result is a CSV of joint states (stamp in ns; position in rad, velocity in rad/s, effort in N m of each joint), or a
-bag for `ros2 bag play` (--out walk_bag), and a JSON file of the metrics beside it.
+The result is a CSV of joint states (timestamp in ns; position in rad, velocity in rad/s, effort in N m of each joint),
+or a bag for `ros2 bag play` (--out walk_bag), and a JSON file of the metrics next to it.
 """
 
 import argparse
@@ -37,27 +37,27 @@ def main() -> None:
     parser.add_argument(
         "--commands",
         action="store_true",
-        help="write the joint targets that the gait asks for, instead of the joints as measured",
+        help="write the gait's joint targets instead of the measured joint states",
     )
     parser.add_argument(
         "--rate",
         type=float,
         default=50.0,
         metavar="HZ",
-        help="commands a second: 50 is the robot's control rate (the default), 20 that of the ROS 2 tutorial's "
-        "publisher. Measured joints always come at 50 Hz",
+        help="joint targets per second: 50 is the robot's control rate (the default), 20 that of the ROS 2 tutorial's "
+        "publisher. Measured joint states are always recorded at 50 Hz",
     )
     parser.add_argument("--seconds", type=float, default=10.0, help="length of an episode; default: 10")
-    parser.add_argument("--episodes", type=int, default=20, help="random starts that the metrics rest on; default: 20")
+    parser.add_argument("--episodes", type=int, default=20, help="random starts for the metrics; default: 20")
     parser.add_argument(
-        "--seed", type=int, default=FIRST_SEED, help=f"of the first random start; default: {FIRST_SEED}"
+        "--seed", type=int, default=FIRST_SEED, help=f"seed of the first random start; default: {FIRST_SEED}"
     )
     parser.add_argument(
         "--out",
         type=Path,
         metavar="FILE",
-        help="where to write: NAME.csv, or NAME for a rosbag2 bag with /tf from odom on; default: "
-        "results/baseline-PRESET.csv, or the next free number behind that name",
+        help="where to write: NAME.csv, or NAME for a rosbag2 bag with /tf starting at odom; default: "
+        "results/baseline-PRESET.csv, with the next free number if that exists",
     )
     add_video_option(parser)
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")

@@ -41,28 +41,28 @@ def main() -> None:
     parser.add_argument("target", type=Path, metavar="OUT", help="where to write")
     add_reading_options(parser)
     group = parser.add_argument_group("changing")
-    group.add_argument("--start", type=float, metavar="S", help="leave out what is before, in s from the first stamp")
-    group.add_argument("--stop", type=float, metavar="S", help="leave out what is from there on")
-    group.add_argument("--rate", type=float, metavar="HZ", help="even rows at this rate, on straight lines between")
+    group.add_argument("--start", type=float, metavar="S", help="cut what is before, in s from the first timestamp")
+    group.add_argument("--stop", type=float, metavar="S", help="cut what is from there on")
+    group.add_argument("--rate", type=float, metavar="HZ", help="resample at this rate, by linear interpolation")
     group.add_argument(
         "--differentiate",
         type=float,
         metavar="S",
         nargs="?",
         const=0.05,
-        help="make velocities of the positions, filtered over this many s; 0.05 unless given",
+        help="compute velocities from the positions, filtered over this many s; default: 0.05",
     )
     group = parser.add_argument_group("writing")
-    group.add_argument("--storage", choices=["mcap", "sqlite3"], help="of a bag's directory; default: mcap")
+    group.add_argument("--storage", choices=["mcap", "sqlite3"], help="storage format of a bag; default: mcap")
     group.add_argument(
-        "--tf-rate", type=float, default=20.0, metavar="HZ", help="of /tf in a bag; default: 20; 0 leaves it out"
+        "--tf-rate", type=float, default=20.0, metavar="HZ", help="rate of /tf in a bag; default: 20; 0 leaves it out"
     )
     group.add_argument("--compress", action="store_true", help="compress a bag with zstd")
     group.add_argument("--overwrite", action="store_true", help="replace OUT if it exists")
     args = parser.parse_args()
 
     def change(trajectory: JointTrajectory) -> JointTrajectory:
-        """What the options make of the whole recording."""
+        """The recording with the options applied."""
         if args.start is not None or args.stop is not None:
             trajectory = trajectory.slice(args.start, args.stop)
         if args.rate is not None:

@@ -1,24 +1,24 @@
-"""Fit the simulator's motors to a recording of a robot, and say on held-out time whether that helps.
+"""Fit the simulator's motors to a recording of a robot, and validate them on held-out time.
 
-FILE holds what the joints did: positions, and velocities and efforts if they were recorded. What they were told comes
-from another file (--commands), or from another topic of the same bag (--commands-topic). Without either, it is sought
-beside FILE under the name that baseline.py gives it: NAME-commands.csv. Commands are joint positions; each holds until
-the next. Both must be on one clock.
+FILE holds the measured joint states: positions, and velocities and efforts if they were recorded. The commanded
+positions come from another file (--commands) or from another topic of the same bag (--commands-topic). Without either,
+a file next to FILE is used, under the name that baseline.py gives it: NAME-commands.csv. Each command holds until the
+next. Both must use the same clock.
 
-    python evaluate/identify.py did.csv --commands told.csv
+    python evaluate/identify.py measured.csv --commands commands.csv
     python evaluate/identify.py walk_bag --commands-topic /joint_commands
     python evaluate/identify.py measured.csv --commands control.csv --columns MAP.toml --map MAP.toml
 
-What is estimated, for hips and for knees: stall_torque (the motor's strength), kp, kd, damping, friction_loss and
-armature; and one delay for all. What the recording does not determine stays as it is, and is named. A recording is good
-if the joints move fast and to and fro, up to the motors' limits now and then, with the robot on a stand and its feet in
-the air (--base fixed). One from the ground is worth little: with --base fixed the ground's forces are taken for
-friction and inertia, and with --base free contacts make the error so rough that the motors found may be far off. So
-before the fit the two bases are compared; if the other one explains the recording better, the result says so, and not
-to trust the motors. Intervals are given only for a robot on a stand. They allow for what is left unexplained to hang
-together over time, between signals and between joints.
+Estimated parameters, for hips and for knees: stall_torque (the motor's strength), kp, kd, damping, friction_loss and
+armature; and one delay for all. Parameters that the recording does not determine keep their values and are named.
+Record the robot on a stand, feet in the air (--base fixed), with joints that move fast, back and forth, up to the
+motors' limits now and then. A recording of a robot on the ground is of little use: with --base fixed the ground's
+forces are mistaken for friction and inertia, and with --base free contacts make the error so rough that the motors
+found may be far from the real ones. Both bases are compared before the fit; if the other one explains the recording
+better, the result says not to trust the motors. Intervals are given only for a robot on a stand; they allow for
+residuals that are correlated over time, between signals and between joints.
 
-Results: motors.json, which the environment takes as it is,
+Results: motors.json, which the environment accepts as it is,
 
     gymnasium.make("MiniQuadruped-v0", config=json.load(open("motors.json")))
 
@@ -48,9 +48,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("file", type=Path, metavar="FILE", help="what the joints did")
-    parser.add_argument("--commands", type=Path, metavar="FILE", help="what they were told")
-    parser.add_argument("--commands-topic", metavar="TOPIC", help="of the commands in the bag")
+    parser.add_argument("file", type=Path, metavar="FILE", help="measured joint states")
+    parser.add_argument("--commands", type=Path, metavar="FILE", help="commanded joint positions")
+    parser.add_argument("--commands-topic", metavar="TOPIC", help="topic of the commands in the bag")
     parser.add_argument(
         "--base",
         choices=BASES,
@@ -60,17 +60,17 @@ def main() -> None:
     parser.add_argument(
         "--fit", nargs="+", choices=list(QUANTITIES), default=list(FITTED), metavar="NAME", help=" ".join(QUANTITIES)
     )
-    parser.add_argument("--without", nargs="+", default=[], metavar="JOINT", help="joints that do not count")
-    parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="where to begin; default: the model file's")
-    parser.add_argument("--share", type=float, default=0.7, help="of the time that is for the fit; default: 0.7")
+    parser.add_argument("--without", nargs="+", default=[], metavar="JOINT", help="joints to leave out of the fit")
+    parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="initial values; default: the model file's")
+    parser.add_argument("--share", type=float, default=0.7, help="share of the time used for the fit; default: 0.7")
     parser.add_argument(
-        "--timestep", type=float, metavar="S", help="of the physics; default: the environment's, 0.005 s"
+        "--timestep", type=float, metavar="S", help="time step of the physics; default: the environment's, 0.005 s"
     )
     parser.add_argument(
         "--out",
         type=Path,
         metavar="DIRECTORY",
-        help="where to write; default: results/identify-FILE, or the next free number behind that name",
+        help="where to write; default: results/identify-FILE, with the next free number if that exists",
     )
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     add_reading_options(parser)

@@ -23,7 +23,7 @@ def main() -> int:
     parser.add_argument("--action-modes", nargs="+", default=["position", "residual"], help="which modes")
     parser.add_argument("--seeds", type=int, nargs="+", default=[0, 1, 2, 3, 4], help="seeds, each trained on its own")
     parser.add_argument(
-        "--timesteps", type=int, default=2_000_000, help="budget that the schedules of learning rate and noise end with"
+        "--timesteps", type=int, default=2_000_000, help="budget at which the schedules of learning rate and noise end"
     )
     parser.add_argument(
         "--symmetric",

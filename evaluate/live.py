@@ -19,10 +19,10 @@ def main() -> int:
         "JSON. Let nothing else run meanwhile. One hour: --seconds 3600.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
-    parser.add_argument("--seconds", type=float, default=60.0, help="how long to count")
+    parser.add_argument("--seconds", type=float, default=60.0, help="duration of the measurement")
     parser.add_argument("--policy", default="flat", help="'flat' or a run's directory")
-    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="to ask for")
-    parser.add_argument("--realtime", action="store_true", help="let the two run before all else, as on a robot")
+    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="velocity command")
+    parser.add_argument("--realtime", action="store_true", help="run both with real-time priority, as on a robot")
     parser.add_argument("--output", type=Path, default=Path("results/live.json"), help="where to write the JSON")
     args = parser.parse_args()
     try:

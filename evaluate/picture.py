@@ -1,4 +1,4 @@
-"""Draw the README's moving picture: the shipped policy, walking."""
+"""Render the README's moving picture: the shipped policy, walking."""
 
 import argparse
 import sys
@@ -15,17 +15,19 @@ from quadruped_env.reporting.films.film import Motion
 from quadruped_env.reporting.films.video import prepare_video, save_film
 
 START, STRIDES = 3.0, 6
-"""s after which it walks as it does all the time; how many strides the loop lasts"""
+"""Time until the gait is periodic, s; strides of the loop."""
 
 
 def main() -> int:
-    """Parse the arguments and draw."""
+    """Parse the arguments and render."""
     parser = argparse.ArgumentParser(
         description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
     )
     parser.add_argument("--policy", default="flat", help="a run, or a shipped policy")
-    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="commanded")
-    parser.add_argument("--output", type=Path, default=Path("assets/pictures/walk.webp"), help="what to write, over")
+    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="velocity command")
+    parser.add_argument(
+        "--output", type=Path, default=Path("assets/pictures/walk.webp"), help="output file (overwritten)"
+    )
     args = parser.parse_args()
     try:
         prepare_video(args.output, overwrite=True)

@@ -1,4 +1,4 @@
-"""Measure how fast films are made on one core, over the qualities of shadow and edges."""
+"""Measure how fast videos are rendered on one core, over settings of shadow and anti-aliasing."""
 
 import argparse
 import sys

@@ -1,15 +1,15 @@
-"""Play a recorded joint trajectory again, and say how closely the robot followed it.
+"""Replay a recorded joint trajectory, and report how closely the robot follows it.
 
-FILE is a recording of joint positions in any known format: CSV, ROS 2 and ROS 1 bags, what `ros2 topic echo` prints.
-Another robot's recording needs a map of its joints (--map), a CSV that is not this project's a map of its columns
+FILE is a recording of joint positions in any known format: CSV, ROS 2 and ROS 1 bags, the output of `ros2 topic
+echo`. Another robot's recording needs a map of its joints (--map), a CSV of another layout a map of its columns
 (--columns).
 
     kinematic   sets the joints to the recorded positions: no forces, no ground, no errors. Link poses are in the
                 frame of base_link.
-    dynamic     makes them, on straight lines and 50 times a second, the targets of the motors, with gravity and ground.
-                The robot starts at rest in the recording's first pose, on its feet, facing along x, and has no
-                randomness, so it does the same every time; commands that baseline.py wrote repeat its recording to the
-                last bit. Link poses are in the world.
+    dynamic     interpolates them linearly and sets them as joint targets, 50 times a second, with gravity and ground.
+                The robot starts at rest in the recording's first pose, on its feet, facing along x. Nothing is
+                randomized, so every run is the same; commands written by baseline.py repeat its recording bit for bit.
+                Link poses are in the world frame.
 
     python evaluate/replay.py results/baseline-tuned.csv --video walk.mp4
     python evaluate/replay.py results/baseline-tuned-commands.csv --compare results/baseline-tuned.csv
@@ -58,17 +58,17 @@ def main() -> None:
         nargs="?",
         const=True,
         metavar="RECORDING",
-        help="hold the simulated positions, velocities and efforts against those of a recording on the same clock: "
-        "what the robot did when it was told what is in FILE; without a name, against FILE's own",
+        help="compare the simulated positions, velocities and efforts with a recording on the same clock: what the "
+        "robot did with the commands in FILE; without a name, with FILE itself",
     )
-    parser.add_argument("--motors", type=Path, metavar="MOTORS.json", help="of the robot, as identify.py finds them")
+    parser.add_argument("--motors", type=Path, metavar="MOTORS.json", help="the robot's motors, from identify.py")
     parser.add_argument(
         "--out",
         type=Path,
         metavar="DIRECTORY",
-        help="where to write; default: results/replay-FILE, or the next free number behind that name",
+        help="where to write; default: results/replay-FILE, with the next free number if that exists",
     )
-    parser.add_argument("--no-report", action="store_true", help="leave report.html out: it needs the report extra")
+    parser.add_argument("--no-report", action="store_true", help="leave out report.html, which needs the report extra")
     add_video_option(parser)
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     add_reading_options(parser)

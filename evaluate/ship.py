@@ -24,7 +24,7 @@ def main() -> int:
         description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("run", type=Path, nargs="?", default=Path("runs/latest"), help="a run (%(default)s)")
-    parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="what load_policy calls it (%(default)s)")
+    parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="its name for load_policy (%(default)s)")
     args = parser.parse_args()
     try:
         with plain_warnings("ship.py"):

@@ -34,7 +34,7 @@ def main() -> None:
         choices=PRESETS,
         default=GAITS,
         metavar="PRESET",
-        help=f"gaits whose speed to compare, of {', '.join(PRESETS)}; default: {' '.join(GAITS)}",
+        help=f"gaits to compare, of {', '.join(PRESETS)}; default: {' '.join(GAITS)}",
     )
     parser.add_argument("--starts", type=int, default=24, help="starts of each gait; default: 24")
     parser.add_argument("--seconds", type=float, default=8.0, help="length of each walk, 2 s of warm-up; default: 8")
@@ -46,7 +46,7 @@ def main() -> None:
         "--out",
         type=Path,
         metavar="FILE.json",
-        help="where to write; default: results/timestep-study.json, or the next free number behind that name",
+        help="where to write; default: results/timestep-study.json, with the next free number if that exists",
     )
     parser.add_argument("--overwrite", action="store_true", help="replace the file of --out if it exists")
     args = parser.parse_args()

@@ -4,8 +4,8 @@ python evaluate/view.py                              the latest run's policy, or
 python evaluate/view.py flat trot runs/<name>        up to three robots side by side: policies, scripted gaits, runs
 python evaluate/view.py walk.csv                     a recording of joint states (or a bag), played through the motors
 
-Steer it with the sliders or the arrow keys, push it, bend its gait, watch its joints, record it. The page is at the
-address that this program prints, for browsers on this machine only unless --host says otherwise. Ctrl-C ends it.
+Command it with the sliders or the arrow keys, push it, change its gait, watch its joints, record it. The page is at
+the address that this program prints, for browsers on this machine only unless --host says otherwise. Ctrl-C ends it.
 """
 
 import argparse
@@ -45,7 +45,7 @@ def main() -> int:
         "--results", type=Path, default=RESULTS, metavar="DIR", help="where recordings go (%(default)s)"
     )
     parser.add_argument(
-        "--measure", type=float, metavar="SECONDS", help="end after this time, and say how it kept pace"
+        "--measure", type=float, metavar="SECONDS", help="end after this time and report the speed reached"
     )
     args = parser.parse_args()
     try:

@@ -1,4 +1,4 @@
-"""Which OpenGL MuJoCo renders with, on a machine without a display."""
+"""Choice of MuJoCo's OpenGL backend on a machine without a display."""
 
 import ctypes.util
 import os
@@ -6,7 +6,7 @@ import sys
 
 
 def has_display() -> bool:
-    """Whether a window could be opened."""
+    """True if a window could be opened."""
     return not sys.platform.startswith("linux") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 

@@ -1,4 +1,4 @@
-"""Plain Python values out of NumPy's, and whole numbers out of what a caller gave."""
+"""Conversion of NumPy values to plain Python ones, and checks of numbers given by a caller."""
 
 import dataclasses
 import enum
@@ -18,7 +18,7 @@ def plain(value: Any) -> Any:
     NumPy scalars become Python's numbers, arrays, tuples and lists become lists, enums their values, dataclasses dicts.
     Everything else stays as it is.
     """
-    if type(value) in _PLAIN:  # most are, and this is the cheapest question
+    if type(value) in _PLAIN:  # the most frequent case and the cheapest check
         return value
     if isinstance(value, (np.generic, np.ndarray)):
         return value.tolist()
@@ -52,7 +52,7 @@ def _tuples(value: Any) -> Any:
 
 
 def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
-    """A whole number of Python's own kind.
+    """A value as a Python int.
 
     Args:
         name: the argument's name, for the error.
@@ -61,7 +61,7 @@ def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
         or_none: whether the error lists None as valid; None itself is for the caller to let through.
 
     Raises:
-        QuadrupedError: if it is something else, a bool included, or less than low.
+        QuadrupedError: if it is not an integer, is a bool, or is less than low.
     """
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
@@ -72,6 +72,6 @@ def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
 
 
 def is_finite_number(value: Any) -> bool:
-    """Whether a value is a finite int or float, and no bool."""
+    """True if a value is a finite int or float and not a bool."""
     # Not math.isfinite, which raises for whole numbers that no float holds.
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

@@ -1,6 +1,6 @@
-"""The Python that a program runs with: whether it is the right one, and the commands that start it again.
+"""Check of the Python that a program runs under, and the commands that start it again.
 
-Only the standard library, and nothing that an old Python does not know: it runs before anything else is imported.
+It runs before anything else is imported, so it uses only the standard library and syntax that an old Python accepts.
 """
 
 import os
@@ -16,7 +16,7 @@ _DISTRIBUTION = "mini-quadruped"
 NEEDED = ("gymnasium", "mujoco", "numpy", "safetensors")
 
 _CHECKOUT = Path(__file__).resolve().parents[1]
-"""Where the programs are; in an installed package they are not there."""
+"""Directory of the programs; an installed package does not have them."""
 _STARTED = getattr(sys, "orig_argv", [sys.executable, *sys.argv])
 _PROGRAM = re.compile(r"\bpython (?:(?P<program>(?:train|evaluate)/\w+\.py)\b|(?=-m quadruped_env\b))")
 
@@ -44,7 +44,7 @@ def check_python() -> None:
 
 
 def python_command() -> str:
-    """What starts this Python from here: `python`, where that is the same one, or else its path."""
+    """Command that starts this Python: `python` if that is the same one, otherwise its path."""
     found = shutil.which("python")
     if not sys.executable or (found and _is_same(Path(found).parent, Path(sys.executable).parent)):
         return "python"
@@ -69,17 +69,17 @@ def module_command(module: str, *arguments: object) -> str:
 
 
 def has_programs() -> bool:
-    """Whether the programs are beside the package, as in a checkout."""
+    """True if the programs are next to the package, as in a checkout."""
     return (_CHECKOUT / "pyproject.toml").is_file() and (_CHECKOUT / "train").is_dir()
 
 
 def pip_command() -> str:
-    """What installs something for this Python."""
+    """Command that installs packages for this Python."""
     return f"{python_command()} -m pip install"
 
 
 def install_command(extra: str) -> str:
-    """What installs an extra of this package for this Python."""
+    """Command that installs an extra of this package for this Python."""
     from importlib import metadata  # which takes longer to import than all the rest
 
     try:
@@ -92,7 +92,7 @@ def install_command(extra: str) -> str:
 
 
 def pasteable(text: str | None) -> str:
-    """A text, such as a program's docstring, in which `python train/ppo.py` works as it stands."""
+    """A text, such as a program's docstring, with commands like `python train/ppo.py` ready to paste."""
 
     def command(match: "re.Match[str]") -> str:
         return program_command(match["program"]) if match["program"] else f"{python_command()} "
@@ -114,7 +114,7 @@ def _cure() -> str:
 
 
 def _is_program() -> bool:
-    """Whether one of this project's programs is being started."""
+    """True if one of this project's programs is being started."""
     if "-m" in _STARTED[:-1]:
         return _STARTED[_STARTED.index("-m") + 1].split(".")[0] == "quadruped_env"
     main = getattr(sys.modules.get("__main__"), "__file__", None)

@@ -1,7 +1,7 @@
-"""The one reader of small structured files (JSON, TOML): whatever is wrong with one is this package's error.
+"""Reader of small structured files (JSON, TOML) that turns every defect into this package's error.
 
 Python's own parsers raise errors of many types: for numbers of thousands of digits, for deep nesting, for bytes that
-are no text. To open a pipe waits forever, and a TOML key of ten thousand parts takes very long. Every such file that a
+are not text. Opening a pipe waits forever, and a TOML key of ten thousand parts takes very long. Every such file that a
 user may hand over is read here.
 """
 
@@ -18,9 +18,9 @@ from typing import Any, Final
 from quadruped_env.errors import QuadrupedError, short
 
 MAX_BYTES: Final = {"JSON": 16_000_000, "TOML": 1_000_000}
-"""Of a document: far more than this package writes into one, or a person; Python's TOML parser is slow"""
+"""Maximum size of a document: far larger than any written by this package or by hand; Python's TOML parser is slow."""
 MAX_DEPTH: Final = 32
-"""Levels of nesting: far more than any document here has"""
+"""Maximum nesting depth: far deeper than any document of this package."""
 
 _KINDS: Final = (
     (stat.S_ISDIR, "a directory"),
@@ -37,7 +37,7 @@ _TOML_TOKEN: Final = re.compile(
 def check_regular(path: Path, fix: str) -> None:
     """Raise a QuadrupedError unless a path is a regular file.
 
-    To open a pipe waits until somebody writes into it, and some devices never end.
+    Opening a pipe waits until a process writes to it, and some devices never end.
 
     Args:
         path: of the file.
@@ -69,12 +69,12 @@ def read_json(path: Path, fix: str = "name a JSON file") -> Any:
     return parse_json(_text(path, "JSON", fix), str(path), fix)
 
 
-def parse_json(text: str, where: str, fix: str = "mend it") -> Any:
+def parse_json(text: str, where: str, fix: str = "fix it") -> Any:
     """The document in JSON text; `where` names it in errors. As `read_json`."""
     return _parsed(json.loads, text, where, "JSON", fix)
 
 
-def read_toml(path: Path, fix: str = "mend it, or name another file") -> dict[str, Any]:
+def read_toml(path: Path, fix: str = "fix it, or name another file") -> dict[str, Any]:
     """The document in a TOML file; as `read_json`."""
     text = _text(path, "TOML", fix)
     # The parser's time grows with the square of the parts of a dotted key.
@@ -121,7 +121,7 @@ def _parsed(parse: Callable[[str], Any], text: str, where: str, language: str, f
 
 
 def _check_values(document: Any, where: str, fix: str) -> None:
-    """Raise a QuadrupedError at the first value that others could stumble over."""
+    """Raise a QuadrupedError at the first value that later code could not handle."""
     pending: list[tuple[Any, tuple[object, ...]]] = [(document, ())]
     while pending:
         value, place = pending.pop()
@@ -137,7 +137,7 @@ def _check_values(document: Any, where: str, fix: str) -> None:
 
 
 def _problem(value: Any, depth: int) -> str | None:
-    """What is wrong with a value itself."""
+    """Description of a value's defect, or None."""
     if depth > MAX_DEPTH:
         return f"nested deeper than {MAX_DEPTH} levels"
     if isinstance(value, int):
@@ -145,7 +145,7 @@ def _problem(value: Any, depth: int) -> str | None:
             math.isfinite(value)
         except OverflowError:
             return f"a whole number beyond {sys.float_info.max:.1e}"
-    # What "\ud800" stands for is no character, and can be neither printed nor written.
+    # "\ud800" is half of a character, and can be neither printed nor written.
     if isinstance(value, str):
         try:
             value.encode()
@@ -155,7 +155,7 @@ def _problem(value: Any, depth: int) -> str | None:
 
 
 def _key_lengths(text: str) -> Iterator[int]:
-    """How many parts the dotted keys of TOML text have, as far as they go."""
+    """Number of parts of each dotted key of TOML text, increasing while the key is read."""
     dots, after_key = 0, False
     for token in _TOML_TOKEN.finditer(text):
         if token["dot"] and after_key:

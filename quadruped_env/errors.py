@@ -6,12 +6,12 @@ from typing import Final
 from quadruped_env._python import install_command
 
 MAX_MESSAGE: Final = 700
-"""Characters of an error message: a file may hold megabytes, and no reader wants them back"""
+"""Maximum length of an error message, characters: a file may hold megabytes."""
 
 _MAX_END: Final = 250
-"""Characters at the end of a message that is cut: the fix stands there"""
+"""Characters kept at the end of a shortened message, where the fix is."""
 _MAX_SHOWN: Final = 40
-"""Characters of a value from a file that a message shows"""
+"""Characters shown of a value from a file."""
 _MORE: Final = "..."
 
 
@@ -26,13 +26,13 @@ class QuadrupedError(ValueError):
 
 
 class MissingExtraError(ImportError):
-    """A program needs a library that an optional extra of this package brings."""
+    """A library is missing that an optional extra of this package installs."""
 
     def __init__(self, purpose: str, extra: str) -> None:
         need = f"{purpose} needs the '{extra}' extra"
         super().__init__(f"{need}: {install_command(extra)}")
         self.portable = f"{need}: pip install 'mini-quadruped[{extra}]'"
-        """The message without this machine's Python, for a page that is read elsewhere"""
+        """The message without this machine's Python, for a page that is read elsewhere."""
 
 
 def portable_message(error: Exception) -> str:
@@ -41,7 +41,7 @@ def portable_message(error: Exception) -> str:
 
 
 class QuadrupedWarning(UserWarning):
-    """Input that can be used, though something about it may not be as meant."""
+    """Input that can be used but may not mean what the user intended."""
 
 
 def cut(message: str) -> str:

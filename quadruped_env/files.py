@@ -1,4 +1,4 @@
-"""Files and directories that appear under their name only when they are whole.
+"""Writing of files and directories that appear under their name only when they are complete.
 
 They are written in a hidden directory next to their place, `.<name>.<random>.part`, flushed to the disk, and renamed. A
 full disk or an error leaves what was there before; so does a kill, which also leaves the hidden directory behind.
@@ -17,7 +17,7 @@ from typing import Any, Final
 from quadruped_env.errors import QuadrupedError
 
 PART: Final = ".part"
-"""Suffix of files that are not complete yet."""
+"""Suffix of incomplete files and directories."""
 
 _NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _NO_RIGHT: Final = (errno.EACCES, errno.EPERM, errno.EROFS)

@@ -5,8 +5,8 @@ For every leg, with phase p of the joint and angular frequency w:
     hip  = hip_amplitude  * sin(w t + p) + hip_offset
     knee = knee_amplitude * cos(w t + p) + knee_offset
 
-The shape is the ROS 2 tutorial's; its numbers are the preset `article`. `CommandedGait` bends the same shape to a
-commanded forward velocity and yaw rate. Units: rad, rad/s, s.
+The shape is the ROS 2 tutorial's; its numbers are the preset `article`. `CommandedGait` adapts the same shape to
+a commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 """
 
 import math
@@ -35,13 +35,13 @@ TURNS: Final = {
 
 @dataclass(frozen=True)
 class SinusoidalGait:
-    """An open-loop gait of one sinusoid a joint.
+    """An open-loop gait of one sinusoid per joint.
 
     Args:
-        hip_amplitude, knee_amplitude: rad, one number or one a leg.
-        hip_offset, knee_offset: rad, one number or one a leg.
+        hip_amplitude, knee_amplitude: rad, one number or one per leg.
+        hip_offset, knee_offset: rad, one number or one per leg.
         angular_frequency: rad/s.
-        phases: rad, one a joint (8,), in the order of `JOINT_NAMES`.
+        phases: rad, one per joint (8,), in the order of `JOINT_NAMES`.
     """
 
     hip_amplitude: float | tuple[float, ...]
@@ -57,11 +57,11 @@ class SinusoidalGait:
     def __post_init__(self) -> None:
         if len(self.phases) != len(JOINT_NAMES):
             raise QuadrupedError(
-                f"SinusoidalGait: phases must have {len(JOINT_NAMES)} values, one a joint; found {len(self.phases)}"
+                f"SinusoidalGait: phases must have {len(JOINT_NAMES)} values, one per joint; found {len(self.phases)}"
             )
         for name in ("hip_amplitude", "hip_offset", "knee_amplitude", "knee_offset"):
             if np.shape(getattr(self, name)) not in ((), (len(LEG_NAMES),)):
-                raise QuadrupedError(f"SinusoidalGait: {name} must be one number or {len(LEG_NAMES)}, one a leg")
+                raise QuadrupedError(f"SinusoidalGait: {name} must be one number or {len(LEG_NAMES)}, one per leg")
         amplitude, offset = np.empty(8), np.empty(8)
         amplitude[_HIPS], amplitude[_KNEES] = self.hip_amplitude, self.knee_amplitude
         offset[_HIPS], offset[_KNEES] = self.hip_offset, self.knee_offset
@@ -115,7 +115,7 @@ class SinusoidalGait:
         return math.tau / abs(self.angular_frequency) if self.angular_frequency else math.inf
 
     def violations(self) -> list[str]:
-        """What the gait asks for beyond the robot's position and velocity limits; empty for a gait within them."""
+        """Descriptions of where the gait exceeds the robot's position and velocity limits; empty if it does not."""
         amplitude, offset = np.abs(self._amplitude), self._offset
         low, high = offset - amplitude, offset + amplitude
         speed = abs(self.angular_frequency) * amplitude
@@ -201,7 +201,7 @@ class CommandedGait:
     Args:
         angular_frequency: rad/s.
         half_track: m; half the track for a robot that did not slip, tuned for one that does.
-        speeds: the tables' ground speeds, m/s, rising (K,).
+        speeds: the tables' ground speeds, m/s, increasing (K,).
         fore: of LF and RF.
         hind: of LH and RH.
     """

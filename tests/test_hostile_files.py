@@ -240,11 +240,11 @@ class TestDocuments:
             if fits:
                 parse_json(text, "text")
             else:
-                with pytest.raises(QuadrupedError, match=rf"text: .*: nested deeper than {MAX_DEPTH} levels; mend it"):
+                with pytest.raises(QuadrupedError, match=rf"text: .*: nested deeper than {MAX_DEPTH} levels; fix it"):
                     parse_json(text, "text")
 
     def test_read_json_names_the_place_of_a_value_that_is_too_large(self):
-        with pytest.raises(QuadrupedError, match=r"config: 'a\.b\.1': a whole number beyond 1\.8e\+308; mend"):
+        with pytest.raises(QuadrupedError, match=r"config: 'a\.b\.1': a whole number beyond 1\.8e\+308; fix it"):
             parse_json('{"a": {"b": [1, ' + "9" * 400 + "]}}", "config")
 
     def test_read_json_of_too_many_bytes_is_refused(self, tmp_path):
@@ -270,10 +270,10 @@ class TestMessages:
         ]  # fmt: skip
 
     def test_cut_keeps_the_file_and_the_fix(self):
-        message = cut(f"file.csv: found {MEGABYTES}; mend it")
+        message = cut(f"file.csv: found {MEGABYTES}; fix it")
         assert len(message) == MAX_MESSAGE
         assert message.startswith("file.csv: found xxx")
-        assert message.endswith("xxx; mend it")
+        assert message.endswith("xxx; fix it")
 
     @pytest.mark.parametrize("value", [10**400, 10**5000, [10**5000], MEGABYTES, np.inf], ids=range(5))
     def test_config_values_of_any_size_are_refused(self, value):

@@ -218,9 +218,7 @@ def test_a_short_training_says_so_and_what_latest_was(say_in_the_end, tmp_path):
     latest = tmp_path / "my runs" / "latest"
     lines = say_in_the_end("--timesteps", "10000")
     assert lines[1] == f"{latest} now means this run"
-    assert lines[2].startswith(
-        "it has learned for 10,000 steps only, and in mode 'residual' a policy takes about 62,000 "
-    )
+    assert lines[2].startswith("it has learned for only 10,000 steps; in mode 'residual' a policy takes about 62,000 ")
     (latest.parent / "20250101-000000-other").mkdir()
     latest.unlink()
     latest.symlink_to("20250101-000000-other")
@@ -324,7 +322,7 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch])
 def test_runs_in_which_latest_is_no_link_are_refused_and_kept(tmp_path, make):
     make(tmp_path / "latest")
-    with pytest.raises(QuadrupedError, match=r"--runs: .*latest is no symbolic link.*; rename it, or name another"):
+    with pytest.raises(QuadrupedError, match=r"--runs: .*latest is not a symbolic link.*; rename it, or name another"):
         Run(tmp_path, TrainConfig(), {}, "train")
     assert [path.name for path in tmp_path.iterdir()] == ["latest"]
     assert not (tmp_path / "latest").is_symlink()

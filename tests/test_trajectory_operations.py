@@ -178,7 +178,7 @@ class TestRetarget:
             ("[joints.a]\nsource = 'b'\nunit = 'grad'", r"\[joints\.a\] unit: expected 'rad' or 'deg'; found 'grad'"),
             ("[joints.a]\nsource = 'b'\nvelocity_unit = 'rps'", r"\[joints\.a\] velocity_unit: expected 'rad/s' or"),
             ("[joints]\na = 3", r"\[joints\.a\]: expected a table; found 3"),
-            ("[joints.a", r"not valid TOML: .*; mend it"),
+            ("[joints.a", r"not valid TOML: .*; fix it"),
             ("[joints.a]\nsource = 'gone'", r"\[joints\.a\] source: JointTrajectory has no joint 'gone'; it has a, b"),
         ],
     )

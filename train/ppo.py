@@ -1,8 +1,8 @@
 """Train a walking policy with PPO.
 
-python train/ppo.py                          two minutes or less, then a policy that walks
+python train/ppo.py                          a policy that walks, in two minutes or less
 python train/ppo.py --action-mode position   without the scripted gait underneath
-python train/ppo.py --resume runs/latest     go on from an earlier run, or the last checkpoint of one that was killed
+python train/ppo.py --resume runs/latest     continue a run, or the last checkpoint of one that was killed
 """
 
 import argparse
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # for a Python without the package, which then names the one to use
 
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env._python import module_command, pasteable, program_command
@@ -27,13 +27,13 @@ from quadruped_env.training.resume import Parent
 
 @dataclass(frozen=True)
 class Args(TrainConfig):
-    """`TrainConfig`, and where to put and find runs."""
+    """`TrainConfig`, and the directories of runs."""
 
     runs: Path = Path("runs")
     """Directory of the run directories"""
     resume: Path | None = None
-    """Run or checkpoint to go on from, with its task, network and other settings; options change the others. Without a
-    budget: what the run had left, or as much again if it was complete. The schedules go on from where they were"""
+    """Run or checkpoint to continue, with its task and network; options change the other settings. Without a budget:
+    the rest of the run's, or the same amount again if it was complete. The schedules continue where they were"""
 
 
 def parse(argv: list[str]) -> dict[str, Any]:
@@ -79,7 +79,7 @@ def json_object(text: str) -> dict[str, Any]:
 
 
 def field_docs(kind: type) -> dict[str, str]:
-    """The docstring under each field of a dataclass: said once, in the source, and shown by --help."""
+    """The docstring under each field of a dataclass: stated once, in the source, and shown by --help."""
     import ast
     import inspect
     import itertools
@@ -93,7 +93,7 @@ def field_docs(kind: type) -> dict[str, str]:
 
 
 def main() -> int:
-    """Train, and say where the result lies."""
+    """Train, and print where the result is."""
     try:
         typed = parse(sys.argv[1:])
         runs, resume = typed.pop("runs", Args.runs), typed.pop("resume", None)
@@ -105,7 +105,7 @@ def main() -> int:
                 parent = Parent.load(resume)
             config, resume = parent.resumed(typed), parent.directory
             budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
-            print(f"going on from {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+            print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
         # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
         from quadruped_env.training.ppo import train
 

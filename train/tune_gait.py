@@ -6,7 +6,7 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # for a Python without the package, which then names the one to use
 
 from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.files import write_json
@@ -16,9 +16,9 @@ from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_ga
 def main() -> None:
     """Parse the arguments and tune."""
     parser = argparse.ArgumentParser(
-        description="Search the numbers of the scripted gaits on the simulated robot: the table of the 'tuned' gait "
-        "over speed, and the presets trot, walk, bound and pace. Prints what to put into quadruped_env/gait.py and the "
-        "velocities that the tuned gait reaches. Takes about four minutes on two cores.",
+        description="Search for the parameters of the scripted gaits on the simulated robot: the table of the 'tuned' "
+        "gait over speed, and the presets trot, walk, bound and pace. Prints the tables for quadruped_env/gait.py and "
+        "the velocities that the tuned gait reaches. Takes about four minutes on two cores.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--frequency", type=float, default=2.2, help="gait cycles per second of the tuned gait")

@@ -318,7 +318,17 @@ def _from_document(
             f"train again, or install the version that made it"
         )
     weights, biases = _layers(document["layers"], tensors, tensors_path, layout.width, robot.num_joints)
-    return Policy(weights, biases, document["activation"], control, terms.observations, task, document["card"], robot)
+    return Policy(
+        weights,
+        biases,
+        document["activation"],
+        control,
+        terms.observations,
+        task,
+        document["card"],
+        robot,
+        str(card_path),
+    )
 
 
 def _layers(

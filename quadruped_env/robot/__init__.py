@@ -1,4 +1,4 @@
-"""What the robot is: names and order, limits, assets, the compiled model, kinematics."""
+"""The robot: names and order, limits, assets, the compiled model, kinematics."""
 
 from quadruped_env.robot.assets import asset_path, load_model
 from quadruped_env.robot.facts import (

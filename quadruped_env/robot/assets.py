@@ -1,4 +1,4 @@
-"""Where the model files are, and the model compiled from them."""
+"""The model files, and the model compiled from them."""
 
 import copy
 import functools
@@ -16,7 +16,7 @@ MAPS = ("dyna1.toml",)
 
 @functools.cache
 def _asset_directory() -> Path:
-    """The directory of the assets: inside an installed package, beside it in a checkout."""
+    """The directory of the assets: inside an installed package, next to it in a checkout."""
     # An editable install maps the package `quadruped_env.assets` to the checkout's folder, and a wheel holds a
     # copy inside the package: both answer to find_spec. A bare checkout on sys.path has only the folder.
     spec = importlib.util.find_spec("quadruped_env.assets")
@@ -37,11 +37,11 @@ def asset_path(name: str) -> Path:
 
 
 def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
-    """The robot on its ground, compiled: a model of the caller's own.
+    """The compiled model of the robot on flat ground: a copy that the caller owns.
 
     Args:
-        timestep: physics step in s, or None for the one that the model file states.
-        motors: other motors than the model file's.
+        timestep: physics step in s, or None for the model file's.
+        motors: motors that replace the model file's.
     """
     files = tuple(asset_path(name) for name in ("scene.xml", "mini_quadruped.xml"))
     # Compiling costs thirty times as much as copying, so every process compiles each variant once.

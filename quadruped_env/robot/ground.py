@@ -1,4 +1,4 @@
-"""How the robot rests on flat ground, for given joint positions."""
+"""Resting pose of the robot on flat ground, for given joint positions."""
 
 import itertools
 from typing import Final
@@ -12,13 +12,13 @@ from quadruped_env.robot.kinematics import forward_kinematics, skeleton
 from quadruped_env.rotations import rotate
 
 _BALL: Final = -(LEG_LENGTH - FOOT_RADIUS)
-"""z of the centre of a foot's ball in the leg's frame, m"""
+"""Height of the centre of a foot's sphere in the leg's frame, m."""
 _EDGE: Final = 1e-9
-"""m; how far outside its feet the centre of mass may lie for rounding's sake"""
+"""Tolerance of rounding errors, m: the centre of mass may lie this far outside the feet."""
 
 
 def foot_centres(positions: ArrayLike, base_pose: ArrayLike | None = None) -> NDArray[np.float64]:
-    """Centres of the feet's balls (..., 4, 3) in m, in the order of `LEG_NAMES`; arguments as `forward_kinematics`."""
+    """Centres of the feet's spheres (..., 4, 3), m, in the order of `LEG_NAMES`; arguments as `forward_kinematics`."""
     return _leg_points(positions, base_pose, _BALL)
 
 
@@ -30,7 +30,7 @@ def sole_heights(positions: ArrayLike, base_pose: ArrayLike) -> NDArray[np.float
 def resting_pose(positions: ArrayLike) -> NDArray[np.float64]:
     """The pose (7,) of the base in which the robot rests on its feet, over the origin and facing along x.
 
-    Three feet touch the ground, those between which the centre of mass lies, and the fourth touches it or is in the
+    Three feet touch the ground, those between which the centre of mass lies; the fourth touches it or is in the
     air. Where no three feet can carry the robot, its base is level. Nothing is below the ground: where a hip, a knee or
     the base would be, the robot is higher, and lies on that.
 

@@ -1,4 +1,4 @@
-"""Forward kinematics: where every link is, for given joint positions."""
+"""Forward kinematics: the poses of all links for given joint positions."""
 
 from functools import cache
 from typing import Final
@@ -15,10 +15,10 @@ from quadruped_env.robot.facts import JOINT_NAMES, LINK_NAMES
 Pose = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 MAX_VALUE: Final = mujoco.mjMAXVAL
-"""rad or m; MuJoCo takes a larger coordinate for a simulation that has diverged"""
+"""Maximum coordinate, rad or m: MuJoCo treats larger ones as a diverged simulation."""
 
 _BLOCK: Final = 4096
-"""Poses a batch: enough that Python's share of a call vanishes, few enough to stay in the processor's cache."""
+"""Poses per batch: enough that Python's share of a call is negligible, few enough to stay in the processor's cache."""
 
 
 @cache
@@ -49,7 +49,7 @@ def forward_kinematics(positions: ArrayLike, base_pose: ArrayLike | None = None)
     joints = np.asarray(positions, dtype=np.float64)
     if joints.ndim == 0 or joints.shape[-1] != len(JOINT_NAMES):
         raise QuadrupedError(
-            f"forward_kinematics: positions must have shape (..., {len(JOINT_NAMES)}), one value a joint; "
+            f"forward_kinematics: positions must have shape (..., {len(JOINT_NAMES)}), one value per joint; "
             f"found {joints.shape}"
         )
     base = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) if base_pose is None else np.asarray(base_pose, np.float64)

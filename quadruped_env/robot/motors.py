@@ -1,4 +1,4 @@
-"""The motors in numbers: those of the model file, or those that were identified on a robot."""
+"""Motor parameters: those of the model file, or those identified on a robot."""
 
 import math
 from dataclasses import dataclass, field, fields
@@ -13,7 +13,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.facts import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
 
 VOLTAGE: Final = 24.0
-"""V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)"""
+"""Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
 
 MAX_DELAY: Final = 0.5
 """s"""
@@ -21,7 +21,7 @@ MAX_DELAY: Final = 0.5
 JOINT_KINDS: Final = ("hip", "knee")
 
 _LINEAR: Final = 1
-"""MuJoCo's interpolation between the commands that it remembers"""
+"""MuJoCo's mode of interpolation between stored commands."""
 _POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
 
 
@@ -30,19 +30,19 @@ class JointMotor(PlainFields):
     """A motor and the joint that it turns. The defaults repeat the model file."""
 
     stall_torque: float = EFFORT_LIMIT
-    """N m at full voltage and no speed; the motor's strength"""
+    """Torque at full voltage and zero speed, N m."""
     no_load_speed: float = VELOCITY_LIMIT
-    """rad/s at full voltage and no torque"""
+    """Speed at full voltage and zero torque, rad/s."""
     kp: float = 40.0
-    """N m/rad; torque for each rad between target and position, up to what the motor can give"""
+    """Position gain, N m/rad, within the motor's torque-speed line."""
     kd: float = 1.0
-    """N m s/rad; torque against the joint's velocity"""
+    """Velocity gain, N m s/rad."""
     damping: float = 0.05
-    """N m s/rad; of bearings and gears"""
+    """Viscous damping of bearings and gears, N m s/rad."""
     friction_loss: float = 0.0
-    """N m; dry friction"""
+    """Dry friction, N m."""
     armature: float = 0.01
-    """kg m^2; the rotor's inertia as it appears at the joint"""
+    """Rotor inertia reflected to the joint, kg m^2."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -52,12 +52,12 @@ class JointMotor(PlainFields):
 
 @dataclass(frozen=True)
 class MotorConfig(PlainFields):
-    """Every motor of the robot: those of the hips are alike, and so are those of the knees."""
+    """All motors of the robot: one set of parameters for the hips, one for the knees."""
 
     hip: JointMotor = field(default_factory=JointMotor)
     knee: JointMotor = field(default_factory=JointMotor)
     delay: float = 0.0
-    """s from a joint target to the motor that follows it; what lies between two physics steps is interpolated"""
+    """Delay from joint target to motor, s; interpolated between physics steps."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -74,7 +74,7 @@ class MotorConfig(PlainFields):
 
         Args:
             spec: what `load_model` compiles; its time step has to be set already.
-            max_delay: s; the room to keep for a delay. None takes the delay itself.
+            max_delay: s; longest delay to allocate a buffer for. None: the delay itself.
         """
         longest = self.delay if max_delay is None else max_delay
         for name in JOINT_NAMES:
@@ -98,12 +98,12 @@ class MotorConfig(PlainFields):
 def fill_command_history(
     model: mujoco.MjModel, history: NDArray[np.float64], joint_target: NDArray[np.float64]
 ) -> None:
-    """Let delayed motors begin as if the targets (R, 8) in rad had been there all along.
+    """Initialize the buffers of delayed motors as if the targets (N, 8) in rad had been constant before.
 
     Args:
         model: the robot.
-        history: MuJoCo's history buffers (R, model.nhistory), written in place.
-        joint_target: rad (R, 8).
+        history: MuJoCo's history buffers (N, model.nhistory), written in place.
+        joint_target: rad (N, 8).
     """
     for actuator in range(model.nu):
         start, samples = model.actuator_historyadr[actuator], model.actuator_history[actuator, 0]

@@ -1,4 +1,4 @@
-"""Transforms between neighbouring links: what `robot_state_publisher` makes of joint positions."""
+"""Transforms between neighbouring links, as `robot_state_publisher` computes them from joint positions."""
 
 from dataclasses import dataclass
 from typing import Final
@@ -12,12 +12,12 @@ from quadruped_env.robot.kinematics import skeleton
 from quadruped_env.rotations import from_axis_angle, multiply
 
 ODOMETRY_FRAME: Final = "odom"
-"""Parent of `base_link` where the base's pose is known: the name that REP 105 gives to such a frame"""
+"""Parent of `base_link` if the base's pose is known; named by REP 105."""
 
 
 @dataclass(frozen=True)
 class Transform:
-    """Pose of a link in the frame of its parent, over time or once."""
+    """Pose of a link in the frame of its parent, over time or constant."""
 
     parent: str
     child: str
@@ -28,7 +28,7 @@ class Transform:
 
 
 def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
-    """The transforms of `/tf` by `robot_state_publisher`: one per moving joint, from its parent link to its child.
+    """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
 
     Args:
         positions: joint positions in rad, shape (..., 8), in the order of `JOINT_NAMES`.
@@ -71,9 +71,9 @@ def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -
 
 
 def fixed_transforms() -> tuple[Transform, ...]:
-    """The transforms of `/tf_static` by `robot_state_publisher`: one per link without a moving joint.
+    """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
 
-    In this robot every link has its joint, so there is none; the publisher then sends an empty message.
+    Every link of this robot has a joint, so the result is empty; the publisher then sends an empty message.
     """
     model = skeleton()
     return tuple(

@@ -1,4 +1,4 @@
-"""What ROS 2 calls things: message types, their bytes, qualities of service. Without a ROS installation.
+"""ROS 2's message types, their serialization, and QoS, without a ROS installation.
 
 The tables here need nothing. `cdr` needs the libraries of the `ros` extra, which it imports when it is first used.
 """

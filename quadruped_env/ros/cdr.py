@@ -1,10 +1,10 @@
 """Messages and their bytes: CDR, the format of DDS topics and rosbag2 bags, through `rosbags`.
 
-    joint_state = cdr.message("sensor_msgs/msg/JointState", header=cdr.header(stamp), name=["a"], position=[0.5])
+    joint_state = cdr.message("sensor_msgs/msg/JointState", header=cdr.header(time_ns), name=["a"], position=[0.5])
     data = cdr.serialize(joint_state)
 
-A message is a dataclass of `rosbags`, with the fields of its `MessageType`. Fields left out are what ROS makes them: 0,
-"" or empty, and 1 for the w of a quaternion. For long recordings of joint states, `quadruped_env.ros.joint_state` gives
+A message is a dataclass of `rosbags`, with the fields of its `MessageType`. Fields left out have ROS's defaults: 0, ""
+or empty, and 1 for the w of a quaternion. For long recordings of joint states, `quadruped_env.ros.joint_state` gives
 the same bytes faster.
 """
 
@@ -36,7 +36,7 @@ def typestore() -> Any:
 def message(type_name: str, **fields: Any) -> Any:
     """A message, from fields by name; a field that is a message may be given as a mapping.
 
-    Numbers in arrays become what the type says: `rosbags` would write an array of another type as damage.
+    Arrays are converted to the field's type: `rosbags` would write an array of another type as garbage.
 
     Raises:
         QuadrupedError: if the type or a field is unknown, or an array has the wrong length.
@@ -51,13 +51,13 @@ def message(type_name: str, **fields: Any) -> Any:
 
 
 def time(stamp: int) -> Any:
-    """A `builtin_interfaces/msg/Time` from a stamp in ns."""
+    """A `builtin_interfaces/msg/Time` from a timestamp in ns."""
     sec, nanosec = divmod(stamp, NANOSECONDS)
     return message("builtin_interfaces/msg/Time", sec=sec, nanosec=nanosec)
 
 
 def header(stamp: int, frame_id: str = "") -> Any:
-    """A `std_msgs/msg/Header` from a stamp in ns."""
+    """A `std_msgs/msg/Header` from a timestamp in ns."""
     return message("std_msgs/msg/Header", stamp=time(stamp), frame_id=frame_id)
 
 
@@ -75,13 +75,13 @@ def deserialize(data: bytes, type_name: str) -> Any:
     kind = message_type(type_name)
     try:
         return typestore().deserialize_cdr(data, kind.name)
-    # rosbags decodes damaged bytes until something gives, and it is not documented what.
+    # rosbags does not document which errors it raises for damaged bytes.
     except Exception as error:
         raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error
 
 
 def _value(kind: MessageType, field: Field, given: Any) -> Any:
-    """What a message holds in one field, made of what was given, or of nothing."""
+    """Value of one field of a message, converted from the given one, or the default."""
     if not field.many:
         return _single(field, given)
     given = () if given is None else given

@@ -1,4 +1,4 @@
-"""The bytes of `sensor_msgs/msg/JointState`, fast: what long recordings consist of.
+"""Fast serialization of `sensor_msgs/msg/JointState`, of which long recordings consist.
 
 A publisher sends the same frame and names in every message, so both directions prepare those once. Bytes and values are
 those of `quadruped_env.ros.cdr`; only little-endian CDR is read here, which is what every machine of today writes.
@@ -12,20 +12,20 @@ from typing import Final, NamedTuple
 from quadruped_env.errors import QuadrupedError
 
 NANOSECONDS: Final = 1_000_000_000
-"""in a second"""
+"""Nanoseconds per second."""
 
 _ENCAPSULATION: Final = b"\x00\x01\x00\x00"
-"""CDR, little endian"""
+"""Header of little-endian CDR."""
 _START: Final = len(_ENCAPSULATION) + 8
-"""Where the frame's name begins, behind the stamp"""
+"""Offset of the frame's name, after the timestamp."""
 _STAMP: Final = struct.Struct("<iI")
 _UINT32: Final = struct.Struct("<I")
 _MAX_PADDING: Final = 3
-"""Bytes that may follow a message: some implementations fill it up to a multiple of 4"""
+"""Maximum number of padding bytes after a message: some implementations pad to a multiple of 4."""
 
 
 class RawJointState(NamedTuple):
-    """One message as it came, unchecked: the arrays may be of any lengths."""
+    """One message as received, unchecked: the arrays may have any lengths."""
 
     stamp: int
     """ns"""
@@ -40,7 +40,7 @@ class Decoder:
 
     def __init__(self) -> None:
         self._prefix = b""
-        """Frame and names of the message before, as bytes"""
+        """Frame and names of the previous message, as bytes."""
         self._names: tuple[str, ...] = ()
 
     def __call__(self, data: bytes) -> RawJointState:
@@ -92,17 +92,17 @@ class Encoder:
 
         Args:
             stamp: ns, below 2^31 s.
-            position: float64 in the machine's order, as `tobytes` gives it.
-            velocity: likewise, or empty.
-            effort: likewise, or empty.
+            position: float64 in the machine's byte order, as returned by `tobytes`.
+            velocity: the same format, or empty.
+            effort: the same format, or empty.
 
         Raises:
-            QuadrupedError: if the stamp does not fit into the message.
+            QuadrupedError: if the timestamp does not fit into the message.
         """
         try:
             data = bytearray(_ENCAPSULATION + _STAMP.pack(*divmod(stamp, NANOSECONDS)) + self._prefix)
         except struct.error as error:
-            raise QuadrupedError(f"stamp {stamp} ns: a ROS message holds -2^31 to 2^31 - 1 s") from error
+            raise QuadrupedError(f"timestamp {stamp} ns: a ROS message holds -2^31 to 2^31 - 1 s") from error
         for values in (position, velocity, effort):
             _append_count(data, len(values) // 8)
             if values:
@@ -140,7 +140,7 @@ def decode_ros1(data: bytes) -> RawJointState:
 
 
 def _names(data: bytes) -> tuple[tuple[str, ...], int]:
-    """The joint names of CDR bytes, and where they end."""
+    """The joint names in CDR bytes, and the offset of their end."""
     _, at = _string(data, _START)
     at += -at % 4
     (count,) = _UINT32.unpack_from(data, at)
@@ -172,7 +172,7 @@ def _text(data: bytes, start: int, end: int) -> str:
 
 
 def _doubles(data: bytes, at: int) -> tuple["array[float]", int]:
-    """The numbers of a sequence, and where it ends; numbers are aligned to 8 bytes behind the encapsulation."""
+    """The numbers of a sequence, and the offset of its end; numbers are aligned to 8 bytes behind the encapsulation."""
     at += -at % 4
     (count,) = _UINT32.unpack_from(data, at)
     at += 4

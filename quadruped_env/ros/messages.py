@@ -1,7 +1,7 @@
-"""The ROS 2 message types that this package speaks, as data.
+"""The ROS 2 message types that this package uses, as data.
 
-The same in every distribution from Humble to Lyrical. A type hash is the digest of a type's definition (REP 2016):
-from Iron on, peers and bags compare it.
+They are the same in every distribution from Humble to Lyrical. A type hash is the digest of a type's definition
+(REP 2016): from Iron on, peers and bags compare it.
 """
 
 import re
@@ -21,15 +21,15 @@ class Field:
     base: str
     """A primitive such as `float64` or `string`, or the name of another message type"""
     many: bool
-    """Whether it holds several"""
+    """True for an array."""
     count: int | None
-    """How many, where that is fixed"""
+    """Length of an array of fixed length, else None."""
     default: float = 0.0
-    """What a number is that nobody sets"""
+    """Value of a number that is not set."""
 
     @property
     def is_message(self) -> bool:
-        """Whether what it holds is another message."""
+        """True if the field holds another message."""
         return "/" in self.base
 
 
@@ -41,11 +41,11 @@ class MessageType:
     """`package/msg/Type`"""
     fields: tuple[Field, ...]
     type_hash: str
-    """RIHS01, as DDS user data and bags write it"""
+    """RIHS01 hash, in the notation of DDS user data and bags."""
 
     @property
     def dds_name(self) -> str:
-        """What ROS 2 calls the type on DDS."""
+        """Name of the type on DDS."""
         package, kind, name = self.name.split("/")
         return f"{package}::{kind}::dds_::{name}_"
 

@@ -1,4 +1,4 @@
-"""Qualities of service: what a publisher offers, as data for bags and for live topics."""
+"""QoS profiles of publishers, as data for bags and live topics."""
 
 from dataclasses import dataclass
 from typing import Final
@@ -10,17 +10,17 @@ class Qos:
 
     depth: int
     reliable: bool = True
-    """False is best effort"""
+    """False: best effort."""
     transient_local: bool = False
-    """True hands the last messages to readers that join late: ROS 1 called it latched. False is volatile"""
+    """True: subscriptions that join late receive the last messages (latched in ROS 1). False: volatile."""
 
 
 JOINT_STATES_QOS: Final = Qos(depth=10)
-"""What joint_state_publisher and joint_state_broadcaster offer"""
+"""QoS of joint_state_publisher and joint_state_broadcaster."""
 TF_QOS: Final = Qos(depth=100)
 """`tf2_ros::DynamicBroadcasterQoS`"""
 LATCHED_QOS: Final = Qos(depth=1, transient_local=True)
 """`/robot_description` and `/tf_static`"""
 SENSOR_DATA_QOS: Final = Qos(depth=5, reliable=False)
-"""`rclcpp::SensorDataQoS`, with which robot_state_publisher reads `/joint_states`: it hears reliable publishers and
-others"""
+"""`rclcpp::SensorDataQoS`, with which robot_state_publisher subscribes to `/joint_states`: it matches reliable and
+best-effort publishers."""

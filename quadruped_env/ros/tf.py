@@ -1,4 +1,4 @@
-"""The bytes of `tf2_msgs/msg/TFMessage`, fast: the same frames in every message, only times and numbers change."""
+"""Fast serialization of `tf2_msgs/msg/TFMessage` with the same frames in every message."""
 
 import struct
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ _ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 _STAMP: Final = struct.Struct("<iI")
 _COUNT: Final = struct.Struct("<I")
 _NUMBERS: Final = 7
-"""Of a transform: x, y, z, and the quaternion x, y, z, w"""
+"""Numbers per transform: x, y, z, and the quaternion x, y, z, w."""
 
 
 class TfEncoder:

@@ -1,4 +1,4 @@
-"""How it learns: Stable-Baselines3's PPO on the native vector environment, and the run that a training leaves."""
+"""Training: Stable-Baselines3's PPO on the native vector environment, and the run directory that it writes."""
 
 from quadruped_env.training.config import TrainConfig
 

@@ -1,4 +1,4 @@
-"""A training in numbers."""
+"""Settings of a training."""
 
 import math
 from dataclasses import dataclass, field
@@ -8,58 +8,59 @@ from quadruped_env.control.config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError
 
 STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
-"""Median of the steps until a policy walks at 0.5 m/s, as `evaluate/learning_speed.py` measured them (README)"""
+"""Median number of steps until a policy walks at 0.5 m/s, measured by `evaluate/learning_speed.py`
+(docs/measurements.md)."""
 
 
 @dataclass(frozen=True)
 class TrainConfig:
-    """What `train/ppo.py` is asked for. PPO's own names are Stable-Baselines3's."""
+    """Settings of `train/ppo.py`. PPO's settings are named as in Stable-Baselines3."""
 
     action_mode: Literal["position", "residual"] = "residual"
-    """`position`: learn from nothing; `residual`: learn on top of the scripted gait"""
+    """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
     timesteps: int = 2_000_000
-    """Budget in environment steps, all robots together"""
+    """Budget in environment steps, summed over all envs"""
     seconds: float | None = None
-    """Budget in seconds of wall clock instead; such a run cannot be repeated bit for bit"""
+    """Budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit"""
     seed: int = 0
-    """Seed of the robots, the network and the exploration"""
+    """Seed of the envs, the network and the exploration"""
     num_envs: int = 256
-    """Robots that walk at once"""
+    """Number of parallel envs"""
     name: str = "ppo"
     """Last part of the run directory's name"""
     checkpoint_seconds: float = 20.0
-    """Wall clock between checkpoints"""
+    """Seconds of wall-clock time between checkpoints"""
     task: dict[str, Any] = field(default_factory=dict)
     """Changes to the task's config, as nested values"""
     n_steps: int = 16
-    """Steps of each robot between updates"""
+    """Steps of each env between updates"""
     batch_size: int = 1024
     """Samples in a gradient step"""
     n_epochs: int = 4
     """Passes over the samples of an update"""
     learning_rate: float = 2e-3
-    """Adam's step size at the start; it falls linearly to a tenth"""
+    """Adam's initial step size; it decreases linearly to a tenth"""
     gamma: float = 0.97
-    """Discount a step of 0.02 s"""
+    """Discount per step of 0.02 s"""
     gae_lambda: float = 0.95
     """Decay of the advantage estimate"""
     clip_range: float = 0.2
-    """PPO's clip"""
+    """PPO's clip range of the probability ratio"""
     ent_coef: float = 0.0
     """Weight of the entropy bonus"""
     max_grad_norm: float = 1.0
-    """Gradients longer than this are shortened"""
+    """Maximum norm of the gradient"""
     hidden: tuple[int, ...] = (64, 64)
-    """Widths of the hidden layers, of the policy and of the value function"""
+    """Widths of the hidden layers of the policy and of the value function"""
     activation: Literal["elu", "relu", "tanh"] = "elu"
-    """Between layers"""
+    """Activation function of the hidden layers"""
     symmetric: bool = True
     """Make the policy left/right symmetric by construction, as the robot is"""
     log_std_init: float | None = None
-    """Logarithm of the exploration's first standard deviation; by default -1, and -2 where a gait walks already"""
+    """Logarithm of the exploration's initial standard deviation; default -1, or -2 on top of the scripted gait"""
     final_log_std: float = -4.0
-    """Upper bound of that logarithm at the end, reached linearly. Noise slows a walk down, and a policy that learned
-    with it overshoots its commands without it"""
+    """Upper bound of that logarithm at the end, reached linearly. Noise slows the robot down, and a policy that
+    learned with it overshoots its commands without it"""
 
     @property
     def first_log_std(self) -> float:
@@ -98,16 +99,16 @@ class TrainConfig:
         if self.num_envs * self.n_steps < self.batch_size:
             raise QuadrupedError(
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
-                f"(num_envs * n_steps); lower it or take more robots"
+                f"(num_envs * n_steps); lower it or use more envs"
             )
 
 
 def shortness(action_mode: str, timesteps: int) -> str:
-    """A sentence about a training that was too short to have learned to walk, or nothing."""
+    """A warning about a training that was too short to learn to walk, or an empty string."""
     needed = STEPS_TO_WALK[action_mode]
     if timesteps >= needed:
         return ""
     return (
-        f"it has learned for {timesteps:,} steps only, and in mode {action_mode!r} a policy takes about {needed:,} "
-        f"to walk well: give it more --seconds or --timesteps, or go on with --resume"
+        f"it has learned for only {timesteps:,} steps; in mode {action_mode!r} a policy takes about {needed:,} to walk "
+        f"well: give it more --seconds or --timesteps, or continue with --resume"
     )

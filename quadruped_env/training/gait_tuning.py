@@ -1,9 +1,9 @@
-"""Finds the numbers of the scripted gaits by simulating many candidates at once (cross-entropy method).
+"""Search for the parameters of the scripted gaits, with many candidates in parallel (cross-entropy method).
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
-parts and its offset. It is scored on flat ground from rest: distance from the wanted speed, feet that clear the ground
-in their swing, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard bounds
-of the search. Method: Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
+parts and its offset. It is scored on flat ground from rest: difference from the target speed, feet that clear the
+ground in their swing, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard
+bounds of the search. Method: Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
 """
 
 from collections.abc import Callable
@@ -24,14 +24,14 @@ SUBSTEPS: Final = TaskConfig().decimation
 CANDIDATES: Final = 192
 ELITE: Final = 20
 WARM_UP: Final = 1.0
-"""s before anything is measured"""
+"""Time before measurement starts, s."""
 SECONDS: Final = 4.0
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
-"""s over which a candidate's amplitude grows from the stance"""
+"""Time over which a candidate's amplitude grows from the stance, s."""
 _SOLE: Final = np.array([-FOOT_RADIUS, FOOT_RADIUS])
 _MIDDLE: Final = 0.8
-"""of the clock's sine, above which a foot is in the middle of its swing"""
+"""Threshold of the clock's sine above which a foot is in the middle of its swing."""
 
 Log = Callable[[str], None]
 """Called with one line of text."""
@@ -39,14 +39,14 @@ Log = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Achieved:
-    """What gaits did on flat ground, one value a candidate."""
+    """Results of gaits on flat ground, one value per candidate."""
 
     forward_velocity: NDArray[np.float64]
-    """m/s along the heading, mean after the warm-up"""
+    """Mean velocity along the heading after the warm-up, m/s."""
     yaw_rate: NDArray[np.float64]
-    """rad/s, likewise"""
+    """Mean yaw rate after the warm-up, rad/s."""
     lateral_velocity: NDArray[np.float64]
-    """m/s, likewise"""
+    """Mean sideways velocity after the warm-up, m/s."""
     tilt: NDArray[np.float64]
     """Root mean square of the horizontal part of the base's up axis"""
     power: NDArray[np.float64]
@@ -71,7 +71,7 @@ def measure(
 ) -> Achieved:
     """Run joint targets, a function of time in s that gives (N, 8) in rad, from the stance.
 
-    Frequency (rad/s) and turns (cycles, one a leg) are the clock's.
+    Frequency (rad/s) and leg phases (cycles, one per leg) are the clock's.
     """
     n = simulation.num_envs
     qpos = np.zeros((n, 15))
@@ -121,7 +121,7 @@ _STEPPING: Final = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2)
 def gait_targets(
     candidates: NDArray[np.float64], angular_frequency: float, turns: tuple[float, ...]
 ) -> Callable[[float], NDArray[np.float64]]:
-    """Joint targets over time for candidates (N, 10), whose fore legs move alike but for their phase, and hind legs."""
+    """Joint targets over time for candidates (N, 10), whose fore legs differ only in phase, as do the hind legs."""
     phases = np.array(turns) * 2.0 * np.pi
     # (N, 4) each: the fore leg's value twice, then the hind leg's.
     hip, hip_offset, knee_cosine, knee_sine, knee_offset = np.repeat(
@@ -156,9 +156,9 @@ class Found(NamedTuple):
     columns: NDArray[np.float64]
     """(10,)"""
     speed: float
-    """m/s that it reached"""
+    """Achieved speed, m/s."""
     clearance: float
-    """m; see `Achieved`"""
+    """See `Achieved`, m."""
 
 
 def search(
@@ -173,12 +173,12 @@ def search(
     """The best candidate for a forward speed (m/s).
 
     Args:
-        speed: wanted, m/s.
+        speed: target, m/s.
         angular_frequency: rad/s.
         turns: phase of each leg in cycles.
-        start: where the search begins (10,).
+        start: initial candidate (10,).
         spread: standard deviation of the first generation, as a share of each column's range.
-        generations: how many generations to search.
+        generations: number of generations.
         seed: of the search.
     """
     rng = np.random.default_rng(seed)
@@ -205,7 +205,7 @@ def search(
         order = np.argsort(-score)
         elite = candidates[order[:ELITE]]
         mean, deviation = elite.mean(axis=0), elite.std(axis=0) + 0.002
-        # The centre of the elite, not its best one, which may owe its score to a chance that the next digit ends.
+        # Use the elite mean: the best sample's score may not survive rounding.
         if score[0] > best_score:
             best_score = float(score[0])
             best = Found(candidates[0], float(got.forward_velocity[0]), float(got.clearance[0]))
@@ -262,7 +262,7 @@ def _with_tuned_track(gait: CommandedGait, say: Log) -> CommandedGait:
 
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
-    """What the gait does for commands (N, 2) in m/s and rad/s."""
+    """Results of the gait for commands (N, 2) in m/s and rad/s."""
     simulation = BatchSimulation(load_model(), len(commands))
     return measure(
         lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
@@ -291,8 +291,8 @@ def achieved_table(gait: CommandedGait) -> str:
     return "\n".join(lines)
 
 
-def tune_presets(generations: int, say: Log) -> dict[str, list[float]]:
-    """The candidate (10,) of each preset but the article's, for the highest speed that it walks at steadily."""
+def tune_presets(generations: int, say: Progress) -> dict[str, list[float]]:
+    """The candidate (10,) of each tuned preset, at the highest speed that it holds steadily."""
     tuned = {}
     for name, angular_frequency, speed in PRESET_SPEEDS:
         found = search(speed, angular_frequency, TURNS[name], _STANDING + _STEPPING, 0.15, generations)

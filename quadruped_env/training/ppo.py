@@ -50,13 +50,13 @@ _ACTIVATIONS = {"elu": torch.nn.ELU, "relu": torch.nn.ReLU, "tanh": torch.nn.Tan
 _FINAL_LEARNING_RATE = 0.1
 """Share of the first learning rate that is left at the end."""
 _LOG_INTERVAL = 1.0
-"""s between rows of the progress bar, progress.csv and TensorBoard."""
+"""Interval of the progress bar, progress.csv and TensorBoard, s."""
 
 
 class NativePPO(PPO):
     """SB3's PPO with threads where they help, and schedules that can follow the wall clock and go on from a run's.
 
-    A policy step on a few hundred rows is faster on one thread; an update is faster on all of them.
+    A policy step for a few hundred envs is faster on one thread; an update is faster on all of them.
     """
 
     budget_seconds: float | None = None
@@ -107,7 +107,7 @@ class NativePPO(PPO):
             self.set_parameters(str(path), device="cpu")
         except Exception as error:
             # The zip reader, torch and SB3 each fail in their own way on a damaged file.
-            raise QuadrupedError(f"{path}: cannot be read ({error}); train anew") from error
+            raise QuadrupedError(f"{path}: cannot be read ({error}); start a new training") from error
         self.num_timesteps = parent.timesteps
         self.budget_left_at_start = self._current_progress_remaining = parent.budget_left
 
@@ -174,7 +174,7 @@ def train(
     """Train a policy and leave a run directory.
 
     Args:
-        config: the training in numbers.
+        config: settings of the training.
         runs: parent of the run directory.
         command: what the user typed, for the record.
         resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
@@ -184,7 +184,7 @@ def train(
         The run directory, and whether the whole budget was used.
 
     Raises:
-        QuadrupedError: if something asked for is not possible, the run to resume is not complete, or a file cannot be
+        QuadrupedError: if a setting is not possible, the run to resume is not complete, or a file cannot be
             written; then what was saved before is kept.
     """
     check_latest(runs)
@@ -235,7 +235,7 @@ def _quiet_threads() -> Iterator[None]:
     usual = threading.excepthook
 
     def say(failure: threading.ExceptHookArgs) -> None:
-        # TensorBoard's writer raises the error of its thread again, where it is told what to write next.
+        # TensorBoard's writer raises the error of its thread again, at its next write.
         if not issubclass(failure.exc_type, OSError):
             usual(failure)
 
@@ -274,7 +274,7 @@ class Recorder(BaseCallback):
 
     Args:
         run: the run directory.
-        config: the training in numbers.
+        config: settings of the training.
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
     """
@@ -364,19 +364,19 @@ class Recorder(BaseCallback):
         self._clear()
 
     def _remaining(self) -> str:
-        """What is left of a budget in seconds; the bar itself shows what is left of one in steps."""
+        """Rest of a budget in seconds; the bar itself shows that of a budget in steps."""
         return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
 
     def save(self) -> None:
-        """Write the policy as data into the run directory, and what resuming needs beside it.
+        """Write the policy as data into the run directory, and the files that resuming needs.
 
         Raises:
-            QuadrupedError: if a file cannot be written, or the training diverged; then none is.
+            QuadrupedError: if a file cannot be written, or the training diverged; then no file is written.
         """
         write_whole({self._run.directory / name: content for name, content in self._files().items()})
 
     def _save_checkpoint(self, directory: Path) -> None:
-        """Write a checkpoint, which appears when it is whole and can do without the run."""
+        """Write a checkpoint, which appears when it is complete and does not depend on the run's files."""
         with whole(directory) as part:
             part.mkdir()
             for name in (CONFIG_FILE, PROGRESS_FILE):
@@ -400,7 +400,7 @@ class Recorder(BaseCallback):
         return {RESUME_FILE: archive.getvalue(), **policy.files()}
 
     def finish(self) -> None:
-        """Log what is left, and end the progress bar."""
+        """Log the remaining steps, and close the progress bar."""
         if hasattr(self, "_bar"):
             if self._steps:
                 self._log()

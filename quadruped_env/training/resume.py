@@ -60,7 +60,7 @@ class Parent:
             if not (directory / name).is_file():
                 raise QuadrupedError(
                     f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its "
-                    f"checkpoints/, or train anew"
+                    f"checkpoints/, or start a new training"
                 )
         config, budget_left_at_start = _read_config(directory / CONFIG_FILE, definition)
         card, path = load_policy(directory).card, directory / CARD_FILE
@@ -76,15 +76,15 @@ class Parent:
         )
 
     def resumed(self, changes: Mapping[str, Any]) -> TrainConfig:
-        """The training that goes on: this one's, but for what was asked for.
+        """Settings of the resumed training: this run's, with changes.
 
-        Without a budget it is what this training had left, or as much again if it was complete.
+        Without a budget it is the rest of this run's, or the same amount again if that was complete.
 
         Args:
-            changes: fields of `TrainConfig` that were asked for.
+            changes: fields of `TrainConfig` that the user set.
 
         Raises:
-            QuadrupedError: if one of them cannot be obeyed, or makes no sense.
+            QuadrupedError: if one of them cannot be changed, or is invalid.
         """
         self.check(changes)
         changes = {name: value for name, value in changes.items() if name not in KEPT}
@@ -101,7 +101,7 @@ class Parent:
         """Refuse settings that differ from this training's network or task.
 
         Raises:
-            QuadrupedError: naming the option, what was asked for and what there is.
+            QuadrupedError: naming the option, the value given and the run's own.
         """
         for name in KEPT:
             if name not in asked:
@@ -120,12 +120,12 @@ class Parent:
                 if value == kept:
                     continue
             raise QuadrupedError(
-                f"--{option}: {short(value)} was asked for, and {self.name} has {short(kept)}; a resumed training "
-                f"keeps its task and network: leave the option out, or train anew without --resume"
+                f"--{option}: found {short(value)}; {self.name} has {short(kept)}, and a resumed training keeps its "
+                f"task and network: leave the option out, or start a new training without --resume"
             )
 
     def facts(self) -> dict[str, Any]:
-        """What the resumed run says of its parent."""
+        """Facts about the parent in a resumed run's files."""
         facts = {"run": self.name, "timesteps": self.timesteps, "seconds": self.seconds}
         return {**facts, "budget_left": self.budget_left}
 
@@ -143,30 +143,32 @@ def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] |
 
 def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, float]:
     """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
-    document = read_json(path, "train anew")
+    document = read_json(path, "start a new training")
     training, task = _section(path, document, "training"), _section(path, document, "task")
     values = {}
     for field in fields(TrainConfig):
         if field.name not in training:
-            raise QuadrupedError(f"{path}: field 'training.{field.name}' is missing; train anew")
+            raise QuadrupedError(f"{path}: field 'training.{field.name}' is missing; start a new training")
         value = training[field.name]
         default = {} if field.default is MISSING else field.default
         rule = _rule(field.name, default, value)
         if rule is not None:
-            raise QuadrupedError(f"{path}: training.{field.name}: expected {rule}; found {short(value)}; train anew")
+            raise QuadrupedError(
+                f"{path}: training.{field.name}: expected {rule}; found {short(value)}; start a new training"
+            )
         values[field.name] = value
     unknown = sorted(set(training) - set(values))
     if unknown:
-        raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; train anew")
+        raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; start a new training")
     try:
         config = TrainConfig(**{**values, "hidden": tuple(values["hidden"])})
         whole_task = TaskConfig.from_dict(task, definition)
     except QuadrupedError as error:
-        raise QuadrupedError(f"{path}: {error}; train anew") from error
+        raise QuadrupedError(f"{path}: {error}; start a new training") from error
     if whole_task.action.mode != config.action_mode:
         raise QuadrupedError(
             f"{path}: training.action_mode is {config.action_mode!r} and task.action.mode is "
-            f"{whole_task.action.mode!r}; train anew"
+            f"{whole_task.action.mode!r}; start a new training"
         )
     share = 1.0
     if document.get(RESUMED_FROM) is not None:
@@ -177,12 +179,12 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
 def _section(path: Path, document: Any, name: str) -> dict[str, Any]:
     section = document.get(name) if isinstance(document, dict) else None
     if not isinstance(section, dict):
-        raise QuadrupedError(f"{path}: field '{name}' is missing, or no table of fields; train anew")
+        raise QuadrupedError(f"{path}: field '{name}' is missing or not a table of fields; start a new training")
     return section
 
 
 def _rule(name: str, default: Any, value: Any) -> str | None:
-    """What a field of `TrainConfig` must be, as JSON has it, if a value is not; its range is checked elsewhere."""
+    """Description of a `TrainConfig` field's JSON type if a value does not have it; ranges are checked elsewhere."""
     number = isinstance(value, int | float) and not isinstance(value, bool)
     checks = {
         "hidden": (
@@ -210,7 +212,7 @@ def _number(
     kinds = (int,) if whole else (int, float)
     if isinstance(value, bool) or not isinstance(value, kinds) or not 0 <= value <= most:
         rule = f"a {'whole ' * whole}number, 0 {'or more' if most == float('inf') else f'to {most:g}'}"
-        raise QuadrupedError(f"{path}: {section}.{name}: expected {rule}; found {short(value)}; train anew")
+        raise QuadrupedError(f"{path}: {section}.{name}: expected {rule}; found {short(value)}; start a new training")
     return value
 
 
@@ -223,7 +225,7 @@ def _read_curve(path: Path, timesteps: int) -> tuple[dict[str, str], ...]:
             if tuple(reader.fieldnames or ()) != PROGRESS_COLUMNS:
                 raise QuadrupedError(
                     f"{path}: line 1: expected the columns {', '.join(PROGRESS_COLUMNS)}; "
-                    f"found {short(','.join(reader.fieldnames or ()))}; train anew"
+                    f"found {short(','.join(reader.fieldnames or ()))}; start a new training"
                 )
             for row in reader:
                 if any(row[name] is None for name in PROGRESS_COLUMNS) or float(row["timesteps"]) > timesteps:
@@ -233,5 +235,5 @@ def _read_curve(path: Path, timesteps: int) -> tuple[dict[str, str], ...]:
     except (ValueError, csv.Error) as error:
         if isinstance(error, QuadrupedError):
             raise
-        raise QuadrupedError(f"{path}: not a table of numbers ({error}); train anew") from error
+        raise QuadrupedError(f"{path}: not a table of numbers ({error}); start a new training") from error
     return tuple(rows)

@@ -1,4 +1,4 @@
-"""The directory that a training leaves: what it was asked for, how it went, and the policy."""
+"""The run directory of a training: its settings, its progress, and the policy."""
 
 import contextlib
 import csv
@@ -47,7 +47,7 @@ class Run:
 
     Args:
         parent: the directory of all runs.
-        config: the training in numbers.
+        config: settings of the training.
         task: the whole config of its task.
         command: what the user typed.
         resumed_from: facts about the run that it goes on from, if there is one.
@@ -115,8 +115,8 @@ def check_latest(parent: Path) -> None:
     link = parent / LATEST
     if os.path.lexists(link) and not link.is_symlink():
         raise QuadrupedError(
-            f"--runs: {link} is no symbolic link, and that name is for the link to the newest run; rename it, or name "
-            f"another place"
+            f"--runs: {link} is not a symbolic link, and the name is reserved for the link to the newest run; "
+            f"rename it, or name another place"
         )
 
 
@@ -127,7 +127,7 @@ def _line(row: Mapping[str, Any]) -> str:
 
 
 def run_name(directory: Path) -> str:
-    """What a run is called where it is named: its directory, or `<run>/checkpoints/<checkpoint>`."""
+    """Name of a run in messages: its directory, or `<run>/checkpoints/<checkpoint>`."""
     directory = directory.resolve()
     # A checkpoint's own name does not say whose it is.
     return "/".join(directory.parts[-3 if directory.parent.name == CHECKPOINTS else -1 :])

@@ -1,6 +1,6 @@
-"""A policy that is left/right symmetric by construction: what it learns on one side it knows on the other.
+"""A policy that is left/right symmetric by construction.
 
-With one network f, the mean action is (f(x) + mirror(f(mirror(x)))) / 2, and the value likewise. Learning from nothing
+With one network f, the mean action is (f(x) + mirror(f(mirror(x)))) / 2, and so is the value. Learning from scratch
 takes a fraction of the samples that a free network takes (`evaluate/learning_speed.py`), and no side is preferred.
 Symmetry in learned locomotion: Mittal et al. 2024, https://arxiv.org/abs/2403.04359.
 """

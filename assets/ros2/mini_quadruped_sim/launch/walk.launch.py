@@ -41,7 +41,7 @@ def generate_launch_description() -> LaunchDescription:
                 "terrain", default_value="flat", choices=["flat", "rough", "hills"], description="Ground of 'sim'."
             ),
             DeclareLaunchArgument("rviz", default_value="true", choices=["true", "false"], description="Run RViz."),
-            # 'sim' and 'controller' stay on this machine, and a ROS node may have to be told to look there.
+            # 'sim' and 'controller' stay on this machine, and a ROS node may need this setting to discover them.
             SetEnvironmentVariable(DISCOVERY_RANGE, EnvironmentVariable(DISCOVERY_RANGE, default_value="LOCALHOST")),
             ExecuteProcess(
                 cmd=[*node, "sim", "--terrain", LaunchConfiguration("terrain"), "--pick-up", "3"],
