@@ -271,7 +271,7 @@ def test_runs_in_a_place_that_cannot_be_written_are_refused(tmp_path):
     (tmp_path / "file").write_text("")
     done = subprocess.run(command(tmp_path / "file", *TINY), capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert re.fullmatch(r"error: --runs: cannot make .*; name another place\n", done.stderr)
+    assert re.fullmatch(r"ppo.py: error: --output: cannot create .*; name another place\n", done.stderr)
 
 
 @pytest.mark.parametrize(
@@ -324,7 +324,9 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch])
 def test_runs_in_which_latest_is_no_link_are_refused_and_kept(tmp_path, make):
     make(tmp_path / "latest")
-    with pytest.raises(QuadrupedError, match=r"--runs: .*latest is no symbolic link.*; rename it, or name another"):
+    with pytest.raises(
+        QuadrupedError, match=r"--output: .*latest is not a symbolic link.*; rename it, or name another"
+    ):
         Run(tmp_path, TrainConfig(), {}, "train")
     assert [path.name for path in tmp_path.iterdir()] == ["latest"]
     assert not (tmp_path / "latest").is_symlink()

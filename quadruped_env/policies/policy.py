@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load, save
 
-from quadruped_env._python import has_programs, program_command
+from quadruped_env._python import program_command
 from quadruped_env.documents import check_regular, read_json
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
@@ -203,8 +203,8 @@ def _gait_document(action_mode: str) -> dict[str, Any] | None:
 
 
 def training_advice() -> str:
-    """How a person gets a policy of their own."""
-    return f"train one with '{program_command('train/ppo.py')}'" if has_programs() else "train one in a checkout"
+    """The command that trains a policy, as the end of an error message."""
+    return f"train one with '{program_command('train')}'"
 
 
 def shipped_directory(name: str) -> Path:

@@ -8,12 +8,12 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.config import ACTION_MODES
 
 STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
-"""Median of the steps until a policy walks at 0.5 m/s, as `evaluate/learning_speed.py` measured them (README)"""
+"""Median of the steps until a policy walks at 0.5 m/s, as `evaluate/learning_speed.py` measured them (README)."""
 
 
 @dataclass(frozen=True)
 class TrainConfig:
-    """What `train/ppo.py` is asked for. PPO's own names are Stable-Baselines3's."""
+    """Settings of a training, the options of `mini-quadruped train`; PPO's have Stable-Baselines3's names."""
 
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from nothing; `residual`: learn on top of the scripted gait"""
