@@ -150,7 +150,7 @@ class TestRecorded:
                 identify(commands, commands, **arguments)
 
     def test_commands_beside_the_measurements(self, tmp_path):
-        with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv beside it; name the file \(--comm"):
+        with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv next to it; name the file \(--comm"):
             find_commands(tmp_path / "walk.csv")
         (tmp_path / "walk-commands.csv").touch()
         assert find_commands(tmp_path / "walk.csv") == tmp_path / "walk-commands.csv"

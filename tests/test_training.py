@@ -101,13 +101,13 @@ def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(ti
 def test_help_shows_every_field_with_its_meaning_and_default():
     done = subprocess.run(command("runs", "--help"), capture_output=True, text=True, check=True)
     text = " ".join(done.stdout.partition("options:")[2].split())
-    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= --[a-z-]+[ ,]|$)", text))
+    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= -o DIR,| --[a-z-]+[ ,]|$)", text))
     for field in dataclasses.fields(TrainConfig):
         option = described[field.name.replace("_", "-")]
         default = {} if field.default is dataclasses.MISSING else field.default
         assert option.endswith(f"(default: {default})"), field.name
         assert len(option) > len(f"(default: {default})") + 20, field.name
-    assert {"runs", "resume"} < set(described)
+    assert {"output", "resume"} < set(described)
 
 
 def test_a_run_policy_walks_into_the_environment_again(tiny_run):
