@@ -4,11 +4,11 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks.format_speed import measure_formats
 from quadruped_env.benchmarks.throughput import write
+from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
 
@@ -22,16 +22,17 @@ def main() -> int:
     )
     parser.add_argument("--messages", type=int, default=1_000_000, help="length of the recording")
     parser.add_argument(
-        "--output", type=Path, default=Path("results/format_speed.json"), help="where to write the JSON"
+        "-o", "--output", type=Path, default=Path("results/format_speed.json"), help="where to write the JSON"
     )
-    args = parser.parse_args()
-    try:
-        measures = measure_formats(args.messages, lambda line: print(line, flush=True))
-        write(measures, machine(), versions(), args.output)
-    except (QuadrupedError, MissingExtraError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    print(f"\nmeasured on one core of {machine()}; written to {args.output}")
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
+    measures = measure_formats(arguments.messages, lambda line: print(line, flush=True))
+    write(measures, machine(), versions(), arguments.output)
+    print(f"\nmeasured on one core of {machine()}; written to {arguments.output}")
     return 0 if all(measure.reached for measure in measures) else 1
 
 

@@ -5,10 +5,10 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.files import write_json
+from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
 
@@ -33,37 +33,36 @@ def main() -> int:
     )
     parser.add_argument("--limit", type=float, default=60.0, help="s of learning after which a seed has failed")
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
-    parser.add_argument("--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON")
-    args = parser.parse_args()
-    try:
-        import quadruped_env.training.ppo  # noqa: F401  (it names the extra that is missing)
-    except MissingExtraError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
+    parser.add_argument(
+        "-o", "--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON"
+    )
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
+    import quadruped_env.training.ppo  # noqa: F401  (it names the extra that is missing)
     from quadruped_env.benchmarks.learning_speed import summary, time_to_walk
 
     def say(line: str) -> None:
         print(line, flush=True)
 
     results = []
-    try:
-        for mode in args.action_modes:
-            for seed in args.seeds:
-                say(f"{mode}, seed {seed}")
-                training = {"timesteps": args.timesteps, "symmetric": args.symmetric}
-                results.append(time_to_walk(mode, seed, args.limit, args.interval, say, **training))
-        say(f"\n{summary(results)}")
-        document = {
-            "machine": machine(),
-            "versions": versions(),
-            "symmetric": args.symmetric,
-            "results": [asdict(result) for result in results],
-        }
-        write_json(args.output, document)
-    except (QuadrupedError, MissingExtraError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    say(f"\nmeasured on {machine()}; written to {args.output}")
+    for mode in arguments.action_modes:
+        for seed in arguments.seeds:
+            say(f"{mode}, seed {seed}")
+            training = {"timesteps": arguments.timesteps, "symmetric": arguments.symmetric}
+            results.append(time_to_walk(mode, seed, arguments.limit, arguments.interval, say, **training))
+    say(f"\n{summary(results)}")
+    document = {
+        "machine": machine(),
+        "versions": versions(),
+        "symmetric": arguments.symmetric,
+        "results": [asdict(result) for result in results],
+    }
+    write_json(arguments.output, document)
+    say(f"\nmeasured on {machine()}; written to {arguments.output}")
     return 0
 
 

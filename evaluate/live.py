@@ -4,10 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.live import benchmark
+from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
 
@@ -19,26 +19,27 @@ def main() -> int:
         "JSON. Let nothing else run meanwhile. One hour: --seconds 3600.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
-    parser.add_argument("--seconds", type=float, default=60.0, help="duration of the measurement")
+    parser.add_argument("--seconds", type=float, default=60.0, help="how long to count")
     parser.add_argument("--policy", default="flat", help="'flat' or a run's directory")
-    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="velocity command")
-    parser.add_argument("--realtime", action="store_true", help="run both with real-time priority, as on a robot")
-    parser.add_argument("--output", type=Path, default=Path("results/live.json"), help="where to write the JSON")
-    args = parser.parse_args()
-    try:
-        walk = benchmark.measure(
-            args.seconds,
-            args.policy,
-            args.velocity,
-            args.realtime,
-            lambda line: print(line, file=sys.stderr, flush=True),
-        )
-        print(walk)
-        benchmark.write(walk, machine(), versions(), args.output)
-    except (QuadrupedError, MissingExtraError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    print(f"\nmeasured on {machine()}; written to {args.output}")
+    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="to ask for")
+    parser.add_argument("--realtime", action="store_true", help="let the two run before all else, as on a robot")
+    parser.add_argument("-o", "--output", type=Path, default=Path("results/live.json"), help="where to write the JSON")
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
+    walk = benchmark.measure(
+        arguments.seconds,
+        arguments.policy,
+        arguments.velocity,
+        arguments.realtime,
+        lambda line: print(line, file=sys.stderr, flush=True),
+    )
+    print(walk)
+    benchmark.write(walk, machine(), versions(), arguments.output)
+    print(f"\nmeasured on {machine()}; written to {arguments.output}")
     return 0 if walk.reached else 1
 
 

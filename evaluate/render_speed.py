@@ -5,11 +5,11 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks.render_speed import GOAL, measure_rendering, stay_on_one_core
 from quadruped_env.files import write_json
+from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
 
@@ -21,20 +21,23 @@ def main() -> int:
         "pictures differ from the best. Films use what is marked as chosen. Takes half a minute.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
-    parser.add_argument("--output", type=Path, default=Path("results/render_speed.json"), help="where to write JSON")
-    args = parser.parse_args()
+    parser.add_argument(
+        "-o", "--output", type=Path, default=Path("results/render_speed.json"), help="where to write JSON"
+    )
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
     machine_name = machine()
     stay_on_one_core()
-    try:
-        results = measure_rendering(lambda line: print(line, flush=True))
-        document = {"machine": machine_name, "versions": versions(), "results": [asdict(result) for result in results]}
-        write_json(args.output, document)
-    except (QuadrupedError, MissingExtraError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
+    results = measure_rendering(lambda line: print(line, flush=True))
+    document = {"machine": machine_name, "versions": versions(), "results": [asdict(result) for result in results]}
+    write_json(arguments.output, document)
     reached = all(result.film >= GOAL for result in results if result.chosen)
     print(f"\nchosen: {'at least' if reached else 'UNDER'} {GOAL:.0f} pictures a second as a film")
-    print(f"measured on one core of {machine_name}; written to {args.output}")
+    print(f"measured on one core of {machine_name}; written to {arguments.output}")
     return 0 if reached else 1
 
 

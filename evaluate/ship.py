@@ -8,14 +8,13 @@ import json
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import QuadrupedError
 from quadruped_env._python import pasteable
-from quadruped_env.cli.options import plain_warnings
 from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.shipping import ship
+from quadruped_env.policies.policy import SHIPPED
+from quadruped_env.program import run_program
 
 
 def main() -> int:
@@ -24,14 +23,14 @@ def main() -> int:
         description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("run", type=Path, nargs="?", default=Path("runs/latest"), help="a run (%(default)s)")
-    parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="its name for load_policy (%(default)s)")
-    args = parser.parse_args()
-    try:
-        with plain_warnings("ship.py"):
-            directory, card = ship(args.run, args.name, ProgressLine("measuring"))
-    except QuadrupedError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
+    parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="what load_policy calls it (%(default)s)")
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
+    directory, card = ship(arguments.run, arguments.name, ProgressLine("measuring"))
     print(json.dumps({"acceptance": card["acceptance"], "metrics": card["metrics"]}, indent=2))
     print(f"{card['verdict']}\nshipped: {directory}")
     return 0 if card["acceptance"]["accepted"] else 1

@@ -4,10 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.benchmarks import throughput
+from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
 
@@ -20,7 +20,9 @@ def main() -> int:
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--memory-steps", type=int, default=5_000_000, help="length of the training watched for leaks")
-    parser.add_argument("--output", type=Path, default=Path("results/throughput.json"), help="where to write the JSON")
+    parser.add_argument(
+        "-o", "--output", type=Path, default=Path("results/throughput.json"), help="where to write the JSON"
+    )
     parser.add_argument(
         "--only",
         nargs="+",
@@ -29,15 +31,16 @@ def main() -> int:
         metavar="NAME",
         help=f"measure only these: {', '.join([*throughput.WORKS, throughput.MEMORY])}",
     )
-    args = parser.parse_args()
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
     print(throughput.HEADER, flush=True)
-    try:
-        measures = throughput.run_all(args.memory_steps, lambda line: print(line, flush=True), args.only)
-        throughput.write(measures, machine(), versions(), args.output)
-    except (QuadrupedError, MissingExtraError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    print(f"\nmeasured on {machine()}; written to {args.output}")
+    measures = throughput.run_all(arguments.memory_steps, lambda line: print(line, flush=True), arguments.only)
+    throughput.write(measures, machine(), versions(), arguments.output)
+    print(f"\nmeasured on {machine()}; written to {arguments.output}")
     return 0 if all(measure.reached for measure in measures) else 1
 
 

@@ -13,17 +13,18 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # a Python without the package finds it here, and is told what to do
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env import QuadrupedError
 from quadruped_env._python import pasteable
 from quadruped_env.benchmarks.timestep_study import GAITS, run_study
+from quadruped_env.cli.options import add_output, add_overwrite
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.files import check_free, free_path
 from quadruped_env.gait import PRESETS
+from quadruped_env.program import run_program
 
 
-def main() -> None:
+def main() -> int:
     """Run the program."""
     parser = argparse.ArgumentParser(
         description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
@@ -34,7 +35,7 @@ def main() -> None:
         choices=PRESETS,
         default=GAITS,
         metavar="PRESET",
-        help=f"gaits to compare, of {', '.join(PRESETS)}; default: {' '.join(GAITS)}",
+        help=f"gaits whose speed to compare, of {', '.join(PRESETS)}; default: {' '.join(GAITS)}",
     )
     parser.add_argument("--starts", type=int, default=24, help="starts of each gait; default: 24")
     parser.add_argument("--seconds", type=float, default=8.0, help="length of each walk, 2 s of warm-up; default: 8")
@@ -42,25 +43,26 @@ def main() -> None:
     parser.add_argument(
         "--threads", type=int, default=0, help="threads that measure the errors; default: one for every core"
     )
-    parser.add_argument(
-        "--out",
-        type=Path,
-        metavar="FILE.json",
-        help="where to write; default: results/timestep-study.json, with the next free number if that exists",
+    add_output(
+        parser, "FILE", "JSON file of every number (default: results/timestep-study.json, or the next free number)"
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace the file of --out if it exists")
-    args = parser.parse_args()
+    add_overwrite(parser)
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
 
-    out = args.out or free_path(Path("results") / "timestep-study.json")
-    try:
-        check_free([out], args.overwrite)
-        study = run_study(args.gaits, args.starts, args.seconds, args.seed, args.threads, ProgressLine)
-        study.save(out)
-    except QuadrupedError as error:
-        sys.exit(f"timestep_study.py: {error}")
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do the work, and print and write the results."""
+    output = arguments.output or free_path(Path("results") / "timestep-study.json")
+    check_free([output], arguments.overwrite)
+    study = run_study(
+        arguments.gaits, arguments.starts, arguments.seconds, arguments.seed, arguments.threads, ProgressLine
+    )
+    study.save(output)
     print(study.table())
-    print(f"\n{study.verdict()}\n\nevery number: {out}")
+    print(f"\n{study.verdict()}\n\nevery number: {output}")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

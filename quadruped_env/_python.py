@@ -15,10 +15,25 @@ OLDEST = (3, 11)
 _DISTRIBUTION = "mini-quadruped"
 NEEDED = ("gymnasium", "mujoco", "numpy", "safetensors")
 
+COMMAND = "mini-quadruped"
+"""The installed command."""
+SCRIPTS = {
+    "train": "train/ppo.py",
+    "tune-gait": "train/tune_gait.py",
+    "evaluate": "evaluate/policy.py",
+    "compare": "evaluate/compare.py",
+    "baseline": "evaluate/baseline.py",
+    "view": "evaluate/view.py",
+    "replay": "evaluate/replay.py",
+    "convert": "evaluate/convert.py",
+    "identify": "evaluate/identify.py",
+}
+"""Its subcommands -> the scripts that do the same in a checkout."""
+
 _CHECKOUT = Path(__file__).resolve().parents[1]
-"""Directory of the programs; an installed package does not have them."""
+"""Directory of the scripts; an installed package does not have them."""
 _STARTED = getattr(sys, "orig_argv", [sys.executable, *sys.argv])
-_PROGRAM = re.compile(r"\bpython (?:(?P<program>(?:train|evaluate)/\w+\.py)\b|(?=-m quadruped_env\b))")
+_EXAMPLE = re.compile(r"\b{} (?P<name>{}|live)\b".format(COMMAND, "|".join(SCRIPTS)))
 
 
 def check_python() -> None:
@@ -51,16 +66,22 @@ def python_command() -> str:
     return shlex.quote(_from_here(Path(sys.executable)))
 
 
-def program_command(program: str, *arguments: object) -> str:
-    """A command that starts a program of the checkout from here.
+def program_command(name: str, *arguments: object) -> str:
+    """A command that runs a program of this package from here.
+
+    Where that is possible it is the script of the checkout, unless this program was started as the installed command.
 
     Args:
-        program: as from the checkout's root, `train/ppo.py`.
+        name: of the subcommand, such as `train`, or `live`.
         arguments: of the program.
     """
-    path = _CHECKOUT / program
-    where = _from_here(path) if path.is_file() else program
-    return f"{python_command()} {shlex.join([where, *map(str, arguments)])}"
+    if _is_installed_command() or not has_programs():
+        program = _installed_command() + " " + name
+    elif name in SCRIPTS:
+        program = python_command() + " " + shlex.quote(_from_here(_CHECKOUT / SCRIPTS[name]))
+    else:
+        program = module_command("quadruped_env." + name)
+    return " ".join([program, *(shlex.quote(str(argument)) for argument in arguments)])
 
 
 def module_command(module: str, *arguments: object) -> str:
@@ -92,12 +113,28 @@ def install_command(extra: str) -> str:
 
 
 def pasteable(text: str | None) -> str:
-    """A text, such as a program's docstring, with commands like `python train/ppo.py` ready to paste."""
+    """A text, such as a command's docstring, with examples such as `mini-quadruped train` ready to paste."""
+    return _EXAMPLE.sub(lambda match: program_command(match["name"]), text or "")
 
-    def command(match: "re.Match[str]") -> str:
-        return program_command(match["program"]) if match["program"] else f"{python_command()} "
 
-    return _PROGRAM.sub(command, text or "")
+def _is_installed_command() -> bool:
+    """True if this program was started as `mini-quadruped`, or as `python -m quadruped_env`."""
+    return Path(sys.argv[0] if sys.argv else "").stem == COMMAND or _started_module() == "quadruped_env"
+
+
+def _installed_command() -> str:
+    """The installed command: its name if the PATH has this Python's, else its path, else `python -m`."""
+    here = Path(sys.executable).parent
+    found = shutil.which(COMMAND)
+    if found and _is_same(Path(found).parent, here):
+        return COMMAND
+    beside = here / COMMAND
+    return shlex.quote(_from_here(beside)) if beside.is_file() else module_command("quadruped_env")
+
+
+def _started_module() -> str:
+    """The module after `python -m`, or nothing."""
+    return _STARTED[_STARTED.index("-m") + 1] if "-m" in _STARTED[:-1] else ""
 
 
 def _cure() -> str:
@@ -115,10 +152,13 @@ def _cure() -> str:
 
 def _is_program() -> bool:
     """True if one of this project's programs is being started."""
-    if "-m" in _STARTED[:-1]:
-        return _STARTED[_STARTED.index("-m") + 1].split(".")[0] == "quadruped_env"
+    if _started_module():
+        return _started_module().split(".")[0] == "quadruped_env"
     main = getattr(sys.modules.get("__main__"), "__file__", None)
-    return main is not None and Path(main).resolve().parent in (_CHECKOUT / "train", _CHECKOUT / "evaluate")
+    if main is None:
+        return False
+    folders = [_CHECKOUT / folder for folder in ("train", "evaluate", "tools")]
+    return Path(main).stem == COMMAND or Path(main).resolve().parent in folders
 
 
 def _is_same(one: Path, other: Path) -> bool:

@@ -38,7 +38,7 @@ def test_gaps_and_what_was_left_out_are_told(tmp_path):
     text[5] = text[5].replace("0.0", "nan", 1)
     (tmp_path / "a.csv").write_text("".join(text))
     refused = run(tmp_path / "a.csv", tmp_path / "b.csv")
-    assert refused.returncode == 1
+    assert refused.returncode == 2
     assert "line 6, position.LF_hip_joint: nan is not finite" in refused.stderr
     assert "Traceback" not in refused.stderr
     assert not (tmp_path / "b.csv").exists()
@@ -63,8 +63,8 @@ def test_nothing_is_overwritten_unasked(tmp_path):
     random_trajectory().save(tmp_path / "a.csv")
     random_trajectory(rows=2).save(tmp_path / "b.csv")
     refused = run(tmp_path / "a.csv", tmp_path / "b.csv")
-    assert refused.returncode == 1
-    assert refused.stderr.startswith(f"convert.py: {tmp_path / 'b.csv'}: exists already")
+    assert refused.returncode == 2
+    assert refused.stderr.startswith(f"convert.py: error: {tmp_path / 'b.csv'}: exists already")
     assert len(JointTrajectory.load(tmp_path / "b.csv")) == 2
     refused = run(tmp_path / "a.csv", tmp_path / "a.csv", "--overwrite")
     assert "is the file that is read" in refused.stderr

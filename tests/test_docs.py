@@ -11,8 +11,10 @@ from pages import DOCS, FENCED, PAGES, ROOT, anchors, commands_of, links
 from waiting import output_of
 
 from quadruped_env import SinusoidalGait
+from quadruped_env.cli.commands import SUMMARIES as COMMANDS
+from quadruped_env.cli.main import make_parser as make_command_parser
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.nodes import MODULES
+from quadruped_env.live.nodes import SUMMARIES
 
 PYTHON = re.compile(r"^(?:\S*/)?python3? ")
 PLACEHOLDER = re.compile(r"[A-Z]{2,}|\.\.\.|[<>]")
@@ -40,12 +42,23 @@ def test_live_commands_on_every_page_name_a_node_and_its_options():
         arguments = command[2:]
         if PLACEHOLDER.search(arguments[0]) or arguments == ["--help"]:
             continue
-        assert arguments[0] in MODULES, f"{page}: {command}"
+        assert arguments[0] in SUMMARIES, f"{page}: {command}"
         try:
             parser.parse_args(arguments)
         except SystemExit:
             # A command may be shown with its beginning only: 'echo' without its topic.
             assert not any(one.startswith("-") for one in arguments), f"{page}: {command}"
+
+
+def test_installed_commands_on_every_page_parse():
+    for page in PAGES:
+        for command in commands_of(page):
+            words = shlex.split(command) if command.startswith("mini-quadruped ") else []
+            if len(words) < 2 or any(PLACEHOLDER.search(word) for word in words):
+                continue
+            assert words[1] in {*COMMANDS, "--help", "--version"}, f"{page.name}: {command}"
+            if len(words) > 2 and "--help" not in words:
+                make_command_parser(only=words[1]).parse_args(words[1:])
 
 
 def test_programs_on_every_page_exist():

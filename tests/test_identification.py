@@ -150,7 +150,7 @@ class TestRecorded:
                 identify(commands, commands, **arguments)
 
     def test_commands_beside_the_measurements(self, tmp_path):
-        with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv beside it; name the file \(--comm"):
+        with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv next to it; name the file \(--comm"):
             find_commands(tmp_path / "walk.csv")
         (tmp_path / "walk-commands.csv").touch()
         assert find_commands(tmp_path / "walk.csv") == tmp_path / "walk-commands.csv"
@@ -369,15 +369,15 @@ class TestProgram:
         commands, recording = short
         recording.save(tmp_path / "walk.csv")
         done = run(tmp_path, "walk.csv", "--fit", "kp", "delay")
-        assert done.returncode == 1
-        assert done.stderr.startswith("identify.py: walk.csv: what were the joints told?")
+        assert done.returncode == 2
+        assert done.stderr.startswith("identify.py: error: walk.csv: no joint targets: there is no walk-commands.csv")
         commands.save(tmp_path / "walk-commands.csv")
         done = run(tmp_path, "walk.csv", "--fit", "kp")
         assert done.returncode == 0, done.stderr
         assert "On held-out time the position error falls" in done.stdout
         assert done.stdout.endswith("motors, numbers and report: results/identify-walk\n")
         done = run(tmp_path, "walk.csv", "--out", "results/identify-walk")
-        assert (done.returncode, done.stdout) == (1, "")
+        assert (done.returncode, done.stdout) == (2, "")
         assert "motors.json: exists already" in done.stderr
 
     def test_help(self):

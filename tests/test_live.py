@@ -339,10 +339,10 @@ def test_waiting_for_readers_ends_in_time(nodes, start):
 
 def test_help_tells_what_each_node_does():
     from quadruped_env.live.__main__ import make_parser
-    from quadruped_env.live.nodes import MODULES, node_module
+    from quadruped_env.live.nodes import SUMMARIES, node_module
 
     text = make_parser().format_help()
-    for name in MODULES:
+    for name in SUMMARIES:
         assert f"{name} " in text
         assert node_module(name).__doc__.count("\n") >= 3
 

@@ -14,15 +14,26 @@ print(*sys.modules)
 """
 
 
-def loaded_by(node):
-    """Names of the modules that a fresh Python has loaded once it imported a node."""
-    result = subprocess.run([sys.executable, "-c", LIST_MODULES, node], capture_output=True, text=True, check=True)
-    return result.stdout.split()
+PROGRAM = """
+import sys
+from quadruped_env.live.__main__ import main
+try:
+    main([sys.argv[1], "--help"])
+finally:
+    print()
+    print(*sys.modules)
+"""
 
 
-@pytest.mark.parametrize("node", ON_A_ROBOT)
-def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node):
-    loaded = loaded_by(node)
+def loaded_by(node, code=LIST_MODULES):
+    """Names of the modules that a fresh Python has loaded once it imported a node, or ran other code with its name."""
+    result = subprocess.run([sys.executable, "-c", code, node], capture_output=True, text=True, check=True)
+    return result.stdout.splitlines()[-1].split()
+
+
+@pytest.mark.parametrize(("node", "code"), [*((node, LIST_MODULES) for node in ON_A_ROBOT), ("controller", PROGRAM)])
+def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node, code):
+    loaded = loaded_by(node, code)
     assert f"quadruped_env.live.nodes.{node}" in loaded
     packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "reporting", "replay", "evaluation", "training"))
     assert [name for name in loaded if name.startswith(packages)] == []

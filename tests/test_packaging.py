@@ -1,5 +1,6 @@
 import os
 import re
+import shlex
 import subprocess
 import sys
 import venv
@@ -9,6 +10,7 @@ from pathlib import Path
 import pytest
 from tasks import LAYOUT
 
+from quadruped_env.cli.commands import SUMMARIES
 from quadruped_env.envs import MiniQuadrupedEnv
 from quadruped_env.task import TaskConfig
 
@@ -62,6 +64,25 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
     result = subprocess.run([python, "-c", USE], cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stderr
     assert "stepped" in result.stdout
+
+    def command(*arguments):
+        program = [environment / "bin" / "mini-quadruped", *arguments]
+        return subprocess.run(program, cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
+
+    listed = command("--help")
+    assert listed.returncode == 0, listed.stderr
+    assert all(name in listed.stdout for name in SUMMARIES)
+    done = command("baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv")
+    assert done.returncode == 0, done.stderr
+    assert command("convert", "a.csv", "b.csv").returncode == 0
+    refused = command("evaluate", "nowhere")
+    assert refused.returncode == 2
+    advice = re.fullmatch(r"mini-quadruped evaluate: error: .* train one with '(.*) train'\n", refused.stderr)
+    assert advice, refused.stderr
+    named = subprocess.run(
+        [*shlex.split(advice[1]), "train", "--help"], cwd=tmp_path, env=clean, capture_output=True, check=False
+    )
+    assert named.returncode == 0
 
 
 def test_the_specification_in_the_docstring_is_the_config():

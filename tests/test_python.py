@@ -105,7 +105,7 @@ def test_the_command_is_this_pythons_path_where_python_is_another(monkeypatch, t
 @pytest.mark.parametrize("directory", [ROOT, Path("/")])
 def test_commands_in_help_can_be_pasted(directory, monkeypatch):
     monkeypatch.chdir(directory)
-    text = _python.pasteable("python evaluate/view.py flat\n\npython -m quadruped_env.live sim and python alone")
+    text = _python.pasteable("mini-quadruped view flat\n\nmini-quadruped live sim and python alone")
     first, _, second = text.splitlines()
     done = run(*shlex.split(first)[:2], "--help", cwd=directory)
     assert done.returncode == 0, done.stderr
@@ -119,7 +119,7 @@ def test_no_help_has_a_command_of_another_python(program):
     what = ["-m", "quadruped_env.live", "record"] if program == Path("-m") else [ROOT / program]
     done = run(sys.executable, *what, "--help", cwd=ROOT)
     assert done.returncode == 0, done.stderr
-    assert re.search(r"(?<!/)\bpython (train|evaluate|-m)", done.stdout) is None
+    assert re.search(r"(?<!/)\b(python (train|evaluate|-m)|mini-quadruped [a-z])", done.stdout) is None
 
 
 @pytest.mark.usefixtures("python_on_path")
@@ -136,8 +136,43 @@ def test_errors_name_commands_of_this_python(monkeypatch):
     assert re.search(f"{python} -m pip install -e '\\.\\[viewer\\]'$", message)
 
 
-def test_without_a_checkout_the_package_is_named(monkeypatch, tmp_path):
-    monkeypatch.setattr(_python, "_CHECKOUT", tmp_path)
+@pytest.fixture
+def installed(monkeypatch, tmp_path):
+    """The package as from a wheel, with a Python in an environment of its own; the environment's bin directory."""
+    monkeypatch.setattr(_python, "_CHECKOUT", tmp_path / "site-packages")
+    binaries = tmp_path / "venv" / "bin"
+    binaries.mkdir(parents=True)
+    (binaries / "python").symlink_to(sys.executable)
+    monkeypatch.setattr(sys, "executable", str(binaries / "python"))
+    monkeypatch.chdir(tmp_path)
+    return binaries
+
+
+@pytest.mark.usefixtures("installed")
+def test_errors_without_a_checkout_name_the_package_and_the_module():
     assert "-m pip install 'mini-quadruped[viewer]'" in str(MissingExtraError("The viewer", "viewer"))
-    with pytest.raises(QuadrupedError, match="train one in a checkout"):
+    with pytest.raises(QuadrupedError, match="train one with 'venv/bin/python -m quadruped_env train'"):
         load_policy("nowhere")
+
+
+def test_errors_without_a_checkout_name_the_installed_command(installed, monkeypatch):
+    (installed / "mini-quadruped").write_text("#!/bin/sh\n")
+    (installed / "mini-quadruped").chmod(0o755)
+    monkeypatch.setenv("PATH", "/nowhere")
+    assert _python.program_command("view", "my run") == "venv/bin/mini-quadruped view 'my run'"
+    monkeypatch.setenv("PATH", str(installed))
+    assert _python.program_command("view", "my run") == "mini-quadruped view 'my run'"
+    assert _python.pasteable("mini-quadruped live sim") == "mini-quadruped live sim"
+
+
+def test_program_command_started_as_the_installed_command_names_it_in_a_checkout_too(monkeypatch):
+    monkeypatch.setattr(_python, "_installed_command", lambda: "mini-quadruped")
+    monkeypatch.setattr(sys, "argv", ["/venv/bin/mini-quadruped", "train"])
+    assert _python.program_command("evaluate", "runs/latest") == "mini-quadruped evaluate runs/latest"
+    monkeypatch.setattr(sys, "argv", ["train/ppo.py"])
+    assert _python.program_command("evaluate").endswith("evaluate/policy.py")
+
+
+def test_scripts_of_the_commands_exist():
+    for script in _python.SCRIPTS.values():
+        assert (ROOT / script).is_file()

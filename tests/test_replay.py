@@ -440,7 +440,7 @@ class TestPrograms:
         JointTrajectory(did.stamps, names, *wider).save(tmp_path / "did.csv")
         done = run(tmp_path, "replay.py", "told.csv", "--compare", "did.csv", "--out", "out")
         assert done.returncode == 0, done.stderr
-        assert done.stderr == "replay.py: did.csv: left out what this robot does not have: tail_joint\n"
+        assert done.stderr == "replay.py: warning: did.csv: left out what this robot does not have: tail_joint\n"
         assert "efforts (N m)" in done.stdout
         numbers = json.loads((tmp_path / "out" / "tracking.json").read_text())["comparison"]
         assert numbers["efforts"]["joints"]["RH_knee_joint"]["max"] == 0.0
@@ -463,7 +463,7 @@ class TestPrograms:
         assert did["RF_knee_joint"]["correlation"] > 0.99
         assert did["LF_hip_joint"]["rms"] > 0.1  # this motor of the real robot did not move
         refused = run(tmp_path, "replay.py", DYNA1 / "control.csv", "--columns", layout, "--out", "other")
-        assert refused.returncode == 1
+        assert refused.returncode == 2
         assert "--" in refused.stderr
 
     def test_the_articles_publisher(self, tmp_path):
@@ -475,8 +475,8 @@ class TestPrograms:
             commands.positions, SinusoidalGait.preset("article").positions(t), rtol=0, atol=1e-12
         )
         again = run(tmp_path, "baseline.py", *arguments, "--out", "a.csv")
-        assert again.returncode == 1
-        assert again.stderr.startswith("baseline.py: a.csv: exists already")
+        assert again.returncode == 2
+        assert again.stderr.startswith("baseline.py: error: a.csv: exists already")
         assert "--overwrite" in again.stderr
 
     @pytest.mark.parametrize(
@@ -489,8 +489,8 @@ class TestPrograms:
     def test_a_bad_file_is_one_line_not_a_traceback(self, tmp_path, text, message):
         (tmp_path / "a.csv").write_text(text)
         done = run(tmp_path, "replay.py", "a.csv", "--mode", "kinematic")
-        assert (done.returncode, done.stdout) == (1, "")
-        assert done.stderr.startswith(f"replay.py: {message}")
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr.startswith(f"replay.py: error: {message}")
         assert done.stderr.count("\n") == 1
         assert not (tmp_path / "results").exists()
 
@@ -498,5 +498,5 @@ class TestPrograms:
     def test_help_names_every_argument(self, script):
         done = run(".", script, "--help")
         assert done.returncode == 0
-        for argument in ("--overwrite", "--out", "joint states", "rad", "last bit"):
+        for argument in ("--overwrite", "--output", "joint states", "rad", "last bit"):
             assert argument in done.stdout

@@ -104,7 +104,7 @@ def test_the_program_refuses_a_flag_that_it_cannot_obey(run, tmp_path):
     arguments = command(tmp_path / "runs", "--resume", run, "--action-mode", "position", "--hidden", 8)
     done = subprocess.run(arguments, capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert re.fullmatch(r"error: --action-mode: found 'position'; .* has 'residual', .*\n", done.stderr)
+    assert re.fullmatch(r"ppo.py: error: --action-mode: found 'position'; .* has 'residual', .*\n", done.stderr)
     assert not (tmp_path / "runs").exists()
 
 
@@ -237,7 +237,7 @@ def test_a_killed_training_goes_on_from_its_last_checkpoint(tmp_path):
     assert scalars(checkpoints.parent)
     arguments = command(tmp_path, "--resume", tmp_path / "latest", "--timesteps", 2048)
     done = subprocess.run(arguments, capture_output=True, text=True, check=True)
-    assert "ppo.py: " in done.stderr
+    assert "ppo.py: warning: " in done.stderr
     assert f"its last checkpoint is used: {CHECKPOINTS}/{every[-1].name}" in done.stderr
     assert f"{CHECKPOINTS}/{every[-1].name} at {steps[-1]:,} steps, for 2,048 steps" in done.stdout
     assert assert_complete((tmp_path / "latest").resolve()).card["timesteps"] >= steps[-1] + 2048

@@ -101,13 +101,13 @@ def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(ti
 def test_help_shows_every_field_with_its_meaning_and_default():
     done = subprocess.run(command("runs", "--help"), capture_output=True, text=True, check=True)
     text = " ".join(done.stdout.partition("options:")[2].split())
-    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= --[a-z-]+[ ,]|$)", text))
+    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= -o DIR,| --[a-z-]+[ ,]|$)", text))
     for field in dataclasses.fields(TrainConfig):
         option = described[field.name.replace("_", "-")]
         default = {} if field.default is dataclasses.MISSING else field.default
         assert option.endswith(f"(default: {default})"), field.name
         assert len(option) > len(f"(default: {default})") + 20, field.name
-    assert {"runs", "resume"} < set(described)
+    assert {"output", "resume"} < set(described)
 
 
 def test_a_run_policy_walks_into_the_environment_again(tiny_run):
@@ -269,7 +269,7 @@ def test_runs_in_a_place_that_cannot_be_written_are_refused(tmp_path):
     (tmp_path / "file").write_text("")
     done = subprocess.run(command(tmp_path / "file", *TINY), capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert re.fullmatch(r"error: --runs: cannot make .*; name another place\n", done.stderr)
+    assert re.fullmatch(r"ppo.py: error: --output: cannot create .*; name another place\n", done.stderr)
 
 
 @pytest.mark.parametrize(
@@ -322,7 +322,8 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch])
 def test_runs_in_which_latest_is_no_link_are_refused_and_kept(tmp_path, make):
     make(tmp_path / "latest")
-    with pytest.raises(QuadrupedError, match=r"--runs: .*latest is not a symbolic link.*; rename it, or name another"):
+    message = r"--output: .*latest is not a symbolic link.*; rename it, or name another"
+    with pytest.raises(QuadrupedError, match=message):
         Run(tmp_path, TrainConfig(), {}, "train")
     assert [path.name for path in tmp_path.iterdir()] == ["latest"]
     assert not (tmp_path / "latest").is_symlink()

@@ -1,1 +1,1 @@
-"""The command line: options, progress and errors that the programs share."""
+"""The command line: `mini-quadruped`, one module per command, and what the commands share."""

@@ -1,61 +1,65 @@
-"""Arguments and last words that several programs have in common."""
+"""Options that several commands have in common: the same name and meaning in each."""
 
 import argparse
-import sys
-import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Final
 
-from quadruped_env.errors import QuadrupedWarning
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
 
-
-@contextmanager
-def plain_warnings(program: str) -> Iterator[None]:
-    """Say this package's warnings as errors are said: in a line, with the program's name."""
-
-    def say(message: Warning | str, category: type[Warning], *rest: Any) -> None:
-        if issubclass(category, QuadrupedWarning):
-            print(f"{program}: {message}", file=sys.stderr)
-        else:
-            usual(message, category, *rest)
-
-    with warnings.catch_warnings():
-        usual = warnings.showwarning
-        warnings.showwarning = say  # type: ignore[assignment]
-        yield
+NEXT_FREE: Final = "or that name with the next free number"
 
 
-def add_video_option(parser: argparse.ArgumentParser) -> None:
-    """The option of every program that runs the robot."""
+def add_output(
+    parser: argparse.ArgumentParser, metavar: str, text: str, default: Path | None = None, alias: str = "--out"
+) -> None:
+    """Add `-o`, `--output`: where results are written.
+
+    Args:
+        parser: of the command.
+        metavar: kind of the path, such as DIR.
+        text: help, with the default.
+        default: value without the option.
+        alias: an earlier spelling, which works and is not shown.
+    """
+    parser.add_argument("-o", "--output", type=Path, metavar=metavar, default=default, help=text)
+    parser.add_argument(alias, dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
+
+
+def add_overwrite(parser: argparse.ArgumentParser, text: str = "replace files that exist") -> None:
+    """Add `--overwrite`."""
+    parser.add_argument("--overwrite", action="store_true", help=text)
+
+
+def add_video(parser: argparse.ArgumentParser) -> None:
+    """Add `--video`."""
     parser.add_argument(
         "--video",
         type=Path,
         metavar="FILE",
-        help=f"also film it: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
+        help=f"also film the robot: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
     )
 
 
 def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:
-    """The options of programs that write a report, which goes to `default_output` where nothing else is said."""
-    parser.add_argument("--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes a command (%(default)s)")
+    """Add the options of commands that write a report.
+
+    Args:
+        parser: of the command.
+        default_output: where the report goes without `--output`, in words.
+    """
     parser.add_argument(
-        "--seconds", type=float, default=DEFAULT_SECONDS, metavar="S", help="length of an episode (%(default)g)"
+        "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        default=DEFAULT_SECONDS,
+        metavar="S",
+        help="length of an episode, s (default: %(default)g)",
     )
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
-    add_video_option(parser)
-    parser.add_argument("--overwrite", action="store_true", help="replace the file of --video if it exists")
-    parser.add_argument("--output", type=Path, metavar="DIR", help=f"where to write ({default_output})")
-
-
-def tell_results(report: Path, numbers: Path, missing: Sequence[str], video: Path | None) -> None:
-    """Say what could not be made, and where the rest lies."""
-    for message in missing:
-        print(message, file=sys.stderr)
-    if video is not None:
-        print(f"video:   {video}")
-    print(f"numbers: {numbers}\nreport:  {report}")
+    add_video(parser)
+    add_overwrite(parser, "replace the file of --video if it exists")
+    add_output(parser, "DIR", f"directory of the report (default: {default_output})")

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load, save
 
-from quadruped_env._python import has_programs, program_command
+from quadruped_env._python import program_command
 from quadruped_env.control.config import COMMANDS, Command, ControlConfig
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.task_file import TASK_FILE, TaskFile, check_task_file, execute, merged
@@ -159,8 +159,8 @@ def _gait_document(action_mode: str) -> dict[str, Any] | None:
 
 
 def training_advice() -> str:
-    """How a person gets a policy of their own."""
-    return f"train one with '{program_command('train/ppo.py')}'" if has_programs() else "train one in a checkout"
+    """The command that trains a policy, as the end of an error message."""
+    return f"train one with '{program_command('train')}'"
 
 
 def shipped_directory(name: str) -> Path:

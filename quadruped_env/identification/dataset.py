@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.trajectory import JointTrajectory
@@ -47,7 +48,7 @@ class Recorded:
 
 
 def find_commands(measured: Path) -> Path:
-    """The file of the commands beside that of the measurements, named as `evaluate/baseline.py` names it.
+    """The file of joint targets next to the measurements, under the name that `mini-quadruped baseline` gives it.
 
     Raises:
         QuadrupedError: if there is none.
@@ -55,8 +56,8 @@ def find_commands(measured: Path) -> Path:
     path = measured.with_name(f"{measured.stem}-commands.csv")
     if not path.is_file():
         raise QuadrupedError(
-            f"{measured}: what were the joints told? there is no {path.name} beside it; name the file (--commands), or "
-            f"the topic in the bag (--commands-topic)"
+            f"{measured}: no joint targets: there is no {path.name} next to it; name the file (--commands), or the "
+            f"topic in the bag (--commands-topic)"
         )
     return path
 
@@ -99,7 +100,7 @@ def align(
     if last - first > MAX_SECONDS * 1e9:
         raise QuadrupedError(
             f"{measured.source.name}: {(last - first) / 1e9:g} s in common with its commands, over {MAX_SECONDS:g} s; "
-            f"cut out a lively minute (evaluate/convert.py --start --stop)"
+            f"cut out a minute in which the joints move ({program_command('convert')} ... --start S --stop S)"
         )
     if not np.ptp(commands.positions, axis=0).any():
         raise QuadrupedError(f"{commands.source.name}: no command changes; record the robot while it moves")

@@ -1,4 +1,4 @@
-"""The robot on live ROS 2 topics, over DDS and without a ROS installation: `python -m quadruped_env.live NODE`.
+"""The robot on live ROS 2 topics, over DDS and without a ROS installation: `mini-quadruped live NODE`.
 
 `Node` has publishers and subscriptions; `topics` names this robot's topics; `nodes` are the programs. Needs the extras
 `dds` and `ros`.

@@ -1,62 +1,64 @@
-"""Run one node: `python -m quadruped_env.live NODE`."""
+"""Run one node: `python -m quadruped_env.live NODE`, or `mini-quadruped live NODE`."""
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 
-from quadruped_env._python import pasteable
-from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.live.nodes import MODULES, node_module
+from quadruped_env._python import pasteable, program_command
+from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
+from quadruped_env.program import CommandFormatter, run_program
 
+_DESCRIPTION = "The robot on live ROS 2 topics, without a ROS installation."
 _EPILOG = """\
 Nodes meet on DDS as those of ROS 2 do, each other and those of a ROS 2 installation: the same topics, types and
-qualities of service. ROS_DOMAIN_ID says on which domain; nothing leaves this machine without --subnet. Ctrl-C ends a
-node. 'python -m quadruped_env.live NODE --help' says more.
+qualities of service. ROS_DOMAIN_ID selects the domain; nothing leaves this machine without --subnet. Ctrl-C ends a
+node. 'mini-quadruped live NODE --help' describes each.
 """
 
 
-def make_parser() -> argparse.ArgumentParser:
-    """The parser of all nodes' arguments."""
-    parser = argparse.ArgumentParser(
-        prog=pasteable("python -m quadruped_env.live"),
-        description="The robot on live ROS 2 topics, without a ROS installation.",
-        epilog=pasteable(_EPILOG),
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    nodes = parser.add_subparsers(dest="node", metavar="NODE", required=True)
-    for name in MODULES:
-        module = node_module(name)
-        node = nodes.add_parser(
-            name,
-            help=module.SUMMARY,
-            description=pasteable(module.__doc__),
-            formatter_class=argparse.RawDescriptionHelpFormatter,
-        )
-        module.add_arguments(node)
-        add_common_arguments(node)
+def make_parser(prog: str | None = None, only: str | None = None) -> argparse.ArgumentParser:
+    """The parser of the nodes' arguments.
+
+    Args:
+        prog: the program's name in usage and errors; by default the command that runs a node from here.
+        only: node whose arguments are needed; the others then have none, and their modules are not imported.
+    """
+    parser = argparse.ArgumentParser(prog=prog or program_command("live"))
+    add_nodes(parser, only)
     return parser
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the node that the arguments name; 0 if it ended well, 2 if it could not do what was asked."""
-    args = make_parser().parse_args(arguments)
-    try:
+def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
+    """Give a parser its description and the nodes; `only` as of `make_parser`."""
+    parser.description = _DESCRIPTION
+    parser.epilog = pasteable(_EPILOG)
+    parser.formatter_class = CommandFormatter
+    nodes = parser.add_subparsers(dest="node", metavar="NODE", required=True, title="nodes")
+    for name, summary in SUMMARIES.items():
+        node = nodes.add_parser(name, help=summary, formatter_class=argparse.RawDescriptionHelpFormatter)
+        if only in (None, name):
+            module = node_module(name)
+            node.description = pasteable(module.__doc__)
+            module.add_arguments(node)
+            add_common_arguments(node)
+
+
+def main(arguments: Sequence[str] | None = None, prog: str | None = None) -> int:
+    """Run the node that the arguments name; the exit status is 0 if it ended well, 2 after an error."""
+    typed = list(sys.argv[1:] if arguments is None else arguments)
+    # A node on a robot does not wait for the imports of the others, nor hold their memory.
+    parser = make_parser(prog, only=typed[0] if typed and typed[0] in SUMMARIES else "")
+    args = parser.parse_args(typed)
+
+    def run() -> int:
         module = node_module(args.node)
         if hasattr(module, "start"):
             return int(module.start(args))
         with Session(args.node, args) as session:
             return int(module.run(session, args))
-    except (QuadrupedError, MissingExtraError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    except BrokenPipeError:
-        # Whoever read what is printed has gone; Python would find that out again when it ends.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
-    except KeyboardInterrupt:
-        return 130
+
+    return run_program(f"{parser.prog} {args.node}", run)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Final, Self
 
+from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import PART, put_in_place, unwritable
 from quadruped_env.live.topics import Topic
@@ -37,8 +38,8 @@ class Recorder:
         """The bag while it grows. Storage files are called as their bag is, so it has its name already."""
         if self._part.parent.exists():
             raise QuadrupedError(
-                f"{self._part.parent}: holds a recording that was cut short; read it back (python evaluate/convert.py "
-                f"{self._part} OUT --salvage) and remove it, or name another place"
+                f"{self._part.parent}: holds a recording that was cut short; read it back "
+                f"({program_command('convert', self._part, 'OUT', '--salvage')}) and remove it, or name another place"
             )
         self.count = 0
         """Messages"""

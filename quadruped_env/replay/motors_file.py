@@ -9,14 +9,14 @@ from quadruped_env.task import TaskConfig
 
 
 def read_motors(path: Path) -> MotorConfig:
-    """The motors in a file that `evaluate/identify.py` wrote.
+    """The motors in a file that `mini-quadruped identify` wrote.
 
     Raises:
-        QuadrupedError: if there is no such file, or it is not one.
+        QuadrupedError: if the file cannot be read, or holds no motors.
     """
     document = read_json(path, "name a file of motors")
     if not isinstance(document, dict) or set(document) != {"motor"}:
-        raise QuadrupedError(f'{path}: expected {{"motor": ...}}, as evaluate/identify.py writes it')
+        raise QuadrupedError(f'{path}: expected {{"motor": ...}}, as `mini-quadruped identify` writes it')
     try:
         return TaskConfig.from_dict(document).motor
     except QuadrupedError as error:

@@ -14,7 +14,7 @@ STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 
 @dataclass(frozen=True)
 class TrainConfig:
-    """Settings of `train/ppo.py`. PPO's settings are named as in Stable-Baselines3."""
+    """Settings of a training, the options of `mini-quadruped train`; PPO's have Stable-Baselines3's names."""
 
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""

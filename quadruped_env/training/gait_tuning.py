@@ -291,7 +291,7 @@ def achieved_table(gait: CommandedGait) -> str:
     return "\n".join(lines)
 
 
-def tune_presets(generations: int, say: Progress) -> dict[str, list[float]]:
+def tune_presets(generations: int, say: Log) -> dict[str, list[float]]:
     """The candidate (10,) of each tuned preset, at the highest speed that it holds steadily."""
     tuned = {}
     for name, angular_frequency, speed in PRESET_SPEEDS:

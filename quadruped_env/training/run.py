@@ -115,7 +115,7 @@ def check_latest(parent: Path) -> None:
     link = parent / LATEST
     if os.path.lexists(link) and not link.is_symlink():
         raise QuadrupedError(
-            f"--runs: {link} is not a symbolic link, and the name is reserved for the link to the newest run; "
+            f"--output: {link} is not a symbolic link, and the name is reserved for the link to the newest run; "
             f"rename it, or name another place"
         )
 
@@ -142,7 +142,9 @@ def _new_directory(parent: Path, name: str) -> Path:
         except FileExistsError:
             continue
         except OSError as error:
-            raise QuadrupedError(f"--runs: cannot make {directory} ({error.strerror}); name another place") from error
+            raise QuadrupedError(
+                f"--output: cannot create {directory} ({error.strerror}); name another place"
+            ) from error
         return directory
     raise QuadrupedError(f"{parent / name}: exists a thousand times; clear {parent}")
 

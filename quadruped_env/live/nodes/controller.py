@@ -1,9 +1,9 @@
 """Drive the robot with a policy, 50 times a second: from /joint_states, /imu/data and /cmd_vel to /joint_commands.
 
-    python -m quadruped_env.live controller              the shipped policy
-    python -m quadruped_env.live controller runs/latest  a run's
-    python -m quadruped_env.live controller tuned        the scripted gait that follows /cmd_vel
-    python -m quadruped_env.live controller --arrays     to a robot with ros2_control
+    mini-quadruped live controller              the shipped policy
+    mini-quadruped live controller runs/latest  a run's
+    mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
+    mini-quadruped live controller --arrays     to a robot with ros2_control
 
 Waits for fresh states, goes slowly from where the joints are to the stance, and then follows /cmd_vel; without one
 newer than 0.5 s it stands. Holds when no state comes for 0.2 s, and lets the robot go limp after 1 s, or when it has
@@ -32,7 +32,6 @@ from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITI
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
 
-SUMMARY: Final = "a policy drives the robot: states and /cmd_vel in, joint commands out"
 _NEEDED: Final = ("positions", "velocities")
 _LOOK: Final = 0.01
 """s; how often silence is looked for"""

@@ -1,16 +1,13 @@
 """The tutorial's launch file by one command: `gait`, `state` and the viewer in the browser.
 
-python -m quadruped_env.live display --preset walk
+mini-quadruped live display --preset walk
 """
 
 import argparse
-from typing import Final
 
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.launch import common, launch
 from quadruped_env.viewer import PORT
-
-SUMMARY: Final = "gait + state + viewer, as the tutorial's launch file"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

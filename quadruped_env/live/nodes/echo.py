@@ -1,13 +1,13 @@
 """Print the messages of a topic, as `ros2 topic echo --full-length` does.
 
-    python -m quadruped_env.live echo /joint_states
-    python -m quadruped_env.live echo /imu/data --once
-    python -m quadruped_env.live echo /cmd_vel --field linear.x
-    python -m quadruped_env.live echo /joint_states --csv --seconds 10 > recording.csv
+    mini-quadruped live echo /joint_states
+    mini-quadruped live echo /imu/data --once
+    mini-quadruped live echo /cmd_vel --field linear.x
+    mini-quadruped live echo /joint_states --csv --seconds 10 > recording.csv
 
 Asks for the quality of service that all publishers of the topic offer. Messages that cannot be read, or do not have the
 field, are counted in the log. Joint states that were printed, as YAML or CSV,
-can be read back: `python evaluate/replay.py recording.csv`.
+can be read back: `mini-quadruped replay recording.csv`.
 """
 
 import argparse
@@ -19,8 +19,6 @@ from quadruped_env.live.node import Read, message_reader
 from quadruped_env.live.session import Session
 from quadruped_env.live.text import as_csv, as_yaml, check_field, field_at, plain
 from quadruped_env.live.topics import Topic
-
-SUMMARY = "print the messages of a topic"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,7 +1,7 @@
 """The tutorial's publisher: a scripted gait on /joint_states at 20 Hz, or as commands to `sim`.
 
-    python -m quadruped_env.live gait                    the tutorial's own gait
-    python -m quadruped_env.live gait --preset trot --commands      trots, beside `sim`
+    mini-quadruped live gait                    the tutorial's own gait
+    mini-quadruped live gait --preset trot --commands      trots, beside `sim`
 
 Amplitude, frequency and phases can be changed while it runs, by the sliders of `view` or by a message: amplitude as a
 multiple of the preset's, Hz, and the phase of each leg in cycles (LF, RF, LH, RH):
@@ -35,7 +35,6 @@ from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.joint_state import Encoder
 
-SUMMARY: Final = "a scripted gait on /joint_states, as the tutorial's publisher, or as commands"
 RATE: Final = 20.0
 """Hz; the tutorial's"""
 COMMAND_RATE: Final = 50.0

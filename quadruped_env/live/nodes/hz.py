@@ -1,7 +1,7 @@
 """Measure how often messages come, as `ros2 topic hz` does: a line a second for each topic.
 
-    python -m quadruped_env.live hz /joint_states
-    python -m quadruped_env.live hz                 all topics that are published
+    mini-quadruped live hz /joint_states
+    mini-quadruped live hz                 all topics that are published
 
 Periods are those between the last messages (--window), at the time of their coming. What came since the last line is
 reported at the end.
@@ -17,7 +17,6 @@ from quadruped_env.live.node import Subscription
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 
-SUMMARY = "measure how often messages come"
 PERIOD = 1.0
 """s between lines"""
 

@@ -11,8 +11,6 @@ from quadruped_env.live.graph import Endpoint, Graph
 from quadruped_env.live.listener import DISCOVERY
 from quadruped_env.live.session import Session
 
-SUMMARY = "say which topics there are, of which types, and whose"
-
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """How much is said."""

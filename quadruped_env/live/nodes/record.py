@@ -1,14 +1,14 @@
 """Record topics into a bag, as `ros2 bag record` does.
 
-    python -m quadruped_env.live record                           all topics of known types, as they appear
-    python -m quadruped_env.live record /joint_states -o my_bag
+    mini-quadruped live record                           all topics of known types, as they appear
+    mini-quadruped live record /joint_states -o my_bag
 
 The bag (rosbag2, MCAP) holds the bytes that came, at the times of their coming, and what each topic's publishers offer.
 It is not cut short by Ctrl-C. While it grows it is in `my_bag.part/my_bag`; if the recorder is killed it stays there,
 and `--salvage` reads it. What the robot did, and what it was told, can be played again:
 
-    python evaluate/replay.py my_bag
-    python evaluate/replay.py my_bag --topic /joint_commands
+    mini-quadruped replay my_bag
+    mini-quadruped replay my_bag --topic /joint_commands
     ros2 bag play my_bag
 """
 
@@ -22,26 +22,25 @@ from quadruped_env.live.recorder import Recorder
 from quadruped_env.live.session import Session
 from quadruped_env.trajectory.bag_writer import STORAGES
 
-SUMMARY = "record topics into a bag"
-
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What is recorded, and where to."""
     parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states; none stands for all")
     parser.add_argument(
         "-o",
-        "--out",
+        "--output",
         type=Path,
         metavar="BAG",
-        help="a directory that is not there yet; default: results/recording, or the next free number behind that name",
+        help="a new directory (default: results/recording, or that name with the next free number)",
     )
-    parser.add_argument("-s", "--storage", choices=STORAGES, default="mcap", help="default: %(default)s")
+    parser.add_argument("--out", dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
+    parser.add_argument("-s", "--storage", choices=STORAGES, default="mcap", help="(default: %(default)s)")
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Record until the session ends."""
     listener = Listener(session, arguments.topics)
-    path = arguments.out or free_path(Path("results") / "recording")
+    path = arguments.output or free_path(Path("results") / "recording")
     with Recorder(path, arguments.storage) as recorder:
         for _ in session.turns():
             listener.look()

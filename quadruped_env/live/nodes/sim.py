@@ -34,7 +34,6 @@ from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 
-SUMMARY: Final = "the simulated robot in real time"
 STEPS_PER_STATE: Final = 2
 _HARDEST: Final = 5.0
 """m/s"""

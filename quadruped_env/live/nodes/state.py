@@ -7,15 +7,12 @@ of its parent. The names may come in any order; what it cannot use it refuses, a
 
 import argparse
 import time
-from typing import Final
 
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.transforms import TransformWriter, description_message, fixed_message
 from quadruped_env.ros import SENSOR_DATA_QOS
-
-SUMMARY: Final = "joint states in, transforms out: robot_state_publisher's job"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

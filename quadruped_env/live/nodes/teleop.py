@@ -21,7 +21,6 @@ from quadruped_env.live.topics import CMD_VEL
 from quadruped_env.ros import cdr
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 
-SUMMARY = "drive the robot with the keyboard: /cmd_vel"
 PERIOD = 0.1
 """s between messages"""
 STOP, END = " ", "q"

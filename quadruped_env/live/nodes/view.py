@@ -7,15 +7,12 @@ it sends. The page is for browsers on this machine; the log says its address.
 
 import argparse
 import time
-from typing import Final
 
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.session import LOOK, Session
 from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
 from quadruped_env.viewer.server import import_viser
-
-SUMMARY: Final = "the live robot in the browser, with keys that steer it"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

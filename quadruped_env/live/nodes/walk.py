@@ -1,21 +1,17 @@
 """The whole robot by one command: `sim`, `controller`, `state`, the viewer in the browser, and `teleop` in a terminal.
 
-    python -m quadruped_env.live walk
-    python -m quadruped_env.live walk runs/latest
+    mini-quadruped live walk
+    mini-quadruped live walk runs/latest
 
 Steer it with the keys that `teleop` shows, or with the arrow keys in the browser.
 """
 
 import argparse
 import sys
-from typing import Final
 
 from quadruped_env.live.launch import common, launch
-from quadruped_env.live.nodes import MODULES
 from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.viewer import PORT
-
-SUMMARY: Final = "sim + controller + state + viewer + teleop"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def start(arguments: argparse.Namespace) -> int:
     """Run them all until one ends."""
-    keys = "teleop" in MODULES and sys.stdin.isatty()
+    keys = sys.stdin.isatty()
     # The terminal is for the keys then.
     all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
     nodes = [

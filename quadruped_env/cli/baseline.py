@@ -1,0 +1,89 @@
+"""Measure a scripted gait, and record the joints of a robot that walks with it.
+
+The metrics come from several episodes with random starts. The recorded episode starts with the robot at rest in its
+stance and has nothing random in it, so `replay` can repeat it to the last bit:
+
+    mini-quadruped baseline --preset tuned --commands -o results/tuned.csv
+    mini-quadruped replay results/tuned.csv --mode dynamic
+
+The result is a CSV of joint states (timestamp in ns; position in rad, velocity in rad/s, effort in N m of each joint),
+or a bag for `ros2 bag play` (-o walk_bag), and next to it a JSON file of the metrics.
+"""
+
+import argparse
+from pathlib import Path
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_video
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.files import free_path
+from quadruped_env.gait import PRESETS
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the gait, the episodes and the output."""
+    parser.add_argument("--preset", choices=PRESETS, default="tuned", help="the gait (default: %(default)s)")
+    parser.add_argument(
+        "--commands",
+        action="store_true",
+        help="write the joint targets that the gait computes, instead of the measured joints",
+    )
+    parser.add_argument(
+        "--rate",
+        type=float,
+        default=50.0,
+        metavar="HZ",
+        help="joint targets per second: 50 is the robot's control rate, 20 that of the ROS 2 tutorial's publisher; "
+        "measured joints always come at 50 Hz (default: %(default)g)",
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=10.0, metavar="S", help="length of an episode, s (default: %(default)g)"
+    )
+    parser.add_argument(
+        "--episodes",
+        type=int,
+        default=20,
+        metavar="N",
+        help="random starts that the metrics are computed from (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--seed", type=int, default=FIRST_SEED, metavar="N", help="of the first random start (default: %(default)s)"
+    )
+    add_output(
+        parser,
+        "FILE",
+        "NAME.csv, or NAME for a rosbag2 bag with /tf from odom on "
+        f"(default: results/baseline-PRESET.csv, {NEXT_FREE})",
+    )
+    add_video(parser)
+    add_overwrite(parser)
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Measure, record, and print the metrics."""
+    from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
+    from quadruped_env.reporting.films.film import Motion
+    from quadruped_env.reporting.films.video import prepare_video, save_film
+
+    name = f"baseline-{arguments.preset}{'-commands' if arguments.commands else ''}.csv"
+    output = arguments.output or free_path(Path("results") / name)
+    check_target(output, arguments.overwrite)
+    prepare_video(arguments.video, arguments.overwrite)
+    baseline = run_baseline(
+        arguments.preset,
+        arguments.seconds,
+        arguments.rate,
+        arguments.episodes,
+        arguments.seed,
+        ProgressLine("measuring"),
+    )
+    baseline.save(output, arguments.commands, arguments.overwrite)
+    if arguments.video:
+        motion = Motion.of_recording(baseline.recording, arguments.preset)
+        save_film(arguments.video, [motion], ProgressLine("filming"))
+    print(baseline.table())
+    print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
+    if arguments.video:
+        print(f"video: {arguments.video}")
+    return 0

@@ -1,0 +1,91 @@
+"""The commands of `mini-quadruped`, and how one is run."""
+
+import argparse
+import importlib
+import shlex
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Final
+
+from quadruped_env._python import SCRIPTS, pasteable
+from quadruped_env.program import run_program
+
+SUMMARIES: Final = {
+    "train": "train a walking policy with PPO",
+    "evaluate": "evaluate a policy against the scripted gaits, and write a report",
+    "compare": "compare several policies on the same episodes",
+    "view": "watch and steer the robot in a browser",
+    "live": "run the robot on live ROS 2 topics, without a ROS installation",
+    "convert": "convert a recording of joint states to another format",
+    "replay": "play a recording again, and measure how closely the robot follows it",
+    "identify": "fit the simulator's motors to a recording of a robot",
+    "baseline": "measure a scripted gait, and record its joints",
+    "tune-gait": "search the parameters of the scripted gaits",
+    "completion": "print a script that completes these commands in a shell",
+}
+"""Command -> one line about it, in the order of `mini-quadruped --help`.
+
+Each is a module of this package with a docstring (the description), `add_arguments(parser)` and
+`run(arguments, invocation)`. They stand here as well so that `--help` need not import them.
+"""
+
+
+@dataclass(frozen=True)
+class Invocation:
+    """A program as it was started."""
+
+    program: str
+    """`mini-quadruped replay`, or `python evaluate/replay.py`."""
+    arguments: tuple[str, ...]
+
+    @property
+    def line(self) -> str:
+        """The command line, to write into results."""
+        return shlex.join([*shlex.split(self.program), *self.arguments])
+
+
+def command_module(name: str) -> ModuleType:
+    """The module of a command of `SUMMARIES`."""
+    return importlib.import_module(f"quadruped_env.cli.{name.replace('-', '_')}")
+
+
+def describe(parser: argparse.ArgumentParser, module: ModuleType) -> None:
+    """Give a parser the description and the arguments of a command."""
+    parser.description = pasteable(module.__doc__)
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    module.add_arguments(parser)
+
+
+def run_module(module: ModuleType, prog: str, arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Run a command with parsed arguments.
+
+    Args:
+        module: of the command.
+        prog: the program's name in its errors and warnings.
+        arguments: as its parser returned them.
+        invocation: how it was started.
+
+    Returns:
+        The exit status: 0 if it did what was asked, 2 after an error of this package, else that of the command.
+    """
+    return run_program(prog, lambda: int(module.run(arguments, invocation)))
+
+
+def run_script(name: str, arguments: Sequence[str] | None = None) -> int:
+    """Run a command as a script of the checkout: `python train/ppo.py` is `mini-quadruped train`.
+
+    Args:
+        name: of the command.
+        arguments: those of the process if not given.
+
+    Returns:
+        Exit status, as of `run_module`.
+    """
+    typed = tuple(sys.argv[1:] if arguments is None else arguments)
+    module = command_module(name)
+    parser = argparse.ArgumentParser()
+    describe(parser, module)
+    invocation = Invocation(f"python {SCRIPTS[name]}", typed)
+    return run_module(module, parser.prog, parser.parse_args(typed), invocation)

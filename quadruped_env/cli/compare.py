@@ -1,0 +1,51 @@
+"""Compare several policies with each other and with the scripted gaits, on the same episodes.
+
+mini-quadruped compare runs/<one> runs/<other>
+mini-quadruped compare flat runs/latest --video results/side.mp4
+"""
+
+import argparse
+import shlex
+from pathlib import Path
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.evaluate import print_results
+from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.files import free_path
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the policies and the options of a report."""
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat'")
+    add_evaluation_options(parser, f"results/comparison, {NEXT_FREE}")
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Compare, write the report, and print its summary."""
+    from quadruped_env.evaluation.comparison import compare_policies
+    from quadruped_env.reporting.films.video import prepare_video, save_film
+    from quadruped_env.reporting.pages.page import summary_table
+    from quadruped_env.reporting.pages.run_comparison import films, find_subjects, headline, write_comparison
+    from quadruped_env.reporting.results import prepare_output
+
+    output = arguments.output or free_path(Path("results", "comparison"))
+    subjects = find_subjects(arguments.runs, output)
+    prepare_video(arguments.video, arguments.overwrite)
+    prepare_output(output)
+    policies = {name: subject.policy for name, subject in subjects.items()}
+    comparison = compare_policies(policies, arguments.seeds, arguments.seconds, progress=ProgressLine("running"))
+    sources = shlex.join(subject.source for subject in subjects.values())
+    report, numbers, missing = write_comparison(
+        subjects,
+        comparison,
+        output,
+        f"{invocation.program} {sources} --seeds {arguments.seeds} --seconds {arguments.seconds:g}",
+        with_video=not arguments.no_video,
+        progress=ProgressLine("filming"),
+    )
+    if arguments.video:
+        save_film(arguments.video, films(comparison, list(subjects)), ProgressLine("filming"))
+    print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(subjects))}\n")
+    print_results(report, numbers, missing, arguments.video)
+    return 0

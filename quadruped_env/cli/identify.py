@@ -1,0 +1,104 @@
+"""Fit the simulator's motors to a recording of a robot, and test on held-out time whether that helps.
+
+FILE holds the measured joints: positions, and velocities and efforts if they were recorded. The joint targets come from
+another file (--commands), or from another topic of the same bag (--commands-topic). Without either, they are looked for
+next to FILE under the name that `baseline` gives them: NAME-commands.csv. Targets are joint positions; each holds until
+the next. Both recordings must be on one clock.
+
+    mini-quadruped identify measured.csv --commands targets.csv
+    mini-quadruped identify walk_bag --commands-topic /joint_commands
+    mini-quadruped identify measured.csv --commands control.csv --columns MAP.toml --map MAP.toml
+
+Estimated for hips and for knees: stall_torque, kp, kd, damping, friction_loss and armature; and one delay for all
+joints. A parameter that the recording does not determine keeps its value, and is named. A recording is good if the
+joints move fast and in both directions, sometimes up to the motors' limits, with the robot on a stand and its feet in
+the air (--base fixed). One from the ground is worth little: with --base fixed the ground's forces are taken for
+friction and inertia, and with --base free contacts make the error so rough that the estimates may be far off. So
+before the fit the two bases are compared; if the other one explains the recording better, the result says so, and
+warns not to trust the motors. Confidence intervals are given only for a robot on a stand. They allow for residuals that
+are correlated over time, between signals and between joints.
+
+Results: motors.json, which the environment takes as it is,
+
+    gymnasium.make("MiniQuadruped-v0", config=json.load(open("motors.json")))
+
+and `replay --motors`; identification.json (what this program prints, as data); report.html (before and after).
+"""
+
+import argparse
+from pathlib import Path
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.files import check_free, free_path
+from quadruped_env.identification import BASES, FITTED, QUANTITIES
+from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.trajectory.arguments import add_reading_options, load_with, reading_options
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the recordings, the fit and the output."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="the measured joints")
+    parser.add_argument("--commands", type=Path, metavar="FILE", help="the joint targets")
+    parser.add_argument("--commands-topic", metavar="TOPIC", help="of the joint targets in the bag")
+    parser.add_argument(
+        "--base",
+        choices=BASES,
+        default=BASES[0],
+        help="fixed: the robot hangs on a stand, feet in the air; free: it is on flat ground (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--fit",
+        nargs="+",
+        choices=list(QUANTITIES),
+        default=list(FITTED),
+        metavar="NAME",
+        help=f"parameters to estimate, of {', '.join(QUANTITIES)} (default: {' '.join(FITTED)})",
+    )
+    parser.add_argument("--without", nargs="+", default=[], metavar="JOINT", help="joints to leave out")
+    parser.add_argument(
+        "--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the model file's)"
+    )
+    parser.add_argument(
+        "--share", type=float, default=0.7, help="fraction of the time that is used for the fit (default: %(default)g)"
+    )
+    parser.add_argument(
+        "--timestep", type=float, metavar="S", help="of the physics, s (default: the environment's, 0.005)"
+    )
+    add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
+    add_overwrite(parser)
+    add_reading_options(parser)
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Fit, write the results, and print them."""
+    from quadruped_env.identification import find_commands, identify
+    from quadruped_env.identification.identification_report import check_report_extra, identification_files, save
+    from quadruped_env.replay.motors_file import read_motors
+
+    output = arguments.output or free_path(Path("results") / f"identify-{arguments.file.stem}")
+    check_free(identification_files(output), arguments.overwrite)
+    check_report_extra()
+    start = None if arguments.start is None else read_motors(arguments.start)
+    measured = load_with(arguments.file, arguments, ProgressLine("reading"))
+    if arguments.commands_topic is not None:
+        options = {**reading_options(arguments), "topic": arguments.commands_topic}
+        commands = JointTrajectory.load(arguments.commands or arguments.file, **options)
+    else:
+        commands = load_with(arguments.commands or find_commands(arguments.file), arguments)
+    found = identify(
+        measured,
+        commands,
+        arguments.base,
+        start,
+        arguments.fit,
+        arguments.share,
+        arguments.timestep,
+        arguments.without,
+        ProgressLine("fitting"),
+    )
+    save(found, output, invocation.line, arguments.overwrite)
+    print(found.table())
+    print(f"\nmotors, numbers and report: {output}")
+    return 0

@@ -1,0 +1,57 @@
+"""The command `mini-quadruped`."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from quadruped_env import __version__
+from quadruped_env._python import COMMAND
+from quadruped_env.cli.commands import SUMMARIES, Invocation, command_module, describe, run_module
+from quadruped_env.program import CommandFormatter
+
+_DESCRIPTION = """\
+A four-legged robot that learns to walk: train it, evaluate it, watch it, record it, and run it on ROS 2 topics.
+"""
+_EPILOG = f"""\
+first steps:
+  {COMMAND} train                a policy that walks, after two minutes or less
+  {COMMAND} evaluate             its report, against the scripted gaits
+  {COMMAND} view                 the robot in a browser
+
+'{COMMAND} COMMAND --help' describes each command.
+"""
+
+
+def make_parser(only: str | None = None) -> argparse.ArgumentParser:
+    """The parser of `mini-quadruped`.
+
+    Args:
+        only: command whose arguments are needed; the others then have none, and their modules are not imported.
+    """
+    parser = argparse.ArgumentParser(
+        prog=COMMAND,
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=CommandFormatter,
+    )
+    parser.add_argument("--version", action="version", version=f"{COMMAND} {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, title="commands")
+    for name, summary in SUMMARIES.items():
+        command = commands.add_parser(name, help=summary)
+        if only in (None, name):
+            describe(command, command_module(name))
+    return parser
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command that the arguments name; the exit status."""
+    typed = list(sys.argv[1:] if arguments is None else arguments)
+    name = typed[0] if typed and typed[0] in SUMMARIES else ""
+    if name == "live":
+        # Its nodes have commands of their own, of which only one is imported.
+        from quadruped_env.live.__main__ import main as run_node
+
+        return run_node(typed[1:], prog=f"{COMMAND} live")
+    args = make_parser(only=name).parse_args(typed)
+    invocation = Invocation(f"{COMMAND} {name}", tuple(typed[1:]))
+    return run_module(command_module(name), invocation.program, args, invocation)

@@ -1,0 +1,93 @@
+"""Play a recorded joint trajectory again, and measure how closely the robot follows it.
+
+FILE is a recording of joint positions in any known format: CSV, ROS 2 and ROS 1 bags, what `ros2 topic echo` prints.
+Another robot's recording needs a map of its joints (--map), a CSV that is not this project's a map of its columns
+(--columns).
+
+    kinematic   sets the joints to the recorded positions: no forces, no ground, no errors. Link poses are in the
+                frame of base_link.
+    dynamic     makes them, on straight lines and 50 times a second, the targets of the motors, with gravity and ground.
+                The robot starts at rest in the recording's first pose, on its feet, facing along x, and has no
+                randomness, so it does the same every time; commands that `baseline` wrote repeat its recording to the
+                last bit. Link poses are in the world.
+
+    mini-quadruped replay results/baseline-tuned.csv --video walk.mp4
+    mini-quadruped replay results/baseline-tuned-commands.csv --compare results/baseline-tuned.csv
+    mini-quadruped replay control.csv --columns MAP.toml --map MAP.toml --compare measured.csv --motors motors.json
+
+Results: report.html (errors, lag and limits of each joint, and pictures), link_poses.csv (x, y, z in m and quaternion
+w, x, y, z of every link over time), tracking.json (what this program prints, as data), and in dynamic mode
+joint_states.csv (the joints as measured). A tracking error is the played position minus the recorded one at the same
+time, the start included.
+"""
+
+import argparse
+from pathlib import Path
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_video
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.files import check_free, free_path
+from quadruped_env.replay.replay import MODES
+from quadruped_env.trajectory.arguments import add_reading_options, load_with
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the recording, how it is played, and the output."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="a recording of joint states")
+    parser.add_argument("--mode", choices=MODES, default="dynamic", help="(default: %(default)s)")
+    parser.add_argument(
+        "--clip",
+        action="store_true",
+        help="move positions outside the joint limits to the limit; without it they are an error",
+    )
+    parser.add_argument(
+        "--compare",
+        type=Path,
+        nargs="?",
+        const=True,
+        metavar="RECORDING",
+        help="compare the simulated positions, velocities and efforts with those of a recording on the same clock: of "
+        "the robot that received the targets in FILE; without a name, with FILE's own",
+    )
+    parser.add_argument("--motors", type=Path, metavar="MOTORS.json", help="of the robot, as `identify` finds them")
+    add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {NEXT_FREE})")
+    parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")
+    add_video(parser)
+    add_overwrite(parser)
+    add_reading_options(parser)
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Play, write the results, and print them."""
+    from quadruped_env.replay.motors_file import read_motors
+    from quadruped_env.replay.replay import replay, replay_files
+    from quadruped_env.replay.replay_report import write_replay_report
+    from quadruped_env.reporting.films.video import prepare_video, save_film
+
+    output = arguments.output or free_path(Path("results") / f"replay-{arguments.file.stem}")
+    compare = arguments.compare is not None
+    check_free(replay_files(output), arguments.overwrite)
+    prepare_video(arguments.video, arguments.overwrite)
+    result = replay(
+        load_with(arguments.file, arguments, ProgressLine("reading")),
+        arguments.mode,
+        arguments.clip,
+        ProgressLine("playing"),
+        None if arguments.motors is None else read_motors(arguments.motors),
+        load_with(arguments.compare, arguments) if isinstance(arguments.compare, Path) else None,
+    )
+    result.save(output, arguments.overwrite, ProgressLine("writing"), compare)
+    if not arguments.no_report:
+        write_replay_report(result, output, invocation.line, compare)
+    if arguments.video:
+        save_film(arguments.video, [result.film()], ProgressLine("filming"))
+    print(result.table())
+    if compare:
+        print(f"\n{result.comparison().table()}")
+    written = [*([] if arguments.no_report else ["report"]), "link poses"]
+    written += ["joints and tracking errors" if arguments.mode == "dynamic" else "tracking errors"]
+    print(f"\n{', '.join(written)}: {output}")
+    if arguments.video:
+        print(f"video: {arguments.video}")
+    return 0

@@ -1,0 +1,117 @@
+"""Train a walking policy with PPO.
+
+mini-quadruped train                          two minutes or less, then a policy that walks
+mini-quadruped train --action-mode position   without the scripted gait underneath
+mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
+"""
+
+import argparse
+import dataclasses
+import json
+from pathlib import Path
+from typing import Any, Final, get_args
+
+from quadruped_env._python import module_command, program_command
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import add_output
+from quadruped_env.training import TrainConfig
+
+RUNS: Final = Path("runs")
+"""Default directory of the run directories."""
+_METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the fields of `TrainConfig`, and the places of the runs."""
+    docs = field_docs(TrainConfig)
+    for field in dataclasses.fields(TrainConfig):
+        option = f"--{field.name.replace('_', '-')}"
+        default = field.default if field.default is not dataclasses.MISSING else {}
+        # Without defaults: those of a resumed run are the run's.
+        options: dict[str, Any] = {
+            "default": argparse.SUPPRESS,
+            "help": f"{docs[field.name]} (default: {default})".replace("%", "%%"),
+        }
+        if field.name == "hidden":
+            options.update(type=int, nargs="+", metavar="N")
+        elif field.name == "task":
+            options.update(type=json_object, metavar="JSON")
+        elif isinstance(default, bool):
+            options.update(action=argparse.BooleanOptionalAction)
+        elif get_args(field.type) and isinstance(default, str):
+            options.update(choices=get_args(field.type))
+        else:
+            kind = {"seconds": float, "log_std_init": float}.get(field.name, type(default))
+            options.update(type=kind, metavar=_METAVARS[kind])
+        parser.add_argument(option, **options)
+    add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
+    parser.add_argument(
+        "--resume",
+        type=Path,
+        metavar="RUN",
+        help="run or checkpoint to continue, with its task, network and other settings; options change the others. "
+        "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
+        "from where they were",
+    )
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Train, and print where the result is."""
+    names = {field.name for field in dataclasses.fields(TrainConfig)}
+    typed = {name: value for name, value in vars(arguments).items() if name in names}
+    if "hidden" in typed:
+        typed["hidden"] = tuple(typed["hidden"])
+    runs, resume = arguments.output, arguments.resume
+    before = latest.resolve().name if (latest := runs / "latest").exists() else ""
+    if resume is None:
+        config = TrainConfig(**typed)
+    else:
+        from quadruped_env.training.resume import Parent
+
+        parent = Parent.load(resume)
+        config, resume = parent.resumed(typed), parent.directory
+        budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
+        print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+    # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
+    from quadruped_env.policies import load_policy
+    from quadruped_env.training.config import shortness
+    from quadruped_env.training.ppo import train
+
+    directory, finished = train(config, runs, invocation.line, resume)
+    advice = shortness(config.action_mode, load_policy(directory).card["timesteps"])
+    print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
+    print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
+    if advice:
+        print(advice)
+    print(f"evaluate it:  {program_command('evaluate', directory)}")
+    print(f"see it walk:  {program_command('view', directory)}")
+    print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
+    return 0
+
+
+def json_object(text: str) -> dict[str, Any]:
+    """Parse an argument that is a JSON object."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        found = f"{text[:60]!r} ({error})"
+    else:
+        if isinstance(value, dict):
+            return value
+        found = f"{text[:60]!r}"
+    example = '\'{"command": {"yaw_rate": [-0.4, 0.4]}}\''
+    raise argparse.ArgumentTypeError(f"expected a JSON object such as {example}; found {found}")
+
+
+def field_docs(kind: type) -> dict[str, str]:
+    """Field of a dataclass -> the docstring under it in the source."""
+    import ast
+    import inspect
+    import itertools
+
+    body = ast.parse(inspect.getsource(kind)).body[0].body  # type: ignore[attr-defined]
+    return {
+        ast.unparse(statement.target): ast.literal_eval(following.value)
+        for statement, following in itertools.pairwise(body)
+        if isinstance(statement, ast.AnnAssign) and isinstance(following, ast.Expr)
+    }

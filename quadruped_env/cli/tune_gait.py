@@ -1,0 +1,56 @@
+"""Search the parameters of the scripted gaits on the simulated robot.
+
+They are the table of the `tuned` gait over speed, and the presets trot, walk, bound and pace. Prints the numbers that
+belong in quadruped_env/gait.py, and the velocities that the tuned gait reaches. Takes about four minutes on two cores.
+"""
+
+import argparse
+import math
+from dataclasses import asdict
+from pathlib import Path
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import add_output
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the search and the output."""
+    parser.add_argument(
+        "--frequency",
+        type=float,
+        default=2.2,
+        metavar="HZ",
+        help="gait cycles per second of the tuned gait (default: %(default)g)",
+    )
+    parser.add_argument(
+        "--generations", type=int, default=20, metavar="N", help="search generations per speed (default: %(default)s)"
+    )
+    add_output(parser, "FILE", "JSON file of the numbers (default: %(default)s)", Path("results/gait.json"))
+    parser.add_argument("--table", action="store_true", help="only measure the tuned gait and print its table")
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Search, and print and write what was found."""
+    from quadruped_env.files import write_json
+    from quadruped_env.gait import CommandedGait
+    from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
+
+    if arguments.table:
+        print(achieved_table(CommandedGait.tuned()))
+        return 0
+
+    def log(line: str) -> None:
+        print(line, flush=True)
+
+    gait = tune_commanded_gait(
+        math.tau * arguments.frequency,
+        forward=(0.1, 0.2, 0.3, 0.4, 0.5, 0.6),
+        backward=(-0.1, -0.2, -0.3, -0.4),
+        generations=arguments.generations,
+        say=log,
+    )
+    log(f"\n{achieved_table(gait)}\n")
+    presets = tune_presets(arguments.generations, log)
+    write_json(arguments.output, {"tuned": asdict(gait), "presets": presets})
+    log(f"written to {arguments.output}")
+    return 0

@@ -1,0 +1,72 @@
+"""Watch the robot walk, in a browser.
+
+    mini-quadruped view                         the latest run's policy, or the shipped one
+    mini-quadruped view flat trot runs/<name>   up to three robots side by side: policies, scripted gaits, runs
+    mini-quadruped view walk.csv                a recording of joint states (or a bag), played through the motors
+
+Steer it with the sliders or the arrow keys, push it, change its gait, plot its joints, record it. The page is at the
+address that this program prints, for browsers on this machine only unless --host says otherwise. Ctrl-C ends it.
+"""
+
+import argparse
+import signal
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import add_output
+from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the robots, the command, the page and the output."""
+    parser.add_argument(
+        "sources", nargs="*", metavar="SOURCE", help="a run, 'flat', a gait's name, or a recording of joint states"
+    )
+    parser.add_argument(
+        "--command",
+        nargs=2,
+        type=float,
+        default=(0.4, 0.0),
+        metavar=("M/S", "RAD/S"),
+        dest="velocity",
+        help="forward velocity and yaw rate at the start (default: 0.4 0)",
+    )
+    parser.add_argument(
+        "--port", type=int, default=PORT, metavar="N", help="port, or the next free one (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--host",
+        default=LOOPBACK,
+        metavar="ADDRESS",
+        help="address to listen on; others let other machines in (default: %(default)s)",
+    )
+    add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
+    parser.add_argument(
+        "--measure", type=float, metavar="S", help="end after this time in s, and print how playback kept pace"
+    )
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Open the viewer, and run it until Ctrl-C."""
+    show = open_show(arguments.sources, tuple(arguments.velocity), arguments.host, arguments.port, arguments.output)
+    return play(show, arguments.host, arguments.port, arguments.measure)
+
+
+def play(show: Show, host: str, port: int, seconds: float | None) -> int:
+    """Print the address of a show, and run it until Ctrl-C or for a time in s."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: show.stop())
+    if port not in (0, show.port):
+        print(f"port {port} is taken: {show.port} is the next free one")
+    if host != LOOPBACK:
+        print(f"listening on {host}: every machine that reaches it can steer this show")
+    print(f"{', '.join(show.controller.robots)}: {show.address}   (Ctrl-C ends)", flush=True)
+    pace = show.run(seconds)
+    print("ending; what was recorded is being saved (Ctrl-C: without it)" if show.controller.saving else "ending")
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
+    show.close()
+    for message in show.controller.messages():
+        print(message)
+    if seconds is not None:
+        print(pace)
+    return 0
