@@ -28,7 +28,7 @@ from quadruped_env._python import pasteable
 from quadruped_env.evaluation.progress import ProgressLine
 from quadruped_env.trajectory.arguments import add_reading_options, reading_options
 from quadruped_env.trajectory.convert import convert
-from quadruped_env.trajectory.formats import options
+from quadruped_env.trajectory.options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
 
 
@@ -74,7 +74,7 @@ def main() -> None:
         account = convert(
             args.source,
             args.target,
-            options(**reading_options(args)),
+            ReadOptions.of(**reading_options(args)),
             WriteOptions(args.storage, args.tf_rate, args.compress, args.overwrite),
             change if changes else None,
             ProgressLine("converting"),

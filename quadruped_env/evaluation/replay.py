@@ -29,7 +29,7 @@ from quadruped_env.robot import (
 from quadruped_env.robot.ground import foot_centres
 from quadruped_env.robot.kinematics import Pose
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.csv import write_table
+from quadruped_env.trajectory.formats.project_csv import write_table
 
 MODES: Final = ("kinematic", "dynamic")
 LIMIT_TOLERANCE: Final = 0.01

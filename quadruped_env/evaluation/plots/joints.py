@@ -83,9 +83,9 @@ def _shown_rows(values: NDArray[np.float64]) -> NDArray[np.intp]:
         return np.arange(count)
     # Two rows per bin, and the two ends of the log.
     size = -(-count // (_MAX_POINTS // 2 - 1))
-    bins = np.full(-(-count // size) * size, np.nan)
-    bins[:count] = values
-    bins = bins.reshape(-1, size)
+    padded = np.full(-(-count // size) * size, np.nan)
+    padded[:count] = values
+    bins = padded.reshape(-1, size)
     unknown = np.isnan(bins)
     lowest = np.where(unknown, np.inf, bins).argmin(axis=1)
     highest = np.where(unknown, -np.inf, bins).argmax(axis=1)

@@ -20,7 +20,7 @@ from quadruped_env.evaluation.results import free_path
 from quadruped_env.live.listener import Listener
 from quadruped_env.live.recorder import Recorder
 from quadruped_env.live.session import Session
-from quadruped_env.trajectory.bag_writer import STORAGES
+from quadruped_env.trajectory.formats.bag_writer import STORAGES
 
 SUMMARY = "record topics into a bag"
 
