@@ -89,8 +89,7 @@ def convert(
     stream = Stream(source, reading, progress)
     pieces: Iterable[Rows] = stream
     if change is not None:
-        rows = stream.joined()
-        pieces = saving.in_pieces(change(JointTrajectory.from_rows(rows, stream.source)).to_rows())
+        pieces = saving.in_pieces(change(JointTrajectory.from_stream(stream)).to_rows())
     observer = _Observer()
     saving.save(observer.observe(pieces), target, writing)
     return observer.account(stream)

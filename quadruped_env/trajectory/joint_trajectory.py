@@ -98,12 +98,16 @@ class JointTrajectory:
             object.__setattr__(self, name, value)
 
     @classmethod
-    def from_rows(cls, rows: Rows, source: Source) -> Self:
-        """A trajectory of validated rows, which become read-only."""
+    def from_stream(cls, stream: Stream) -> Self:
+        """The trajectory in a recording, whose rows the stream has validated.
+
+        Raises:
+            QuadrupedError: if something in the recording is invalid; see `load`.
+        """
+        names, stamps, values = stream.collect()
+        arrays = {name: values.get(kind) for kind, name in ARRAYS.items()}
         trajectory = cls.__new__(cls)
-        values = {name: rows.values.get(kind) for kind, name in ARRAYS.items()}
-        arrays = {name: None if array is None else read_only(array) for name, array in values.items()}
-        trajectory._set(stamps=read_only(rows.stamps), names=rows.names, source=source, **arrays)
+        trajectory._set(stamps=stamps, names=names, source=stream.source, **arrays)
         return trajectory
 
     def to_rows(self, base_pose: NDArray[np.float64] | None = None) -> Rows:
@@ -175,9 +179,7 @@ class JointTrajectory:
             drop=drop,
             salvage=salvage,
         )
-        stream = Stream(path, options, progress)
-        rows = stream.joined()
-        return cls.from_rows(rows, stream.source)
+        return cls.from_stream(Stream(path, options, progress))
 
     def save(
         self,

@@ -84,31 +84,32 @@ class Stream:
             raise reading.error(None, f"no row is left; {'; '.join(reading.remarks()) or 'record again'}")
         reading.report_progress(1.0)
 
-    def joined(self) -> Rows:
-        """All rows, read-only."""
-        columns: dict[str, _Column] = {}
+    def collect(self) -> tuple[tuple[str, ...], NDArray[np.int64], dict[str, NDArray[np.float64]]]:
+        """All rows, read-only: names (J,), timestamps in ns (T,), and kind -> values (T, J)."""
+        stamps = _Column()
+        values: dict[str, _Column] = {}
         names: tuple[str, ...] = ()
         for piece in self:
             names = piece.names
-            for key, array in {"numbers": piece.numbers, "stamps": piece.stamps, **piece.values}.items():
-                columns.setdefault(key, _Column(self.expected_rows)).append(array)
-        numbers, stamps = (columns.pop(key).array() for key in ("numbers", "stamps"))
-        return Rows(numbers, stamps, names, {kind: column.array() for kind, column in columns.items()})
+            stamps.append(piece.stamps, self.expected_rows)
+            for kind, array in piece.values.items():
+                values.setdefault(kind, _Column()).append(array, self.expected_rows)
+        return names, stamps.array(), {kind: column.array() for kind, column in values.items()}
 
 
 class _Column:
     """Collects rows in one array, which grows if there are more than expected: no rows are in memory twice."""
 
-    def __init__(self, expected: int) -> None:
-        self._expected = min(max(expected, _MIN_ROWS), _MAX_ROWS)
+    def __init__(self) -> None:
         self._array: NDArray[Any] | None = None
         self._rows = 0
 
-    def append(self, rows: NDArray[Any]) -> None:
-        """Add rows (n, ...)."""
+    def append(self, rows: NDArray[Any], expected: int) -> None:
+        """Add rows (n, ...), of which so many are expected in all."""
         end = self._rows + len(rows)
         if self._array is None:
-            self._array = np.empty((max(self._expected, end), *rows.shape[1:]), rows.dtype)
+            expected = min(max(expected, _MIN_ROWS), _MAX_ROWS)
+            self._array = np.empty((max(expected, end), *rows.shape[1:]), rows.dtype)
         elif end > len(self._array):
             larger = np.empty((max(end, len(self._array) * 3 // 2), *rows.shape[1:]), rows.dtype)
             larger[: self._rows] = self._array[: self._rows]
