@@ -1,6 +1,6 @@
-"""Progress of a long computation."""
+"""The type of progress callbacks."""
 
 from collections.abc import Callable
 
 Progress = Callable[[float], None]
-"""Called with the fraction done, in [0, 1]."""
+"""Progress callback: called with the fraction done, in [0, 1]."""

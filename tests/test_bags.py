@@ -310,7 +310,7 @@ class TestTargets:
     def test_never_removes_a_directory_that_is_more_than_a_bag(self, tmp_path):
         path = save(random_trajectory(), tmp_path, "mcap")
         (path / "thesis.tex").write_text("precious")
-        with pytest.raises(QuadrupedError, match=r"is a directory that holds more than a bag"):
+        with pytest.raises(QuadrupedError, match=r"is a directory that contains more than a bag"):
             save(random_trajectory(), tmp_path, "mcap", overwrite=True)
         assert (path / "thesis.tex").read_text() == "precious"
 
@@ -324,7 +324,7 @@ class TestTargets:
         ("name", "options", "message"),
         [
             ("a.bag", {}, r"unknown ending '\.bag'; a CSV ends in \.csv, a bare storage file in \.mcap or \.db3"),
-            ("a.mcap", {"storage": "sqlite3"}, r"the ending is that of mcap, and asked for is sqlite3"),
+            ("a.mcap", {"storage": "sqlite3"}, r"the ending is that of mcap, and the storage is to be sqlite3"),
             ("a", {"storage": "rosbag1"}, r"storage: expected one of mcap, sqlite3; found 'rosbag1'"),
             ("a", {"tf_rate": -1.0}, r"tf_rate: expected 0 to 1e6 Hz; found -1\.0"),
             ("a.db3", {"compress": True}, r"a bare sqlite3 file cannot be compressed"),

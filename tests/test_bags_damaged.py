@@ -13,8 +13,10 @@ from quadruped_env import (
     JointTrajectory,
     QuadrupedError,
 )
-from quadruped_env.trajectory import JointMap, JointRule, formats
+from quadruped_env.trajectory import JointMap, JointRule
 from quadruped_env.trajectory.convert import convert
+from quadruped_env.trajectory.loading import Stream
+from quadruped_env.trajectory.options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
 
 pytest.importorskip("rosbags")
@@ -23,14 +25,14 @@ UNCHECKED = "salvaged without a checksum, so that damage in their numbers would 
 
 
 class TestBadMessages:
-    """Every case is refused by default, with a cure; those that `drop` mends keep the other rows."""
+    """Every case is refused by default, with a cure; those that `drop` leaves out keep the other rows."""
 
     @pytest.mark.parametrize(
         ("bad", "message", "drop"),
         [
             (
                 fields(1, position=[0.1]),
-                r"message 1: 2 names and 1 positions; mend it, or leave .* out \(--drop\)",
+                r"message 1: 2 names and 1 positions; fix it, or leave .* out \(--drop\)",
                 True,
             ),
             (fields(1, velocity=[0.1]), r"message 1: 2 names and 1 velocities", True),
@@ -87,7 +89,7 @@ class TestBadMessages:
         assert (by_stamp.stamps.tolist(), by_stamp.positions[:, 0].tolist()) == ([1, 2, 3, 5], [1, 2, 3, 5])
         assert JointTrajectory.load(path, drop=True).stamps.tolist() == [3, 5]
 
-    def test_repeated_stamps_are_not_mended_by_sorting(self, tmp_path):
+    def test_repeated_stamps_sorted_are_still_refused(self, tmp_path):
         path = write_bag(tmp_path / "bag", [(i, fields(stamp)) for i, stamp in enumerate([3, 1, 3])])
         with pytest.raises(QuadrupedError, match=r"message 2, stamp_ns: 3 does not come after 3"):
             JointTrajectory.load(path, sort=True)
@@ -226,12 +228,12 @@ class TestSalvage:
             if ros1
             else save(trajectory, tmp_path, kind)
         )
-        account = convert(path, tmp_path / "a.csv", formats.options(salvage=True), WriteOptions())
+        account = convert(path, tmp_path / "a.csv", ReadOptions(salvage=True), WriteOptions())
         remark = f"{UNCHECKED}: 60 of 60 messages (message 0 to 59)"
         assert account.unchecked_rows == (0 if checked else 60)
         assert (remark in account.remarks) == (remark in account.text()) == (not checked)
         # Without --salvage the index has to be whole, and nothing is said.
-        account = convert(path, tmp_path / "b.csv", formats.options(), WriteOptions())
+        account = convert(path, tmp_path / "b.csv", ReadOptions(), WriteOptions())
         assert (account.unchecked_rows, account.remarks) == (0, ())
 
     def test_load_of_an_mcap_whose_chunks_lack_checksums_marks_their_messages(self, tmp_path):
@@ -249,7 +251,7 @@ class TestSalvage:
 
     def test_convert_with_a_change_counts_what_was_salvaged_without_a_checksum(self, tmp_path):
         path = save(random_trajectory(rows=60), tmp_path, "bare.db3")
-        options, half = formats.options(salvage=True), lambda trajectory: trajectory.rows(np.s_[:30])
+        options, half = ReadOptions(salvage=True), lambda trajectory: trajectory.rows(np.s_[:30])
         account = convert(path, tmp_path / "a.csv", options, WriteOptions(), half)
         assert (account.rows, account.unchecked_rows) == (30, 60)
 
@@ -259,11 +261,12 @@ class TestStream:
         trajectory = random_trajectory(rows=10_000)
         trajectory.save(tmp_path / "a.mcap")
         shares = []
-        stream = formats.stream(tmp_path / "a.mcap", progress=shares.append)
+        stream = Stream(tmp_path / "a.mcap", progress=shares.append)
         pieces = list(stream)
         assert max(map(len, pieces)) <= 4096
-        np.testing.assert_array_equal(np.concatenate([piece.efforts for piece in pieces]), trajectory.efforts)
-        assert pieces[1].source.row(0).endswith("message 4096")
+        np.testing.assert_array_equal(np.concatenate([piece.values["effort"] for piece in pieces]), trajectory.efforts)
+        assert pieces[1].numbers[0] == 4096
+        assert stream.source.row(4096).endswith("message 4096")
         assert shares == sorted(shares)
         assert shares[-1] == 1.0
         assert len(shares) > 5

@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env.trajectory.convert import convert
+from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.saving import WriteOptions
 
 yaml = pytest.importorskip("yaml")
 
@@ -79,8 +82,8 @@ class TestYaml:
             (BLOCK.replace("0.1", "O.1"), r"message 0: position: 'O\.1' is not a number"),
             (BLOCK.replace("0.1", "1_0"), r"message 0: position: '1_0' is not a number"),
             (BLOCK.replace("- 0.1", "- [0.1]"), r"message 0: position must hold single values"),
-            (BLOCK.replace("50000000", "5e7"), r"message 0: '5e7' is not a whole number in a stamp"),
-            (BLOCK.replace("50000000", "1000000000"), r"message 0: a stamp of 1700000000 s and 1000000000 ns is none"),
+            (BLOCK.replace("50000000", "5e7"), r"message 0: '5e7' is not a whole number in a timestamp"),
+            (BLOCK.replace("50000000", "1000000000"), r"message 0: .* s and 1000000000 ns are not a valid timestamp"),
             (BLOCK.replace("sec: 17", "sec: -17"), r"message 0, stamp_ns: -1699999999950000000 is negative"),
             (BLOCK.replace("- .nan", "- : ]"), r"message 0: .*; expected what ros2 topic echo prints"),
             (BLOCK.removesuffix("\n---\n"), r"line 15: the last line does not end, .*'- 2\.5', may be cut off"),
@@ -136,7 +139,7 @@ class TestCsv:
             (LINE.replace("\n", ",1\n"), r"line 1: there are 1 fields more than 2 joints need"),
             (LINE.replace("2.5", "..."), r"line 1: an array is shortened to '\.\.\.'"),
             (LINE.replace("2.5", "x"), r"line 1: effort: 'x' is not a number"),
-            (LINE.replace("50000000", "5000000000"), r"line 1: a stamp of .* is none"),
+            (LINE.replace("50000000", "5000000000"), r"line 1: .* are not a valid timestamp"),
             (LINE.removesuffix("\n"), r"line 1: the last line does not end"),
             (LINE + "\n", r"line 2: 1 fields are too few"),
         ],
@@ -183,6 +186,35 @@ class TestColumns:
         with pytest.raises(QuadrupedError, match=r"speed\.csv: there is no such file"):
             load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
 
+    def test_load_velocities_of_another_file_and_efforts_keep_the_order_of_columns(self, tmp_path):
+        (tmp_path / "map.toml").write_text(
+            "[columns]\nstamp = 't'\npositions.a = 'q'\nefforts.a = 'e'\nvelocities.a = 'w'\n"
+            "velocity_files = { 'a.csv' = 'w.csv' }\n"
+        )
+        (tmp_path / "a.csv").write_text("t,q,e\n1,2,3\n")
+        (tmp_path / "w.csv").write_text("t,w\n1,4\n")
+        convert(tmp_path / "a.csv", tmp_path / "b.csv", ReadOptions.of(columns=tmp_path / "map.toml"), WriteOptions())
+        expected = "stamp_ns,position.a,velocity.a,effort.a\n1000000000,2.0,4.0,3.0\n"
+        assert (tmp_path / "b.csv").read_text() == expected
+
+    @pytest.mark.parametrize(("damaged", "kept"), [("a.csv", 4500), ("w.csv", 4500), (None, 5000)])
+    def test_load_salvage_of_two_files_keeps_the_rows_before_the_damage(self, tmp_path, damaged, kept):
+        (tmp_path / "map.toml").write_text(
+            "[columns]\nstamp = 1\npositions.a = 2\nvelocity_files = { 'a.csv' = 'w.csv' }\n"
+        )
+        for name in ("a.csv", "w.csv"):
+            lines = [f"{i},0.5\n" for i in range(5000)]
+            if name == damaged:
+                lines[4500] = "4500,x\n"
+            (tmp_path / name).write_text("".join(lines))
+        loaded = JointTrajectory.load(tmp_path / "a.csv", columns=tmp_path / "map.toml", salvage=True)
+        assert len(loaded) == kept
+        if damaged is not None:
+            place = (
+                f"damaged, and read up to the damage: {tmp_path / damaged}: line 4501, column 2: 'x' is not a number"
+            )
+            assert loaded.source.notes[0].startswith(place)
+
     @pytest.mark.parametrize(
         ("text", "message"),
         [
@@ -196,7 +228,7 @@ class TestColumns:
             ("time,hip,knee\nnoon,1,2\n", r"line 2, time: 'noon' is not a time in s"),
             ("time,hip,knee\n1e999999999,1,2\n", r"line 2, time: '1e999999999' is not a time in s"),
             ("time,hip,knee\n0,1,2", r"line 2: the last line does not end"),
-            ('time,hip,knee\n0,"1"x,2\n', r"line 2: .*; mend the line"),
+            ('time,hip,knee\n0,"1"x,2\n', r"line 2: .*; fix the line"),
             ("time,hip,knee\n0,1,2\n0,1,2\n", r"line 3, stamp_ns: 0 does not come after 0"),
         ],
     )
@@ -257,7 +289,7 @@ class TestColumns:
         path = tmp_path / "a.csv"
         unnamed = tmp_path / "unnamed.toml"
         unnamed.write_text(self.MARKED.replace("missing", "# missing"))
-        with pytest.raises(QuadrupedError, match=r"degrees.*; if it stands for no value.*\(missing = 2\.146e\+09\)"):
+        with pytest.raises(QuadrupedError, match=r"degrees.*; if it marks a missing value.*\(missing = 2\.146e\+09\)"):
             load(path, text.replace(" - ", "1"), columns=unnamed)
         with pytest.raises(
             QuadrupedError, match=r"line 4, position\.a: nan is not finite; leave the row out \(--drop\)"
@@ -268,7 +300,7 @@ class TestColumns:
         np.testing.assert_array_equal(loaded.efforts, [[np.nan, 1], [np.nan, 2], [3, 4]])
         assert loaded.source.notes == (
             "3 values that the column map marks as missing: read as not recorded (NaN)",
-            "left out 1 of 4: a number is not finite, or a stamp negative",
+            "left out 1 of 4: a number is not finite, or a timestamp is negative",
         )
 
     def test_load_rows_without_any_position_are_torque_only(self, tmp_path):

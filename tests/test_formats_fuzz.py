@@ -15,7 +15,7 @@ from trajectories import assert_same, random_trajectory
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.errors import MAX_MESSAGE
-from quadruped_env.trajectory.column_map import ColumnMap
+from quadruped_env.trajectory import ColumnMap
 
 pytest.importorskip("rosbags")
 import yaml

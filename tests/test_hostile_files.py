@@ -19,8 +19,7 @@ from quadruped_env.reporting.plots.learning import read_progress
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
-from quadruped_env.trajectory import JointMap
-from quadruped_env.trajectory.column_map import ColumnMap
+from quadruped_env.trajectory import ColumnMap, JointMap
 
 DEEP = 30_000
 MEGABYTES = "x" * 4_800_000

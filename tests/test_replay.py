@@ -20,6 +20,7 @@ from quadruped_env.evaluation.episode import MAX_SECONDS, play, publish, record
 from quadruped_env.files import free_path, write_json
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import GaitController, ZeroController
+from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
 from quadruped_env.replay.signal_comparison import lag
@@ -292,6 +293,19 @@ class TestReplay:
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings that were made on one clock"):
             replay(commands, measured=later).comparison()
+
+    def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):
+        calls = []
+        for name in ("lag", "side_by_side", "saturation"):
+            function = getattr(replaying, name)
+            monkeypatch.setattr(replaying, name, lambda *args, f=function, n=name: calls.append(n) or f(*args))
+        result = replay(standing())
+        for _ in range(2):
+            result.table()
+            result.comparison().table()
+        result.save(tmp_path, compare=True)
+        assert sorted(calls) == ["lag", "saturation", "side_by_side"]
+        assert json.loads((tmp_path / "tracking.json").read_text())["limits"] == result.report()["limits"]
 
     def test_one_row_is_the_start(self):
         result = replay(JointTrajectory([7], JOINT_NAMES, [STANCE]))

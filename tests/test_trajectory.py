@@ -55,8 +55,8 @@ class TestType:
             ({"stamps": [0.0, 0.1, 0.2, 0.3]}, r"stamps must be whole ns .*found float64; from seconds: np.rint"),
             ({"stamps": [0, 1, 2, 2**64]}, r"stamps must be whole ns"),
             ({"stamps": [-1, 1, 2, 3]}, r"row 0, stamp_ns: -1 is negative; count from 0"),
-            ({"stamps": [0, 2, 1, 3]}, r"row 2, stamp_ns: 1 does not come after 2 .*in order"),
-            ({"stamps": [0, 2, 3, 3]}, r"row 3, stamp_ns: 3 does not come after 3 .*keep one row a stamp"),
+            ({"stamps": [0, 2, 1, 3]}, r"row 2, stamp_ns: 1 does not come after 2 .*sort the rows by time"),
+            ({"stamps": [0, 2, 3, 3]}, r"row 3, stamp_ns: 3 does not come after 3 .*keep one row per timestamp"),
         ],
     )
     def test_bad_arguments_are_named(self, changes, message):
@@ -91,7 +91,7 @@ class TestJointOrder:
 
     def test_joints_of_other_robots_are_left_out_with_a_warning(self):
         trajectory = random_trajectory(names=["wheel", *JOINT_NAMES, "RH_ankle_joint"])
-        with pytest.warns(QuadrupedWarning, match=r"left out what this robot does not have: wheel, RH_ankle_joint"):
+        with pytest.warns(QuadrupedWarning, match=r"left out joints .* does not have: wheel, RH_ankle_joint"):
             ordered = trajectory.in_joint_order()
         assert ordered.names == JOINT_NAMES
         np.testing.assert_array_equal(ordered.efforts, trajectory.efforts[:, 1:-1])
@@ -204,8 +204,8 @@ class TestCsv:
             ([], r"the file is empty; record again"),
             ([HEADER], r"there is a header and no row; .*record again"),
             ([HEADER.removesuffix("\n")], r"there is a header and no row"),
-            (["\n"], r"text that begins with '' is no recording of joint states; known are"),
-            (["time,position.a\n", "0,0\n"], r"begins with 'time,position\.a'; .*a column map \(--columns FILE\)"),
+            (["\n"], r"text that begins with '' is not a recording of joint states; known are"),
+            (["time,position.a\n", "0,0\n"], r"begins with 'time,position\.a'; .*a column map .*\(--columns FILE\)"),
             (["0,0.1,0.2\n"], r"text that begins with '0,0\.1,0\.2'; if it is a CSV of other columns"),
             (["stamp_ns_,position.a\n"], r"line 1, .*must be 'stamp_ns'; found 'stamp_ns_'"),
             (["stamp_ns\n", "0\n"], r"line 1, .*no position column"),
@@ -227,7 +227,7 @@ class TestCsv:
             ([HEADER, ROW, "\n"], r"line 3: expected 9 columns.*found 1"),
             ([HEADER, ROW.replace("\n", ",1\n"), ROW], r"line 2: expected 9 columns.*found 10"),
             ([HEADER, ROW.removesuffix("\n")], r"line 2: the last line does not end, .*'-0\.5', may be cut off"),
-            ([HEADER, ROW.replace("0,", "0.0,", 1)], r"line 2, stamp_ns: '0\.0' is not a whole number of ns; mend"),
+            ([HEADER, ROW.replace("0,", "0.0,", 1)], r"line 2, stamp_ns: '0\.0' is not a whole number of ns; fix"),
             ([HEADER, "9" * 19 + ROW[1:]], r"line 2, stamp_ns: '9{19}' is not a whole number of ns"),
             ([HEADER, "1" * 5000 + ROW[1:]], r"line 2, stamp_ns: '1{40}\.\.\.' is not a whole"),
             ([HEADER, ROW, "1,-0.5,x" + ",-0.5" * 6 + "\n"], r"line 3, position\.LF_knee_joint: 'x' is not a number"),
@@ -245,7 +245,7 @@ class TestCsv:
                 r"line 2, velocity\.a: nan is not finite; leave the velocities out",
             ),
             (["stamp_ns,position.a,effort.a\n", "0,0,inf\n"], r"line 2, effort\.a: inf is not finite; NaN stands"),
-            ([HEADER, ROW, ROW], r"line 3, stamp_ns: 0 does not come after 0 .*keep one row a stamp"),
+            ([HEADER, ROW, ROW], r"line 3, stamp_ns: 0 does not come after 0 .*keep one row per timestamp"),
             ([HEADER, "7" + ROW[1:], "8" + ROW[1:], ROW], r"line 4, stamp_ns: 0 does not come after 8"),
             ([HEADER, "-1" + ROW[1:]], r"line 2, stamp_ns: -1 is negative"),
         ],
@@ -255,10 +255,24 @@ class TestCsv:
         with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: .*{message}"):
             JointTrajectory.load(path)
 
+    def test_load_salvage_keeps_the_lines_before_the_damage(self, tmp_path):
+        lines = [HEADER, *(f"{i}" + ROW[1:] for i in range(5000)), "5000,-0.5"]
+        loaded = JointTrajectory.load(write(tmp_path / "long.csv", *lines), salvage=True)
+        assert loaded.stamps.tolist() == list(range(5000))
+        loaded = JointTrajectory.load(write(tmp_path / "short.csv", *lines[:4], *lines[-1:]), salvage=True)
+        assert loaded.stamps.tolist() == [0, 1, 2]
+        damage, unchecked = loaded.source.notes
+        assert damage.startswith(f"damaged, and read up to the damage: {tmp_path / 'short.csv'}: line 5: ")
+        assert unchecked.endswith("3 of 3 lines (line 2 to 4)")
+        cell = JointTrajectory.load(write(tmp_path / "cell.csv", *lines[:3], "2,-0.5,x" + ROW[10:]), salvage=True)
+        assert cell.stamps.tolist() == [0, 1]
+        with pytest.raises(QuadrupedError, match=r"none\.csv: line 2: expected 9 columns"):
+            JointTrajectory.load(write(tmp_path / "none.csv", HEADER, "0,1\n"), salvage=True)
+
     def test_what_cannot_be_read_is_named(self, tmp_path):
         with pytest.raises(QuadrupedError, match=r"gone\.csv: there is no such file; check"):
             JointTrajectory.load(tmp_path / "gone.csv")
-        with pytest.raises(QuadrupedError, match=r"the directory is no bag; expected metadata\.yaml"):
+        with pytest.raises(QuadrupedError, match=r"the directory is not a bag; expected metadata\.yaml"):
             JointTrajectory.load(tmp_path)
         (tmp_path / "a.csv").write_bytes(b"\x89PNG\r\n\x1a\n\xff\xfe")
         with pytest.raises(QuadrupedError, match=r"a\.csv: not a text file .*nor a known bag; known are"):

@@ -19,7 +19,9 @@ from pathlib import Path
 import numpy as np
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.benchmarks.render_speed import stay_on_one_core
-from quadruped_env.trajectory import formats, saving
+from quadruped_env.trajectory import saving
+from quadruped_env.trajectory.loading import Stream
+from quadruped_env.trajectory.options import ReadOptions
 stay_on_one_core()
 """
 _END: Final = """
@@ -34,14 +36,14 @@ def pieces():
         n = min({BLOCK}, count - first)
         numbers = rng.uniform(-1.0, 1.0, (3, n, 8))
         stamps = 1_700_000_000_000_000_000 + 20_000_000 * np.arange(first, first + n)
-        yield JointTrajectory(stamps, JOINT_NAMES, *numbers), None
+        yield JointTrajectory(stamps, JOINT_NAMES, *numbers).to_rows()
 start = time.perf_counter()
 saving.save(pieces(), Path(sys.argv[1]), saving.WriteOptions())
 messages = count
 """
 _STREAM: Final = """
 start = time.perf_counter()
-messages = sum(len(piece) for piece in formats.stream(sys.argv[1]))
+messages = sum(len(piece) for piece in Stream(sys.argv[1]))
 """
 _LOAD: Final = """
 start = time.perf_counter()
@@ -50,7 +52,7 @@ messages = len(JointTrajectory.load(sys.argv[1]))
 _CONVERT: Final = """
 from quadruped_env.trajectory.convert import convert
 start = time.perf_counter()
-messages = convert(Path(sys.argv[1]), Path(sys.argv[2]), formats.options(), saving.WriteOptions()).rows
+messages = convert(Path(sys.argv[1]), Path(sys.argv[2]), ReadOptions(), saving.WriteOptions()).rows
 """
 
 

@@ -28,7 +28,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.arguments import add_reading_options, reading_options
 from quadruped_env.trajectory.convert import convert
-from quadruped_env.trajectory.formats import options
+from quadruped_env.trajectory.options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
 
 
@@ -87,7 +87,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     account = convert(
         arguments.source,
         target,
-        options(**reading_options(arguments)),
+        ReadOptions.of(**reading_options(arguments)),
         WriteOptions(arguments.storage, arguments.tf_rate, arguments.compress, arguments.overwrite),
         change if any(value is not None for value in changing) else None,
         ProgressLine("converting"),

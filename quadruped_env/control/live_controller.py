@@ -30,8 +30,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.readings import Readings
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.ros.joint_state import NANOSECONDS
 from quadruped_env.rotations import rotate_inverse
+from quadruped_env.timestamps import NS_PER_SECOND
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
 _LONGEST_STEP: Final = 2.5
@@ -140,7 +140,7 @@ class LiveController:
         self._defaults = np.array([entry.default for entry in config.commands])
         self.period = config.timestep
         """s between commands"""
-        self._step = round(self.period * NANOSECONDS)
+        self._step = round(self.period * NS_PER_SECOND)
         self._timestamps = TimestampFilter("/joint_states", self._relearned)
         self._fresh = 0
         self._rest = robot.stance
@@ -246,7 +246,7 @@ class LiveController:
         if self._upright_since is None:
             self._upright_since = measurement.stamp
         # A robot that fell is being put on its feet by somebody, and left alone until its legs are at rest.
-        upright_for = (measurement.stamp - self._upright_since) / NANOSECONDS
+        upright_for = (measurement.stamp - self._upright_since) / NS_PER_SECOND
         sinks = not self._fallen and upright_for > self.safety.sinks_after
         way = self.safety.sinks_way if sinks else self.safety.rest_way
         if np.abs(measurement.positions - self._rest).max() > way:
@@ -302,7 +302,7 @@ class LiveController:
     def _ramp(self, now: float) -> NDArray[np.float64]:
         stamp, then = self._rise_at
         # After a delay the robot is not hurried to where it would have been, nor by a clock that is set ahead.
-        self._risen += min((self._stamp - stamp) / NANOSECONDS, now - then, _LONGEST_STEP * self.period)
+        self._risen += min((self._stamp - stamp) / NS_PER_SECOND, now - then, _LONGEST_STEP * self.period)
         self._rise_at = self._stamp, now
         if self._risen >= self._rise.duration + self.safety.settle - _ROUNDING:
             self._control.reset(_ROW)

@@ -30,8 +30,8 @@ from quadruped_env.robot import (
 )
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
+from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.signals import NANOSECONDS
 
 MAX_RATE: Final = 1000.0
 """Hz"""
@@ -199,4 +199,4 @@ def _start(positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
 
 
 def _stamps(times: NDArray[np.floating[Any]]) -> NDArray[np.int64]:
-    return np.rint(times * NANOSECONDS).astype(np.int64)
+    return np.rint(times * NS_PER_SECOND).astype(np.int64)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.robot import asset_path, fixed_transforms, joint_transforms
 from quadruped_env.ros import cdr
 from quadruped_env.ros.tf import TfEncoder
-from quadruped_env.trajectory.bag_writer import tf_encoder, tf_numbers
+from quadruped_env.trajectory.formats.bag_writer import tf_encoder, tf_numbers
 
 
 class TransformWriter:

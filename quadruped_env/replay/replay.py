@@ -1,6 +1,7 @@
 """Play a recorded joint trajectory again: as pictures of the robot would show it, or through its motors."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Final
 
@@ -28,7 +29,7 @@ from quadruped_env.robot import (
 from quadruped_env.robot.ground import foot_centres
 from quadruped_env.robot.kinematics import Pose
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.csv import write_table
+from quadruped_env.trajectory.formats.project_csv import write_table
 
 MODES: Final = ("kinematic", "dynamic")
 LIMIT_TOLERANCE: Final = 0.01
@@ -49,7 +50,7 @@ _POSE_COLUMNS: Final = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 @dataclass(frozen=True)
 class Replay:
-    """What was recorded, and what was played."""
+    """A recording and its replay. Results are computed once, on first use; do not modify them."""
 
     mode: str
     recorded: JointTrajectory
@@ -78,7 +79,11 @@ class Replay:
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     def saturation(self) -> Saturation | None:
-        """What the motors were asked for; None in kinematic mode, which has none."""
+        """Torques that the controllers asked of the motors; None in kinematic mode, which has no motors."""
+        return self._saturation
+
+    @cached_property
+    def _saturation(self) -> Saturation | None:
         return None if self.motion is None else saturation(self.targets, self.played, self.motors)
 
     def comparison(self) -> Signals:
@@ -87,6 +92,10 @@ class Replay:
         Raises:
             QuadrupedError: if `measured` has no time in common with the replay.
         """
+        return self._comparison
+
+    @cached_property
+    def _comparison(self) -> Signals:
         return side_by_side(self.measured or self.recorded, self.played)
 
     def film(self) -> Motion:
@@ -102,6 +111,10 @@ class Replay:
 
     def report(self) -> dict[str, Any]:
         """The replay in numbers, as JSON takes them; errors in rad, times in s."""
+        return self._report
+
+    @cached_property
+    def _report(self) -> dict[str, Any]:
         error = self.tracking_error()
         lags = lag(self.targets, self.played) if self.motion is not None else [None] * len(JOINT_NAMES)
         joints = {
@@ -122,7 +135,7 @@ class Replay:
             "clipped": int(self.clipped.sum()),
             "motion": self._motion_report(),
             "tracking_error": {"unit": "rad", "all": _summary(error), "joints": joints},
-            "limits": self._limits_report(),
+            "limits": self._limits,
         }
 
     def _motion_report(self) -> dict[str, Any] | None:
@@ -137,8 +150,9 @@ class Replay:
             "feet_on_ground_at_start": int((sole_heights(self.played.positions[0], start) < TOUCHING).sum()),
         }
 
-    def _limits_report(self) -> dict[str, dict[str, Any]]:
-        """What each joint's limits did to the replay."""
+    @cached_property
+    def _limits(self) -> dict[str, dict[str, Any]]:
+        """Joint name -> positions clipped, speeds and torques against the limits, and saturation."""
         asked = self.recorded.velocities
         if asked is None and len(self.recorded) > 1:
             asked = self.recorded.differentiate().velocities
@@ -202,7 +216,7 @@ class Replay:
             )
         fast = [
             name
-            for name, entry in self._limits_report().items()
+            for name, entry in self._limits.items()
             if entry["fastest_recorded"] is not None and entry["fastest_recorded"] > VELOCITY_LIMIT
         ]
         if fast and self.motion is not None:

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.ros.joint_state import NANOSECONDS
 from quadruped_env.ros.messages import Field, MessageType, message_type
+from quadruped_env.timestamps import NS_PER_SECOND
 
 
 @cache
@@ -52,7 +52,7 @@ def message(type_name: str, **fields: Any) -> Any:
 
 def time(stamp: int) -> Any:
     """A `builtin_interfaces/msg/Time` from a timestamp in ns."""
-    sec, nanosec = divmod(stamp, NANOSECONDS)
+    sec, nanosec = divmod(stamp, NS_PER_SECOND)
     return message("builtin_interfaces/msg/Time", sec=sec, nanosec=nanosec)
 
 

@@ -10,9 +10,7 @@ from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from quadruped_env.errors import QuadrupedError
-
-NANOSECONDS: Final = 1_000_000_000
-"""Nanoseconds per second."""
+from quadruped_env.timestamps import NS_PER_SECOND
 
 _ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 """Header of little-endian CDR."""
@@ -64,11 +62,11 @@ class Decoder:
             effort, at = _doubles(data, at)
         except struct.error as error:
             raise QuadrupedError(f"byte {len(data)}: the message ends within a field") from error
-        if nanosec >= NANOSECONDS:
+        if nanosec >= NS_PER_SECOND:
             raise QuadrupedError(f"byte 8: {nanosec} ns in a second are too many; the message is damaged")
         if at + _MAX_PADDING < len(data):
             raise QuadrupedError(f"byte {at}: the message should end here and has {len(data) - at} bytes more")
-        return RawJointState(sec * NANOSECONDS + nanosec, self._names, position, velocity, effort)
+        return RawJointState(sec * NS_PER_SECOND + nanosec, self._names, position, velocity, effort)
 
 
 class Encoder:
@@ -100,7 +98,7 @@ class Encoder:
             QuadrupedError: if the timestamp does not fit into the message.
         """
         try:
-            data = bytearray(_ENCAPSULATION + _STAMP.pack(*divmod(stamp, NANOSECONDS)) + self._prefix)
+            data = bytearray(_ENCAPSULATION + _STAMP.pack(*divmod(stamp, NS_PER_SECOND)) + self._prefix)
         except struct.error as error:
             raise QuadrupedError(f"timestamp {stamp} ns: a ROS message holds -2^31 to 2^31 - 1 s") from error
         for values in (position, velocity, effort):
@@ -134,9 +132,9 @@ def decode_ros1(data: bytes) -> RawJointState:
             at += 4 + 8 * count
     except struct.error as error:
         raise QuadrupedError(f"byte {len(data)}: the message ends within a field") from error
-    if at != len(data) or nanosec >= NANOSECONDS:
+    if at != len(data) or nanosec >= NS_PER_SECOND:
         raise QuadrupedError(f"byte {at}: {len(data)} bytes do not hold a joint state; the message is damaged")
-    return RawJointState(sec * NANOSECONDS + nanosec, tuple(names), *arrays)
+    return RawJointState(sec * NS_PER_SECOND + nanosec, tuple(names), *arrays)
 
 
 def _names(data: bytes) -> tuple[tuple[str, ...], int]:

@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.ros.joint_state import NANOSECONDS
+from quadruped_env.timestamps import NS_PER_SECOND
 
 _ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 _STAMP: Final = struct.Struct("<iI")
@@ -47,7 +47,7 @@ class TfEncoder:
             numbers: (F, 7): translation in m, and quaternion in ROS's order, xyzw.
         """
         data = bytearray(self._template)
-        time = _STAMP.pack(*divmod(stamp, NANOSECONDS))
+        time = _STAMP.pack(*divmod(stamp, NS_PER_SECOND))
         values = numbers.astype("<f8", copy=False).tobytes()
         size = 8 * _NUMBERS
         for i, (at, start) in enumerate(zip(self._stamps, self._numbers, strict=True)):

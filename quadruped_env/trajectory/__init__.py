@@ -1,7 +1,10 @@
-"""What was recorded: joint states over time, and the formats that they are kept in."""
+"""Recorded joint states: the trajectory type, and loading and saving it in any format."""
 
-from quadruped_env.trajectory.joint_map import JointMap, JointRule
+from quadruped_env.trajectory.interpolation import Gap
 from quadruped_env.trajectory.joint_trajectory import JointState, JointTrajectory
-from quadruped_env.trajectory.signals import NANOSECONDS, Gap
+from quadruped_env.trajectory.maps import ColumnMap, JointMap, JointRule
 
-__all__ = ["NANOSECONDS", "Gap", "JointMap", "JointRule", "JointState", "JointTrajectory"]
+__all__ = ["ColumnMap", "Gap", "JointMap", "JointRule", "JointState", "JointTrajectory", "load", "save"]
+
+load = JointTrajectory.load
+save = JointTrajectory.save

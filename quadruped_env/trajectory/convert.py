@@ -1,7 +1,7 @@
-"""From one file of joint states to another, piece by piece, with an account of what was in it."""
+"""Conversion of a file of joint states to another format, piece by piece, with an account of its content."""
 
 from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory import formats, saving
-from quadruped_env.trajectory.bag_writer import Piece
+from quadruped_env.progress import Progress
+from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory import saving
+from quadruped_env.trajectory.interpolation import Gap, find_gaps
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.reading import Progress, ReadOptions
+from quadruped_env.trajectory.loading import Stream
+from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.rows import ARRAYS, Rows
 from quadruped_env.trajectory.saving import WriteOptions
-from quadruped_env.trajectory.signals import NANOSECONDS, Gap, find_gaps
 
 Change = Callable[[JointTrajectory], JointTrajectory]
 
@@ -24,23 +27,24 @@ _GAPS_SHOWN: Final = 5
 
 @dataclass(frozen=True)
 class Account:
-    """What a recording holds."""
+    """Content of a recording."""
 
     rows: int
     names: tuple[str, ...]
     kinds: tuple[str, ...]
+    """Arrays that were recorded, of `positions`, `velocities` and `efforts`"""
     seconds: float
-    """From the first stamp to the last"""
+    """Time from the first timestamp to the last"""
     rate: float
-    """Hz, by the usual (median) time between rows; NaN for one row"""
+    """Hz, from the median time between rows; NaN for one row"""
     gaps: tuple[Gap, ...]
     remarks: tuple[str, ...]
-    """What was left out, damage, and which rows were salvaged without a checksum"""
+    """Rows that were left out, damage, and rows that were salvaged without a checksum"""
     unchecked_rows: int = 0
-    """Rows of the source that were salvaged and that no checksum covers: damage in their numbers would not show"""
+    """Number of salvaged rows of the source that no checksum covers: damage in their numbers would not show"""
 
     def text(self) -> str:
-        """The account for people."""
+        """The account as text, one fact per line."""
         lines = [
             f"{self.rows} rows over {self.seconds:.3f} s, usually at {self.rate:.4g} Hz: {', '.join(self.kinds)}",
             f"{len(self.names)} joints: {', '.join(self.names)}",
@@ -65,15 +69,15 @@ def convert(
     Memory does not grow with the length of the recording, unless it is to be sorted or changed.
 
     Args:
-        source: the file that is read.
-        target: the file that is written, whose name says its format.
-        reading: how the source is read.
-        writing: how the target is written.
-        change: what to make of the whole trajectory on the way.
-        progress: is told the share that is done.
+        source: file to read.
+        target: file to write; its name determines the format.
+        reading: options for reading.
+        writing: options for writing.
+        change: called with the whole trajectory; returns the one to write.
+        progress: called with the fraction read.
 
     Returns:
-        What was written.
+        The content of the target.
 
     Raises:
         QuadrupedError: if one cannot be read or the other cannot be written; then nothing is written.
@@ -82,36 +86,35 @@ def convert(
     saving.check(target, writing)
     if target.exists() and source.exists() and target.samefile(source):
         raise QuadrupedError(f"{target}: is the file that is read; name another place")
-    teller = _Teller()
-    stream = formats.stream(source, reading, progress)
-    if change is None:
-        saving.save(teller.listen(stream), target, writing)
-    else:
-        changed = change(formats.joined_pieces(source, stream))
-        saving.save(teller.listen(piece for piece, _ in saving.pieces_of(changed)), target, writing)
-    return teller.account(stream)
+    stream = Stream(source, reading, progress)
+    pieces: Iterable[Rows] = stream
+    if change is not None:
+        pieces = saving.in_pieces(change(JointTrajectory.from_stream(stream)).to_rows())
+    observer = _Observer()
+    saving.save(observer.observe(pieces), target, writing)
+    return observer.account(stream)
 
 
-class _Teller:
-    """Listens to pieces on their way, and remembers what an account needs."""
+class _Observer:
+    """Collects the content of an account from the pieces of a recording."""
 
     def __init__(self) -> None:
         self._stamps = array("q")
         self._names: tuple[str, ...] = ()
         self._kinds: tuple[str, ...] = ()
 
-    def listen(self, pieces: Iterator[JointTrajectory] | formats.Stream) -> Iterator[Piece]:
-        """The pieces, as they come."""
+    def observe(self, pieces: Iterable[Rows]) -> Iterator[Rows]:
+        """The same pieces."""
         for piece in pieces:
             self._stamps.frombytes(piece.stamps.tobytes())
-            self._names, self._kinds = piece.names, piece.kinds
-            yield piece, None
+            self._names, self._kinds = piece.names, tuple(ARRAYS[kind] for kind in piece.values)
+            yield piece
 
-    def account(self, stream: formats.Stream) -> Account:
-        """What came from a stream."""
+    def account(self, stream: Stream) -> Account:
+        """The account of the pieces, with the remarks of their stream."""
         stamps: NDArray[np.int64] = np.frombuffer(self._stamps, np.int64)
-        rate = NANOSECONDS / float(np.median(np.diff(stamps))) if len(stamps) > 1 else float("nan")
-        seconds = float(stamps[-1] - stamps[0]) / NANOSECONDS
+        rate = NS_PER_SECOND / float(np.median(np.diff(stamps))) if len(stamps) > 1 else float("nan")
+        seconds = float(stamps[-1] - stamps[0]) / NS_PER_SECOND
         gaps = find_gaps(stamps)
         return Account(
             len(stamps), self._names, self._kinds, seconds, rate, gaps, stream.remarks(), stream.unchecked_rows

@@ -1,26 +1,24 @@
-"""From trajectories to a file of any format that is written here: the name says which."""
+"""From rows to a file; its name determines the format."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 from typing import Final
 
-import numpy as np
-from numpy.typing import NDArray
-
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory import bag_writer, csv
-from quadruped_env.trajectory.bag_writer import STORAGES, TF_RATE, BagOptions, Piece
-from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+from quadruped_env.progress import Progress
+from quadruped_env.trajectory.formats import bag_writer, project_csv
+from quadruped_env.trajectory.formats.bag_writer import STORAGES, TF_RATE, BagOptions
+from quadruped_env.trajectory.rows import Rows
 
 _CSV: Final = ".csv"
-_ROWS_A_PIECE: Final = 4096
+_ROWS_PER_PIECE: Final = 4096
 
 
 @dataclass(frozen=True)
 class WriteOptions:
-    """What `JointTrajectory.save` may be told; see there."""
+    """Options of `JointTrajectory.save`, which describes them."""
 
     storage: str | None = None
     tf_rate: float = TF_RATE
@@ -28,42 +26,42 @@ class WriteOptions:
     overwrite: bool = False
 
 
-def pieces_of(
-    trajectory: JointTrajectory,
-    base: NDArray[np.float64] | None = None,
-    progress: Callable[[float], None] | None = None,
-) -> Iterator[Piece]:
-    """A trajectory in pieces, so that writing it takes little memory, while saying how far it is."""
-    for start in range(0, len(trajectory), _ROWS_A_PIECE):
-        rows = slice(start, start + _ROWS_A_PIECE)
-        yield trajectory.rows(rows), None if base is None else base[rows]
+def in_pieces(rows: Rows, progress: Progress | None = None) -> Iterator[Rows]:
+    """The rows in short pieces, so that writing them takes little memory; `progress` gets the fraction written."""
+    for start in range(0, len(rows), _ROWS_PER_PIECE):
+        stop = start + _ROWS_PER_PIECE
+        yield rows.take(slice(start, stop))
         if progress is not None:
-            progress(min(rows.stop / len(trajectory), 1.0))
+            progress(min(stop / len(rows), 1.0))
 
 
-def save(pieces: Iterable[Piece], path: Path, options: WriteOptions) -> None:
-    """Write trajectories that follow each other, in full or not at all; see `JointTrajectory.save`.
+def save(pieces: Iterable[Rows], path: Path, options: WriteOptions) -> None:
+    """Write valid rows, in full or not at all; see `JointTrajectory.save`.
 
     Raises:
-        QuadrupedError: if the name or an option fits no format, the file is there already, or cannot be written.
+        QuadrupedError: if the name or an option fits no format, the file exists and must not be overwritten, or it
+            cannot be written.
+        MissingExtraError: if a bag is to be written and the libraries for it are not installed.
     """
     check(path, options)
     following = iter(pieces)
-    # Whatever is wrong with the beginning of a recording is known before anything is written.
+    # Errors at the beginning of a recording come before anything is written.
     first = next(following)
     pieces = chain([first], following)
     if path.suffix.lower() == _CSV:
-        csv.write((piece for piece, _ in pieces), path, options.overwrite)
+        project_csv.write(pieces, path, options.overwrite)
     else:
         bag_writer.write(pieces, path, _bag_options(path, options), options.overwrite)
 
 
 def check(path: Path, options: WriteOptions) -> None:
-    """Raise a QuadrupedError if nothing can be written there so."""
+    """Raise a QuadrupedError if the name and the options do not match, or something exists at the path."""
     if path.suffix.lower() == _CSV:
         if options.storage is not None or options.compress:
-            raise QuadrupedError(f"{path}: a CSV has no storage and is not compressed; name a bag, or leave that out")
-        csv.check_target(path, options.overwrite)
+            raise QuadrupedError(
+                f"{path}: a CSV has no storage and is not compressed; name a bag, or leave these options out"
+            )
+        project_csv.check_target(path, options.overwrite)
         return
     _bag_options(path, options)
     bag_writer.check_target(path, options.overwrite)
@@ -78,7 +76,9 @@ def _bag_options(path: Path, options: WriteOptions) -> BagOptions:
         )
     storage = suffixes.get(path.suffix, options.storage or "mcap")
     if options.storage not in {None, storage}:
-        raise QuadrupedError(f"{path}: the ending is that of {storage}, and asked for is {options.storage}; change one")
+        raise QuadrupedError(
+            f"{path}: the ending is that of {storage}, and the storage is to be {options.storage}; change one of them"
+        )
     if path.suffix and options.compress and storage == "sqlite3":
         raise QuadrupedError(f"{path}: a bare sqlite3 file cannot be compressed; name a directory, or use mcap")
     return BagOptions(storage, options.tf_rate, options.compress)

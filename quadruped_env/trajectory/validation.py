@@ -1,4 +1,4 @@
-"""What a trajectory must be, and how its errors name a row."""
+"""Validation of joint states, and the wording of errors about a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,49 +8,65 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.trajectory.rows import Rows
 
-_ROWS_A_CHECK: Final = 65536
+_ROWS_PER_CHECK: Final = 65536
+
+_NOT_FINITE: Final = {
+    "position": "leave the row out (--drop)",
+    "velocity": "leave the velocities out if not all are known (--ignore velocity)",
+    "effort": "NaN stands for an effort that was not measured",
+}
+"""Kind -> the fix for a value that is not finite."""
 
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """Where a trajectory's rows came from, as errors name it."""
+    """Origin of a trajectory's rows, for error messages."""
 
     name: str = "JointTrajectory"
-    """A file, or the type for one made in memory"""
+    """A file, or the type for a trajectory made in memory"""
     row_name: str = "row"
-    """What the source calls a row"""
+    """The source's word for a row, such as `line` or `message`"""
     first_row: int = 0
-    """The number that it gives to the first one"""
+    """The source's number of the first row"""
     rows: NDArray[np.int64] | None = None
-    """The numbers that it gives to all (T,), where they do not follow each other"""
+    """The source's numbers of all rows (T,), where they are not consecutive"""
     notes: tuple[str, ...] = ()
-    """What to know about the numbers: rows that were left out, damage"""
+    """Remarks on the numbers: rows that were left out, damage"""
 
     def row(self, index: int) -> str:
-        """How to find one row."""
-        number = self.first_row + index if self.rows is None else self.rows[index]
+        """Name of a row, for error messages."""
+        number = self.first_row + index if self.rows is None else int(self.rows[index])
         return f"{self.name}: {self.row_name} {number}"
 
 
 IN_MEMORY: Final = Source()
-"""Of a trajectory that comes from no file"""
+"""The source of a trajectory that was not read from a file."""
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """The array, which nobody can write to any more."""
+    """The same array, made read-only."""
     array.flags.writeable = False
     return array
+
+
+def validate(rows: Rows, source: Source) -> None:
+    """Raise a QuadrupedError unless the rows can be those of a trajectory; the message names the row and the field."""
+    checked_names(rows.names, source)
+    _check_order(rows.stamps, source)
+    for kind, values in rows.values.items():
+        check_finite(kind, values, rows.names, source)
 
 
 def checked_names(names: Sequence[str], source: Source) -> tuple[str, ...]:
     """Joint names, each once.
 
     Raises:
-        QuadrupedError: if they are not so.
+        QuadrupedError: if a name is empty or repeated, or there is none.
     """
     if isinstance(names, str) or not all(isinstance(name, str) and name for name in names) or not len(names):
-        raise QuadrupedError(f"{source.name}: names must be joint names, one a column; found {names!r}")
+        raise QuadrupedError(f"{source.name}: names must be joint names, one per column; found {names!r}")
     for i, name in enumerate(names):
         if name in names[:i]:
             raise QuadrupedError(f"{source.name}: joint {name!r} is named twice; keep one of its columns")
@@ -58,10 +74,10 @@ def checked_names(names: Sequence[str], source: Source) -> tuple[str, ...]:
 
 
 def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
-    """Stamps (T,) in ns, rising, not negative, read-only; T is 1 or more.
+    """Timestamps (T,) in ns, increasing, not negative, read-only; T is 1 or more.
 
     Raises:
-        QuadrupedError: if they are not so.
+        QuadrupedError: if they have another shape or type, are negative or do not increase.
     """
     raw = np.asarray(stamps)
     if raw.ndim != 1 or not len(raw):
@@ -74,28 +90,33 @@ def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
             f"from seconds: np.rint(seconds * 1e9).astype(np.int64)"
         )
     array = raw if raw.dtype == np.int64 and not raw.flags.writeable else raw.astype(np.int64)
-    if array[0] < 0:
-        raise QuadrupedError(f"{source.row(0)}, stamp_ns: {array[0]} is negative; count from 0 or later")
-    falling = np.flatnonzero(array[1:] <= array[:-1])
-    if len(falling):
-        i = falling[0] + 1
-        raise falling_stamp(source, int(i), int(array[i]), int(array[i - 1]))
+    _check_order(array, source)
     return read_only(array)
 
 
-def falling_stamp(source: Source, row: int, stamp: int, before: int) -> QuadrupedError:
-    """The error for a row whose stamp does not come after that of the row before."""
+def _check_order(stamps: NDArray[np.int64], source: Source) -> None:
+    """Raise a QuadrupedError if a timestamp is negative, or not later than the one before."""
+    if stamps[0] < 0:
+        raise QuadrupedError(f"{source.row(0)}, stamp_ns: {stamps[0]} is negative; count from 0 or later")
+    repeated = np.flatnonzero(stamps[1:] <= stamps[:-1])
+    if len(repeated):
+        i = int(repeated[0]) + 1
+        raise not_increasing(source, i, int(stamps[i]), int(stamps[i - 1]))
+
+
+def not_increasing(source: Source, row: int, stamp: int, previous: int) -> QuadrupedError:
+    """The error for a row whose timestamp is not later than that of the row before."""
     return QuadrupedError(
-        f"{source.row(row)}, stamp_ns: {stamp} does not come after {before} of the row before; put the rows in order "
-        f"of time (--sort), and keep one row a stamp (--drop leaves out those that are not later)"
+        f"{source.row(row)}, stamp_ns: {stamp} does not come after {previous} of the row before; sort the rows by time "
+        f"(--sort), and keep one row per timestamp (--drop leaves out the rows that are not later)"
     )
 
 
 def checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source: Source) -> NDArray[np.float64]:
-    """Numbers of that shape, read-only, whatever they are.
+    """Numbers of a shape, finite or not, read-only.
 
     Raises:
-        QuadrupedError: if they are not so.
+        QuadrupedError: if they are not numbers or have another shape.
     """
     try:
         raw = np.asarray(values)
@@ -104,32 +125,29 @@ def checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source:
     if raw.dtype.kind not in "fiu" or raw.shape != shape:
         found = "rows of unequal lengths or not numbers" if raw.dtype.kind not in "fiu" else str(raw.shape)
         raise QuadrupedError(
-            f"{source.name}: {name} must be numbers of shape {shape}, one row a stamp and one column a name; "
-            f"found {found}; leave out what has no partner"
+            f"{source.name}: {name} must be numbers of shape {shape}, one row per timestamp and one column per name; "
+            f"found {found}; leave out rows and columns without a partner"
         )
-    # Of an array that nobody can write to, no copy is needed.
+    # A read-only array needs no copy.
     if raw.dtype == np.float64 and not raw.flags.writeable:
         return raw
     return read_only(np.array(raw, dtype=np.float64))
 
 
-_FIELDS: Final = {
-    "positions": ("position", "leave the row out (--drop)"),
-    "velocities": ("velocity", "leave the velocities out if not all are known (--ignore velocity)"),
-    "efforts": ("effort", "NaN stands for an effort that was not measured"),
-}
-"""Array -> its name in a `JointState`, and what to do about a value that is not finite."""
-
-
-def check_finite(name: str, values: NDArray[np.float64], names: tuple[str, ...], source: Source) -> None:
+def check_finite(kind: str, values: NDArray[np.float64], names: tuple[str, ...], source: Source) -> None:
     """Raise a QuadrupedError if a position or velocity is not finite, or an effort infinite."""
-    # In blocks: a mask of a long recording is as large as one of its joints.
-    for start in range(0, len(values), _ROWS_A_CHECK):
-        block = values[start : start + _ROWS_A_CHECK]
-        bad = np.isinf(block) if name == "efforts" else ~np.isfinite(block)
+    # In parts: a mask of a long recording would be as large as one of its joints.
+    for start in range(0, len(values), _ROWS_PER_CHECK):
+        part = values[start : start + _ROWS_PER_CHECK]
+        bad = invalid(kind, part)
         if bad.any():
             row, column = np.argwhere(bad)[0]
-            singular, cure = _FIELDS[name]
             raise QuadrupedError(
-                f"{source.row(start + row)}, {singular}.{names[column]}: {block[row, column]} is not finite; {cure}"
+                f"{source.row(start + row)}, {kind}.{names[column]}: {part[row, column]} is not finite; "
+                f"{_NOT_FINITE[kind]}"
             )
+
+
+def invalid(kind: str, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Mask of the values that a trajectory cannot have: efforts may be NaN, positions and velocities must be finite."""
+    return np.isinf(values) if kind == "effort" else ~np.isfinite(values)

@@ -17,8 +17,8 @@ from quadruped_env.files import free_path
 from quadruped_env.reporting.films.film import Motion
 from quadruped_env.reporting.films.video import save_film
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.signals import NANOSECONDS
 from quadruped_env.viewer.sample import Sample, over_time
 
 MAX_SECONDS: Final = 300.0
@@ -49,7 +49,7 @@ class Take:
 
     def trajectory(self) -> JointTrajectory:
         """The joints as measured; the stamps begin at 0."""
-        stamps = np.rint(np.arange(len(self.samples)) * self.timestep * NANOSECONDS).astype(np.int64)
+        stamps = np.rint(np.arange(len(self.samples)) * self.timestep * NS_PER_SECOND).astype(np.int64)
         return JointTrajectory(
             stamps,
             JOINT_NAMES,

@@ -20,7 +20,7 @@ from quadruped_env.files import free_path
 from quadruped_env.live.listener import Listener
 from quadruped_env.live.recorder import Recorder
 from quadruped_env.live.session import Session
-from quadruped_env.trajectory.bag_writer import STORAGES
+from quadruped_env.trajectory.formats.bag_writer import STORAGES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -12,7 +12,7 @@ from quadruped_env.reporting.plots.canvas import draw_figure
 from quadruped_env.robot import JOINT_NAMES
 
 _MAX_POINTS: Final = 1500
-"""of a line: more than a figure has pixels"""
+"""Points drawn per line: more than a figure has pixels."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ def joint_panels(
     limits: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
     mark: float | None = None,
 ) -> str:
-    """A panel a joint: hips on the left and knees on the right, a leg a row.
+    """One panel per joint: hips on the left, knees on the right, one row per leg.
 
     Args:
         lines: title -> line.
@@ -46,11 +46,11 @@ def joint_panels(
         for i, name in enumerate(JOINT_NAMES):
             ax = axes[i // 2, i % 2]
             for title, line in lines.items():
-                step = max(1, -(-len(line.times) // _MAX_POINTS))
+                shown = _shown_rows(line.values[:, i])
                 style: dict[str, Any] = {"linestyle": (0, (4, 2))} if line.dashed else {}
                 ax.plot(
-                    line.times[::step],
-                    line.values[::step, i],
+                    line.times[shown],
+                    line.values[shown, i],
                     color=line.colour,
                     linewidth=1.0,
                     label=title,
@@ -70,3 +70,24 @@ def joint_panels(
         axes[0, 0].figure.legend(handles, titles, loc="outside upper center", ncols=len(lines))
 
     return draw_figure(len(JOINT_NAMES) // 2, 2, 7.0, draw, sharex=True)
+
+
+def _shown_rows(values: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Indices of the rows (T,) to draw, at most `_MAX_POINTS` of them, so that no peak of a long log is lost.
+
+    A long log is split into bins of equally many rows, of which the minimum and the maximum are drawn. Of a bin without
+    a number, NaN is drawn.
+    """
+    count = len(values)
+    if count <= _MAX_POINTS:
+        return np.arange(count)
+    # Two rows per bin, and the two ends of the log.
+    size = -(-count // (_MAX_POINTS // 2 - 1))
+    padded = np.full(-(-count // size) * size, np.nan)
+    padded[:count] = values
+    bins = padded.reshape(-1, size)
+    unknown = np.isnan(bins)
+    lowest = np.where(unknown, np.inf, bins).argmin(axis=1)
+    highest = np.where(unknown, -np.inf, bins).argmax(axis=1)
+    starts = np.arange(len(bins)) * size
+    return np.unique(np.concatenate([[0, count - 1], starts + lowest, starts + highest]))

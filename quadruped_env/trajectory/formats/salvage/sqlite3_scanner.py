@@ -1,6 +1,6 @@
-"""sqlite3 bags without their tree: the pages of rows one by one, https://www.sqlite.org/fileformat2.html.
+"""sqlite3 bags without their B-tree: the pages of rows one by one, https://www.sqlite.org/fileformat2.html.
 
-SQLite itself finds nothing in a file whose upper pages are gone, though the rows are there. The tables are those of
+SQLite itself finds no row in a file whose upper pages are damaged, even if the rows are intact. The tables are those of
 https://github.com/ros2/rosbag2: topics (id, name, type, ...) and messages (id, topic_id, timestamp, data).
 """
 
@@ -9,13 +9,13 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
+from quadruped_env.trajectory.formats.salvage.records import MAX_SIZE, Message, Topic
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.salvage.found import MAX_SIZE, Message, Topic
 
 _HEADER: Final = 100
-"""Bytes at the beginning of the first page"""
+"""Bytes of the header, at the beginning of the first page."""
 _LEAF: Final = 0x0D
-"""Type of a page that holds rows"""
+"""Type of a page with rows."""
 
 Value = int | float | bytes | str | None
 PageReader = Callable[[int], bytes]
@@ -32,7 +32,7 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
         page_size, unused = struct.unpack_from(">H", header, 16)[0], header[20]
         page_size = 65536 if page_size == 1 else page_size
         if page_size < 512 or page_size & (page_size - 1):
-            reading.note(f"{path.name}: byte 16: a page of {page_size} bytes is none")
+            reading.note(f"{path.name}: byte 16: {page_size} is not a valid page size")
             return
         pages = struct.unpack_from(">I", header, 28)[0]
         if size < pages * page_size:
@@ -44,7 +44,7 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
         for number in range(1, size // page_size + 1):
             data = page(number)
-            reading.at(number * page_size / size)
+            reading.report_progress(number * page_size / size)
             start = _HEADER if number == 1 else 0
             if data[start] != _LEAF:
                 continue
@@ -61,7 +61,7 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
 
 def _found(key: int, row: list[Value]) -> Topic | Message | None:
-    """What a row is, by the types of its columns; the first, the key, is not stored in it."""
+    """The topic or message in a row, recognised by the types of its columns; the first, the key, is not stored."""
     match row:
         case [None, int(topic), int(time), bytes(data)]:
             return Message(topic, time, data)
@@ -71,7 +71,7 @@ def _found(key: int, row: list[Value]) -> Topic | Message | None:
 
 
 def _row(page: bytes, at: int, read_page: PageReader, usable: int) -> tuple[int, list[Value]]:
-    """Key and columns of the row at a place of a page."""
+    """Key and columns of the row at an offset of a page."""
     size, at = _varint(page, at)
     key, at = _varint(page, at)
     if size > MAX_SIZE:
@@ -90,7 +90,7 @@ def _row(page: bytes, at: int, read_page: PageReader, usable: int) -> tuple[int,
 
 
 def _payload(page: bytes, at: int, size: int, read_page: PageReader, usable: int) -> bytes:
-    """The bytes of a row, of which what does not fit into its page is in others."""
+    """The bytes of a row, which continue on other pages if they do not fit."""
     most, least = usable - 35, (usable - 12) * 32 // 255 - 23
     if size <= most:
         local = size
@@ -112,7 +112,7 @@ def _payload(page: bytes, at: int, size: int, read_page: PageReader, usable: int
 
 
 def _value(data: bytes, at: int, kind: int) -> tuple[Value, int]:
-    """A column by its serial type, and where it ends."""
+    """A column, decoded by its serial type, and the offset of its end."""
     lengths = (0, 1, 2, 3, 4, 6, 8, 8, 0, 0, 0, 0)
     length = lengths[kind] if kind < 12 else (kind - 12) // 2
     part = data[at : at + length]
@@ -131,7 +131,7 @@ def _value(data: bytes, at: int, kind: int) -> tuple[Value, int]:
 
 
 def _varint(data: bytes, at: int) -> tuple[int, int]:
-    """A number of one to nine bytes, and where it ends."""
+    """A number of one to nine bytes, and the offset of its end."""
     value = 0
     for i in range(8):
         byte = data[at + i]

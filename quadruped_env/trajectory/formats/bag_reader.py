@@ -1,7 +1,7 @@
 """Joint states of ROS bags: rosbag2 (MCAP and sqlite3, compressed or not) and ROS 1, through `rosbags`.
 
 A rosbag2 bag is a directory with `metadata.yaml`, or one bare storage file. Messages come in the order in which they
-were recorded; their stamps are the headers' own unless the options say otherwise, so stamps that fall are seen.
+were recorded. Their timestamps are those of the headers unless the options say otherwise, so they may decrease.
 """
 
 from collections.abc import Callable, Iterator
@@ -12,46 +12,55 @@ from typing import Any, Final
 from quadruped_env.documents import MAX_DEPTH
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.ros.joint_state import Decoder, RawJointState, decode_ros1
-from quadruped_env.trajectory import salvage
-from quadruped_env.trajectory.echo import yaml_module
-from quadruped_env.trajectory.reading import Reading, Sample
-from quadruped_env.trajectory.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
-from quadruped_env.trajectory.salvage.found import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
+from quadruped_env.trajectory.formats import salvage
+from quadruped_env.trajectory.formats.echo_text import yaml_module
+from quadruped_env.trajectory.formats.messages import assembled
+from quadruped_env.trajectory.formats.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
+from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
+from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.rows import Rows
 
 ROS1_DIGEST: Final = "3066dcd76a6cfaef579bd0f34173e9fd"
-"""md5 of ROS 1's definition of the message"""
+"""MD5 digest of ROS 1's definition of the message."""
 METADATA_FILE: Final = "metadata.yaml"
 _MAX_METADATA: Final = 1_000_000
-"""Characters: of thousands of files or topics"""
-_MESSAGES_A_STEP: Final = 1000
+"""Maximum characters of the metadata: enough for thousands of files or topics."""
+_MESSAGES_PER_UPDATE: Final = 1000
 
 
-def read_rosbag2(reading: Reading) -> Iterator[Sample]:
-    """The joint states of a rosbag2 directory.
+def read_rosbag2(reading: Reading) -> Iterator[Rows]:
+    """The joint states of a rosbag2 directory, not validated.
 
     Raises:
-        QuadrupedError: if the bag is damaged; whether the values make sense is not checked here.
+        QuadrupedError: if the bag is damaged.
         MissingExtraError: if rosbags is not installed.
     """
-    return _samples(reading, DIRECTORY, Decoder())
+    return _rows(reading, DIRECTORY, Decoder())
 
 
-def read_mcap(reading: Reading) -> Iterator[Sample]:
+def read_mcap(reading: Reading) -> Iterator[Rows]:
     """The joint states of a bare MCAP file; see `read_rosbag2`."""
-    return _samples(reading, MCAP, Decoder())
+    return _rows(reading, MCAP, Decoder())
 
 
-def read_sqlite3(reading: Reading) -> Iterator[Sample]:
+def read_sqlite3(reading: Reading) -> Iterator[Rows]:
     """The joint states of a bare sqlite3 file; see `read_rosbag2`."""
-    return _samples(reading, SQLITE3, Decoder())
+    return _rows(reading, SQLITE3, Decoder())
 
 
-def read_ros1(reading: Reading) -> Iterator[Sample]:
+def read_ros1(reading: Reading) -> Iterator[Rows]:
     """The joint states of a ROS 1 bag; see `read_rosbag2`."""
-    return _samples(reading, ROS1, decode_ros1)
+    return _rows(reading, ROS1, decode_ros1)
 
 
-def _samples(reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]) -> Iterator[Sample]:
+def _rows(reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]) -> Iterator[Rows]:
+    return assembled(_messages(reading, storage, decode), reading, is_text=False)
+
+
+def _messages(
+    reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]
+) -> Iterator[tuple[int, RawJointState]]:
+    """Number in the bag, and message."""
     reading.row_name = "message"
     number = 0
     payloads = salvage.messages if reading.options.salvage else _indexed
@@ -66,14 +75,14 @@ def _samples(reading: Reading, storage: str, decode: Callable[[bytes], RawJointS
         else:
             if not (found.checked or zstd_has_checksum(found.data)):
                 reading.mark_unchecked(number)
-            yield Sample(number, state if reading.options.stamps == "header" else state._replace(stamp=found.time))
+            yield number, state if reading.options.stamps == "header" else state._replace(stamp=found.time)
         number += 1
     if not number:
         raise reading.error(None, "the topic has no message; record again, or name another topic (--topic)")
 
 
 def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
-    """Every joint state, as rosbags finds them by the bag's index, which has to be whole.
+    """Every joint state, found by rosbags through the bag's index, which has to be intact.
 
     Raises:
         QuadrupedError: if the bag is damaged; the message names the message.
@@ -90,16 +99,16 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
             found = 0
             for _, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):
-                    raise TypeError("time or bytes of a message are of another type")
-                if found % _MESSAGES_A_STEP == 0:
-                    reading.at(found / max(total, 1))
+                    raise TypeError("time or bytes of a message have another type")
+                if found % _MESSAGES_PER_UPDATE == 0:
+                    reading.report_progress(found / max(total, 1))
                 yield Message(topic, time, bytes(data), checked=True)
                 found += 1
             if found != total:
                 raise ValueError(f"it says that there are {total} messages")
     except (QuadrupedError, MissingExtraError):
         raise
-    # rosbags reads damaged bytes until something gives, and it is not documented what.
+    # On damaged bytes rosbags raises errors of many types, which are not documented.
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
         place = "" if found is not None else salvage.first_damage(reading, storage)
@@ -112,13 +121,13 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
 
 
 def _open(path: Path, storage: str, stack: ExitStack) -> Any:
-    """A reader of rosbags that closes with the stack."""
+    """A reader of rosbags, closed with the stack."""
     try:
         from rosbags.rosbag1 import Reader as Reader1
         from rosbags.rosbag2 import Reader as Reader2
     except ImportError as error:
         raise MissingExtraError("reading bags", "ros") from error
-    # By what the file is, not by its name, as rosbags would.
+    # By the content of the file; rosbags goes by its name.
     if storage == DIRECTORY:
         _check_metadata(path / METADATA_FILE)
     reader = Reader1(path) if storage == ROS1 else Reader2.STORAGE_PLUGINS[storage](path)
@@ -128,7 +137,7 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
 
 
 def _check_metadata(path: Path) -> None:
-    """Raise a QuadrupedError if rosbags' parser would need very long for a bag's metadata; of other damage it tells."""
+    """Raise a QuadrupedError if rosbags would take very long to parse the metadata; it reports other damage itself."""
     yaml = yaml_module()
     try:
         text = path.read_text(encoding="utf-8")
@@ -146,13 +155,13 @@ def _check_metadata(path: Path) -> None:
         return
     if problem:
         raise QuadrupedError(
-            f"{path}: {problem}, which is no bag's metadata; name the storage file itself, or keep what can be read "
+            f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or keep what can be read "
             f"(--salvage)"
         )
 
 
 def _check_connection(connection: Any, reading: Reading) -> None:
-    """Raise a QuadrupedError if the messages are not in the form that is read here."""
+    """Raise a QuadrupedError if the messages have an unknown serialization or definition."""
     form = getattr(connection.ext, "serialization_format", "cdr")
     if form != "cdr":
         raise reading.error(None, f"{connection.topic} is serialized as {form!r}; only 'cdr' is known: convert the bag")
@@ -163,7 +172,7 @@ def _check_connection(connection: Any, reading: Reading) -> None:
 
 
 def _plain(data: bytes) -> bytes:
-    """A message without its zstd compression: only the metadata say that there is one, and may be lost."""
+    """A message, decompressed: only the metadata say that it is compressed, and they may be lost."""
     if not data.startswith(ZSTD_MAGIC):
         return data
     try:

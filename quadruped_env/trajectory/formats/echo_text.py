@@ -1,12 +1,12 @@
-"""What `ros2 topic echo` prints of joint states, as YAML and as `--csv` text.
+"""Output of `ros2 topic echo` for joint states, as YAML and as `--csv` text.
 
-YAML: a document a message, in block or flow style, each ended by a line `---`. A notice of lost messages may stand
-between them; it is reported. CSV has no header and no quotes:
+YAML: one document per message, in block or flow style, each ended by a line `---`. Notices of lost messages between
+them are reported. CSV has no header and no quotes:
 
     sec,nanosec,frame_id,names...,positions...,velocities...,efforts...
 
-and an empty array is one empty field. Both shorten arrays of over 128 numbers to `...` unless asked not to
-(`--full-length`): those are refused.
+and an empty array is one empty field. Both shorten arrays of over 128 numbers to `...`, unless called with
+`--full-length`; shortened arrays are an error.
 """
 
 import re
@@ -16,36 +16,53 @@ from itertools import takewhile
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError, short
-from quadruped_env.ros.joint_state import NANOSECONDS, RawJointState
-from quadruped_env.trajectory.delimited import lines, opened, parse_number
-from quadruped_env.trajectory.reading import KINDS, Reading, Sample
+from quadruped_env.ros.joint_state import RawJointState
+from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.formats.delimited import lines, opened, parse_number
+from quadruped_env.trajectory.formats.messages import assembled
+from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.rows import KINDS, Rows
 
 LOST: Final = "A message was lost!!!"
-"""How a notice of lost messages begins"""
+"""First words of a notice of lost messages."""
 
 _LOST_NOTE: Final = "the recording itself says that messages were lost"
 _MAX_DOCUMENT: Final = 1_000_000
-"""Characters: a longer one is no joint state"""
+"""Maximum characters of a message; no joint state is longer."""
 _SHORTENED: Final = "an array is shortened to '...'; record it again with ros2 topic echo --full-length"
 _FORM: Final = "expected what ros2 topic echo prints of a sensor_msgs/msg/JointState"
 _SPECIAL: Final = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
-"""How YAML writes what is not finite"""
+"""Numbers that are not finite in YAML -> in Python."""
 _INTEGER: Final = re.compile(r"-?\d{1,18}$", re.ASCII)
 _MAX_KEYS_SHOWN: Final = 8
 _MAX_DEPTH: Final = 8
-"""Levels of nesting; a joint state has three"""
+"""Maximum levels of nesting; a joint state has three."""
 
 Node = str | list[Any] | tuple[Any, ...]
-"""What YAML says, as text: a scalar, a sequence, or the pairs of a mapping"""
+"""A YAML node, its values still as text: a scalar, a sequence, or the pairs of a mapping"""
 
 
-def read_yaml(reading: Reading) -> Iterator[Sample]:
-    """The messages of YAML text.
+def read_yaml(reading: Reading) -> Iterator[Rows]:
+    """The messages of YAML text, not validated.
 
     Raises:
-        QuadrupedError: if the file is missing or damaged; whether its values make sense is not checked here.
+        QuadrupedError: if the file is missing or damaged.
         MissingExtraError: if PyYAML is not installed.
     """
+    return assembled(_yaml_messages(reading), reading, is_text=True)
+
+
+def read_csv(reading: Reading) -> Iterator[Rows]:
+    """The messages of `--csv` text, not validated.
+
+    Raises:
+        QuadrupedError: if the file is missing or damaged.
+    """
+    return assembled(_csv_messages(reading), reading, is_text=True)
+
+
+def _yaml_messages(reading: Reading) -> Iterator[tuple[int, RawJointState]]:
+    """Number and content of the messages."""
     yaml = yaml_module()
     reading.row_name = "message"
     with opened(reading) as file:
@@ -55,21 +72,17 @@ def read_yaml(reading: Reading) -> Iterator[Sample]:
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                yield Sample(number, _state(_document(yaml, text)))
+                yield number, _state(_document(yaml, text))
             except (yaml.YAMLError, ValueError) as error:
                 reason = " ".join(str(error).split())
-                raise reading.error(number, f"{reason}; {_FORM}; mend it or delete it") from error
+                raise reading.error(number, f"{reason}; {_FORM}; fix it or delete it") from error
             number += 1
     if not number:
         raise reading.error(None, f"there is no message in it; {_FORM}")
 
 
-def read_csv(reading: Reading) -> Iterator[Sample]:
-    """The messages of `--csv` text.
-
-    Raises:
-        QuadrupedError: if the file is missing or damaged; whether its values make sense is not checked here.
-    """
+def _csv_messages(reading: Reading) -> Iterator[tuple[int, RawJointState]]:
+    """Number of the line, and message."""
     reading.row_name = "line"
     with opened(reading) as file:
         for number, line in enumerate(lines(file, reading, 1), 1):
@@ -77,9 +90,9 @@ def read_csv(reading: Reading) -> Iterator[Sample]:
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                yield Sample(number, _state_of_cells(line.rstrip("\n").split(","), reading.options.names))
+                yield number, _state_of_cells(line.rstrip("\n").split(","), reading.options.names)
             except ValueError as error:
-                raise reading.error(number, f"{error}; mend the line or delete it") from error
+                raise reading.error(number, f"{error}; fix the line or delete it") from error
 
 
 def yaml_module() -> Any:
@@ -96,7 +109,7 @@ def yaml_module() -> Any:
 
 
 def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
-    """The texts between lines that end in `---`, without empty ones."""
+    """The texts between lines that end in `---`, except empty ones."""
     parts: list[str] = []
     size = 0
     for line in found:
@@ -116,18 +129,18 @@ def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
 
 
 def _document(yaml: Any, text: str) -> Node | None:
-    """The one document in YAML text; None if it is empty.
+    """The only document in YAML text; None if it is empty.
 
-    Made from PyYAML's events, since its own composer recurses in C: 30,000 brackets end the process.
+    Built from PyYAML's events, since its own composer recurses in C: 30,000 brackets crash the process.
 
     Raises:
         yaml.YAMLError: if it is not YAML.
         ValueError: if it holds several documents or anchors, or is nested too deeply.
     """
     root: list[Any] = []
-    """The node, once it begins"""
+    """The node, once its first event has come"""
     levels: list[list[Any]] = []
-    """The children of the nodes that have begun: of a mapping, key and value by turns"""
+    """The children of the open nodes; of a mapping, keys and values alternate"""
     for event in yaml.parse(text, yaml.CSafeLoader):
         children = levels[-1] if levels else root
         if getattr(event, "anchor", None) is not None:
@@ -149,7 +162,7 @@ def _document(yaml: Any, text: str) -> Node | None:
 
 
 def _state(node: Node | None) -> RawJointState:
-    """A message of a YAML node; ValueError if it is none."""
+    """The message in a YAML node. Raises ValueError if the node is not a joint state."""
     fields = _mapping(node, ("header", "name", *KINDS), "the message")
     header = _mapping(fields["header"], ("stamp", "frame_id"), "header")
     stamp = _mapping(header["stamp"], ("sec", "nanosec"), "header.stamp")
@@ -159,7 +172,7 @@ def _state(node: Node | None) -> RawJointState:
 
 
 def _mapping(node: Node | None, keys: tuple[str, ...], what: str) -> dict[str, Any]:
-    """Key -> node. YAML's own mappings would keep the last of two equal keys, and say nothing."""
+    """Key -> node. YAML's own mappings would silently keep the last of two equal keys."""
     pairs = node if isinstance(node, tuple) else ()
     found = [key for key, _ in pairs if isinstance(key, str)]
     if sorted(found) != sorted(keys) or len(found) != len(pairs):
@@ -184,7 +197,7 @@ def _scalar(node: Node, what: str) -> str:
 
 
 def _number(node: Node, what: str) -> float:
-    """A number; YAML would take 1e-05 for a text."""
+    """A number; to YAML, 1e-05 is a text."""
     text = _scalar(node, what)
     return _cell_number(_SPECIAL.get(text, text), what)
 
@@ -192,14 +205,14 @@ def _number(node: Node, what: str) -> float:
 def _stamp(sec: str, nanosec: str) -> int:
     for text in (sec, nanosec):
         if not _INTEGER.match(text):
-            raise ValueError(f"{short(text)} is not a whole number in a stamp")
-    if not 0 <= int(nanosec) < NANOSECONDS or not -(2**31) <= int(sec) < 2**31:
-        raise ValueError(f"a stamp of {sec} s and {nanosec} ns is none")
-    return int(sec) * NANOSECONDS + int(nanosec)
+            raise ValueError(f"{short(text)} is not a whole number in a timestamp")
+    if not 0 <= int(nanosec) < NS_PER_SECOND or not -(2**31) <= int(sec) < 2**31:
+        raise ValueError(f"{sec} s and {nanosec} ns are not a valid timestamp")
+    return int(sec) * NS_PER_SECOND + int(nanosec)
 
 
 def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJointState:
-    """A message of the fields of a line; ValueError if it is none."""
+    """The message in the fields of a line. Raises ValueError if they are not a joint state."""
     if "..." in cells:
         raise ValueError(_SHORTENED)
     if len(cells) < 7:
@@ -209,7 +222,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
     rest = cells[3 + max(len(names), 1) :]
     count = len(names) or len(given or ())
     if not names and cells[3]:
-        raise ValueError(f"there is {short(cells[3])} where the joints' names begin")
+        raise ValueError(f"found {short(cells[3])} where the joints' names begin")
     count = count or _count_without_names(rest)
     numbers = []
     for kind in KINDS:
@@ -226,7 +239,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
 
 
 def _count_without_names(cells: list[str]) -> int:
-    """How many numbers each array has, where no names tell."""
+    """Length of the arrays of a message without names."""
     filled = 3 - cells.count("")
     numbers = len(cells) - cells.count("")
     if filled <= 0 or numbers % filled:

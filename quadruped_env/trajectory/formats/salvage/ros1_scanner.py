@@ -6,12 +6,13 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Final
 
+from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.formats.salvage.records import Message, Topic, decompress
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.salvage.found import Message, Topic, decompress
 
 _MAGIC: Final = b"#ROSBAG V2.0\n"
 _MESSAGE, _CHUNK, _CONNECTION = 2, 5, 7
-"""Records"""
+"""Types of records."""
 
 
 def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
@@ -25,11 +26,11 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 def _records(
     file: BinaryIO, size: int, name: str, reading: Reading, checked: bool = False
 ) -> Iterator[Topic | Message]:
-    """Topics and messages from where the file stands; a chunk, `checked` or not, is a file within the file."""
+    """Topics and messages from the current position on; a chunk, `checked` or not, is a file within the file."""
     while file.tell() < size:
         start = file.tell()
         if not isinstance(file, BytesIO):
-            reading.at(start / size)
+            reading.report_progress(start / size)
         try:
             (length,) = struct.unpack("<I", file.read(4))
             fields = _fields(file.read(min(length, size)))
@@ -39,14 +40,14 @@ def _records(
             op = fields["op"][0]
             if op == _CHUNK:
                 compression = fields["compression"].decode().removeprefix("none")
-                plain, held = decompress(data, compression, struct.unpack("<I", fields["size"])[0])
-                yield from _records(BytesIO(plain), len(plain), f"{name}: chunk at byte {start}", reading, held)
+                plain, correct = decompress(data, compression, struct.unpack("<I", fields["size"])[0])
+                yield from _records(BytesIO(plain), len(plain), f"{name}: chunk at byte {start}", reading, correct)
             elif op == _CONNECTION and whole:
                 kind = _fields(data)["type"].decode()
                 yield Topic(struct.unpack("<I", fields["conn"])[0], fields["topic"].decode(), kind)
             elif op == _MESSAGE and whole:
                 sec, nanosec = struct.unpack("<II", fields["time"])
-                time = sec * 1_000_000_000 + nanosec
+                time = sec * NS_PER_SECOND + nanosec
                 yield Message(struct.unpack("<I", fields["conn"])[0], time, data, checked)
         except (struct.error, KeyError, IndexError, ValueError) as error:
             reading.note(f"{name}: damaged from byte {start} on: {error!r}")
@@ -57,7 +58,7 @@ def _records(
 
 
 def _fields(data: bytes) -> Mapping[str, bytes]:
-    """Fields of a header: name=value, each behind its length."""
+    """Fields of a header: name=value, each after its length."""
     fields, at = {}, 0
     while at < len(data):
         (length,) = struct.unpack_from("<I", data, at)

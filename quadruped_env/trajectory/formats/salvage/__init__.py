@@ -1,6 +1,6 @@
-"""Bags without their index: what can still be read of one that was cut off, damaged or never closed.
+"""Bags without their index: the readable messages of a bag that was cut off, damaged or never closed.
 
-Messages come in the order in which they stand in the file.
+Messages come in the order of the file.
 """
 
 import re
@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.trajectory.formats.salvage import mcap_scanner, ros1_scanner, sqlite3_scanner
+from quadruped_env.trajectory.formats.salvage.records import Message, Topic, zstd, zstd_has_checksum
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.salvage import mcap, ros1, sqlite3
-from quadruped_env.trajectory.salvage.found import Message, Topic, zstd, zstd_has_checksum
 
 DIRECTORY: Final = "dir"
 MCAP: Final = ".mcap"
@@ -25,7 +25,7 @@ ROS1: Final = ".bag"
 JOINT_STATE: Final = "sensor_msgs/JointState"
 DEFAULT_TOPIC: Final = "/joint_states"
 
-_SCANNERS: Final = {MCAP: mcap.scan, SQLITE3: sqlite3.scan, ROS1: ros1.scan}
+_SCANNERS: Final = {MCAP: mcap_scanner.scan, SQLITE3: sqlite3_scanner.scan, ROS1: ros1_scanner.scan}
 _STEP: Final = 1 << 16
 _PAGE: Final = 4096
 """Bytes that SQLite writes at once."""
@@ -35,11 +35,11 @@ def messages(reading: Reading, storage: str) -> Iterator[Message]:
     """Every joint state that can be read.
 
     Raises:
-        QuadrupedError: if there is no topic of joint states, or several to choose from.
+        QuadrupedError: if there is no topic of joint states, or several and the options name none.
         MissingExtraError: if rosbags is not installed.
     """
     topics: dict[tuple[Path, Any], Topic] = {}
-    # Twice through the file: a topic may stand behind its messages. The first time says nothing of how far it is.
+    # The file is scanned twice, since a topic may come after its messages; the first scan reports no progress.
     for path, found in _scan(replace(reading, progress=None), storage):
         if isinstance(found, Topic):
             topics[path, found.key] = found
@@ -51,7 +51,7 @@ def messages(reading: Reading, storage: str) -> Iterator[Message]:
 
 
 def first_damage(reading: Reading, storage: str) -> str:
-    """Where a bag that cannot be opened is damaged, as far as it can be seen without its index; "" if it cannot."""
+    """Place of the first damage in a bag that cannot be opened, as seen without its index; "" if none is seen."""
     looking = Reading(reading.path, replace(reading.options, salvage=True))
     try:
         for _ in _scan(looking, storage):
@@ -63,14 +63,14 @@ def first_damage(reading: Reading, storage: str) -> str:
 
 
 def choose_topic(types: Mapping[str, str], reading: Reading) -> str:
-    """The topic of joint states that the options ask for, or the one that a bag has.
+    """The topic of joint states that the options name, or the only one in the bag, or `/joint_states`.
 
     Args:
         types: topic -> message type, as ROS 1 or ROS 2 name it.
-        reading: whose options name a topic, or none.
+        reading: of the bag; its options may name a topic.
 
     Raises:
-        QuadrupedError: if there is none, or there are several to choose from.
+        QuadrupedError: if there is none, or several and none is `/joint_states`.
     """
     topics = sorted(topic for topic, name in types.items() if name.replace("/msg/", "/") == JOINT_STATE)
     wanted = reading.options.topic
@@ -92,10 +92,10 @@ def choose_topic(types: Mapping[str, str], reading: Reading) -> str:
 
 
 def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
-    """A storage file without its zstd compression, in a directory that goes when the stack closes.
+    """A storage file, decompressed with zstd into a directory that is removed when the stack closes.
 
     Raises:
-        QuadrupedError: if it is damaged and not to be salvaged.
+        QuadrupedError: if the file is damaged, unless the options ask to salvage.
         MissingExtraError: if rosbags is not installed.
     """
     plain = Path(stack.enter_context(tempfile.TemporaryDirectory())) / path.stem
@@ -106,7 +106,7 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
         while not decompressor.eof:
             part = source.read(_STEP) if decompressor.needs_input else None
             try:
-                # In small amounts: a call that fails gives nothing back.
+                # In small steps: a call that fails returns nothing.
                 target.write(decompressor.decompress(part or b"", _PAGE))
                 problem = "it ends too early" if part == b"" else None
             except zstd().ZstdError as error:
@@ -137,7 +137,7 @@ def _scan(reading: Reading, storage: str) -> Iterator[tuple[Path, Topic | Messag
 
 
 def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | Message]:
-    """Topics and messages of one file, up to where nothing makes sense any more."""
+    """Topics and messages of one file, up to damage that the scanner cannot skip."""
     checked = path in reading.checked_files
     try:
         for found in _SCANNERS[storage](path, reading):
@@ -145,7 +145,7 @@ def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | M
     except OSError as error:
         raise reading.error(None, f"{path.name} cannot be read ({error.strerror})") from error
     except (struct.error, LookupError, ValueError, OverflowError, MemoryError) as error:
-        reading.note(f"{path.name}: what follows is damaged: {error!r}")
+        reading.note(f"{path.name}: the rest is damaged: {error!r}")
 
 
 def storage_files(directory: Path) -> list[Path]:

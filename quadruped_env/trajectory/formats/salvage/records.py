@@ -1,4 +1,4 @@
-"""What the scanners of all formats find, and the compressions that they share."""
+"""Topics and messages as the scanners of all formats find them, and the compressions that the formats share."""
 
 import bz2
 from dataclasses import dataclass
@@ -8,36 +8,36 @@ from quadruped_env.errors import MissingExtraError
 
 ZSTD_MAGIC: Final = b"\x28\xb5\x2f\xfd"
 MAX_SIZE: Final = 1 << 30
-"""Bytes: no recorder writes a larger chunk, and damage may claim any size"""
+"""Maximum bytes of a chunk: no recorder writes larger ones, and damaged bytes may claim any size."""
 
 _STEP: Final = 4096
 
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic that a bag has."""
+    """A topic in a bag."""
 
     key: Any
-    """What its messages call it"""
+    """Its number in the bag, by which messages refer to it"""
     name: str
     message_type: str
 
 
 @dataclass(frozen=True)
 class Message:
-    """A message as it was recorded."""
+    """A message, as recorded."""
 
     topic: Any
     """Key of its topic"""
     time: int
-    """ns of recording"""
+    """Time of recording, ns"""
     data: bytes
     checked: bool = False
-    """Whether a checksum says that these are the bytes that were recorded"""
+    """Whether a checksum covers the bytes and is correct"""
 
 
 def zstd() -> Any:
-    """The module that reads zstd, which rosbags brings.
+    """The module for zstd, which rosbags installs.
 
     Raises:
         MissingExtraError: if it is not installed.
@@ -50,12 +50,19 @@ def zstd() -> Any:
 
 
 def zstd_has_checksum(data: bytes) -> bool:
-    """Whether a zstd frame that begins so ends with a checksum of its content (RFC 8878, section 3.1.1.1.1)."""
+    """Whether a zstd frame has a checksum of its content, by its first bytes (RFC 8878, section 3.1.1.1.1)."""
     return data.startswith(ZSTD_MAGIC) and len(data) > 4 and bool(data[4] & 0x04)
 
 
 def decompress(data: bytes, compression: str, size: int) -> tuple[bytes, bool]:
-    """As much as can be read of compressed data, and whether a checksum within it holds; ValueError if nothing can."""
+    """The readable part of compressed data.
+
+    Returns:
+        The data, up to damage, and whether the compression's own checksum is correct.
+
+    Raises:
+        ValueError: if nothing can be read.
+    """
     if size > MAX_SIZE:
         raise ValueError(f"it claims {size} bytes")
     if not compression:
@@ -73,14 +80,14 @@ def decompress(data: bytes, compression: str, size: int) -> tuple[bytes, bool]:
     else:
         raise ValueError(f"unknown compression {compression!r}")
     plain = bytearray()
-    # In small steps: one that fails gives nothing back.
+    # In small steps: a call that fails returns nothing.
     for start in range(0, len(data), _STEP):
         if decompressor.eof or len(plain) > size:
             break
         try:
             plain += decompressor.decompress(data[start : start + _STEP])
-        # The libraries' own types of error, whichever it is.
+        # Each library raises errors of its own type.
         except Exception:
             break
-    # Whether the checksum holds, the libraries see at the end.
+    # The libraries check the checksum at the end.
     return bytes(plain), has_checksum and bool(decompressor.eof)

@@ -1,12 +1,12 @@
-"""rosbag2 bags for ROS 2 Humble and later: joint states, and what RViz needs to show them.
+"""rosbag2 bags for ROS 2 Humble and later: joint states, and the topics that RViz needs to show them.
 
     /joint_states        sensor_msgs/JointState, every row at its stamp
     /robot_description   std_msgs/String, the URDF, latched, once
-    /tf                  tf2_msgs/TFMessage, what robot_state_publisher makes of the rows
+    /tf                  tf2_msgs/TFMessage, as robot_state_publisher computes it from the rows
     /tf_static           tf2_msgs/TFMessage, latched, once
 
-The last three are there if the joints are this robot's. Metadata are of version 8: Humble cannot read the newer one's
-qualities of service (https://github.com/ros2/rosbag2/issues/2013). Messages stand in the order of their times.
+The last three are written if the joints are this robot's. Metadata have version 8: Humble cannot read the qualities of
+service of the newer version (https://github.com/ros2/rosbag2/issues/2013). Messages are in the order of their times.
 """
 
 import shutil
@@ -26,35 +26,33 @@ from quadruped_env.files import PART, unwritable, whole
 from quadruped_env.robot import JOINT_NAMES, asset_path, fixed_transforms, joint_transforms
 from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
-from quadruped_env.ros.joint_state import NANOSECONDS, Encoder
+from quadruped_env.ros.joint_state import Encoder
 from quadruped_env.ros.tf import TfEncoder
-from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.salvage.found import zstd
-from quadruped_env.trajectory.signals import interpolate
+from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.formats.salvage.records import zstd
+from quadruped_env.trajectory.interpolation import interpolate
+from quadruped_env.trajectory.rows import KINDS, Rows
 
 STORAGES: Final = {"mcap": ".mcap", "sqlite3": ".db3"}
-"""Storage -> suffix of its files"""
+"""Storage -> suffix of its files."""
 METADATA_VERSION: Final = 8
 TF_RATE: Final = 20.0
-"""Hz; robot_state_publisher's default"""
+"""Hz; the default of robot_state_publisher."""
 
 _METADATA: Final = "metadata.yaml"
 _CHUNK_CRC_AT: Final = 9 + 24
-"""Where a chunk of MCAP has its checksum, counted from its beginning"""
-
-Piece = tuple[JointTrajectory, NDArray[np.float64] | None]
-"""Rows, and the base's pose (T, 7) at each if it is known"""
+"""Offset of the checksum in a chunk of MCAP, in bytes."""
 
 
 @dataclass(frozen=True)
 class BagOptions:
-    """How a bag is written."""
+    """Options for writing a bag."""
 
     storage: str = "mcap"
     tf_rate: float = TF_RATE
-    """Hz, at multiples of its period; 0 writes no /tf"""
+    """Rate of /tf in Hz, at multiples of its period; 0 writes no /tf"""
     compress: bool = False
-    """zstd; readers of sqlite3 need rosbag2_compression_zstd"""
+    """Compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd"""
 
     def __post_init__(self) -> None:
         if self.storage not in STORAGES:
@@ -63,11 +61,11 @@ class BagOptions:
             raise QuadrupedError(f"tf_rate: expected 0 to 1e6 Hz; found {self.tf_rate!r}")
 
 
-def write(pieces: Iterable[Piece], path: Path, options: BagOptions, overwrite: bool) -> None:
+def write(pieces: Iterable[Rows], path: Path, options: BagOptions, overwrite: bool) -> None:
     """Write a bag, in full or not at all: a directory, or one bare storage file if the path ends in its suffix.
 
     Raises:
-        QuadrupedError: if it is there already and is not to be overwritten, or cannot be written.
+        QuadrupedError: if the bag exists and must not be overwritten, or cannot be written.
         MissingExtraError: if rosbags is not installed.
     """
     check_target(path, overwrite)
@@ -84,21 +82,21 @@ def write(pieces: Iterable[Piece], path: Path, options: BagOptions, overwrite: b
 
 
 def check_target(path: Path, overwrite: bool) -> None:
-    """Raise a QuadrupedError if something is at the path that is not to be replaced."""
+    """Raise a QuadrupedError if something exists at the path that must not be replaced."""
     if not path.exists():
         return
     if not overwrite:
         raise QuadrupedError(f"{path}: exists already; name another place, or ask to overwrite it (--overwrite)")
     suffixes = (*STORAGES.values(), *(f"{suffix}.zstd" for suffix in STORAGES.values()))
     if path.is_dir() and not all(entry.name == _METADATA or entry.name.endswith(suffixes) for entry in path.iterdir()):
-        raise QuadrupedError(f"{path}: is a directory that holds more than a bag; name another place")
+        raise QuadrupedError(f"{path}: is a directory that contains more than a bag; name another place")
 
 
 @contextmanager
 def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
-    """A writer of rosbags for a new bag, which `connect` gives topics.
+    """A writer of rosbags for a new bag; `connect` adds topics.
 
-    Chunks of MCAP and compressed files have checksums: without one, damage would be read as numbers.
+    Chunks of MCAP and compressed files get checksums: without them, damage would be read as numbers.
 
     Raises:
         MissingExtraError: if rosbags is not installed.
@@ -137,14 +135,14 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
 
 
 def save_progress(writer: Any) -> None:
-    """Put into the file what a killed process must not lose; MCAP's chunks of 1 MB get there by themselves."""
+    """Write pending messages to the file, so that a killed process keeps them; MCAP writes each MB by itself."""
     connection = getattr(writer.storage, "conn", None)
     if connection is not None:
         connection.commit()
 
 
 def _compress_with_checksum(file: Path) -> None:
-    """Compress a zstd file again, with the checksum of its content that rosbags leaves out."""
+    """Compress a zstd file again, with a checksum of its content, which rosbags leaves out."""
     module, part = zstd(), file.with_name(f"{file.name}{PART}")
     options = {module.CompressionParameter.checksum_flag: 1}
     with module.open(file) as source, module.open(part, "wb", options=options) as target:
@@ -152,22 +150,21 @@ def _compress_with_checksum(file: Path) -> None:
     part.replace(file)
 
 
-def _write_messages(pieces: Iterable[Piece], writer: Any, options: BagOptions) -> None:
+def _write_messages(pieces: Iterable[Rows], writer: Any, options: BagOptions) -> None:
     encode: Encoder | None = None
     joints, tf = None, None
-    for piece, base in pieces:
+    for piece in pieces:
         if encode is None:
             encode = Encoder(piece.names)
             joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
             if set(JOINT_NAMES) <= set(piece.names):
                 tf = _TfWriter(writer, options.tf_rate, int(piece.stamps[0]))
         until = 0
-        transforms = iter(()) if tf is None else tf.messages(piece, base)
+        transforms = iter(()) if tf is None else tf.messages(piece)
         following = next(transforms, None)
         width = 8 * len(piece.names)
         arrays = [
-            b"" if values is None else values.astype("<f8", copy=False).tobytes()
-            for values in (piece.positions, piece.velocities, piece.efforts)
+            piece.values[kind].astype("<f8", copy=False).tobytes() if kind in piece.values else b"" for kind in KINDS
         ]
         for row, stamp in enumerate(piece.stamps.tolist()):
             while tf is not None and following is not None and following[0] < stamp:
@@ -181,11 +178,11 @@ def _write_messages(pieces: Iterable[Piece], writer: Any, options: BagOptions) -
 
 
 class _TfWriter:
-    """Writes the robot's description and transforms beside its joint states."""
+    """Writes the robot's description and transforms next to its joint states."""
 
     def __init__(self, writer: Any, rate: float, start: int) -> None:
         self._writer = writer
-        self._period = round(NANOSECONDS / rate) if rate else 0
+        self._period = round(NS_PER_SECOND / rate) if rate else 0
         self._last: tuple[int, NDArray[np.float64]] | None = None
         self._encode: TfEncoder | None = None
         description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
@@ -196,16 +193,17 @@ class _TfWriter:
         writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
         self._topic = connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
 
-    def messages(self, piece: JointTrajectory, base: NDArray[np.float64] | None) -> Iterator[tuple[int, bytes]]:
-        """Stamp and bytes of what is due up to the end of a piece."""
+    def messages(self, piece: Rows) -> Iterator[tuple[int, bytes]]:
+        """Timestamp and bytes of the messages due up to the end of a piece."""
         if self._topic is None:
             return
-        stamps, rows = piece.stamps, piece.select(JOINT_NAMES).positions
+        base = piece.base_pose
+        stamps, rows = piece.stamps, piece.values["position"][:, [piece.names.index(name) for name in JOINT_NAMES]]
         if base is not None:
             rows = np.concatenate([rows, base], axis=1)
         first = -(-int(stamps[0]) // self._period) * self._period
         if self._last is not None:
-            # Between the piece before and this one, too.
+            # Also between the previous piece and this one.
             first = (self._last[0] // self._period + 1) * self._period
             stamps = np.concatenate([[self._last[0]], stamps])
             rows = np.concatenate([self._last[1][None], rows])
@@ -230,12 +228,12 @@ class _TfWriter:
 
 
 def tf_encoder(transforms: Iterable[Transform]) -> TfEncoder:
-    """What writes messages of these transforms."""
+    """Encoder of messages with these transforms."""
     return TfEncoder([(transform.parent, transform.child) for transform in transforms])
 
 
 def tf_numbers(transforms: Iterable[Transform], count: int) -> NDArray[np.float64]:
-    """What it takes for `count` messages: (count, F, 7), the quaternions in ROS's order."""
+    """Numbers of `count` messages for their encoder: (count, F, 7), quaternions in ROS's order xyzw."""
     parts = [
         np.concatenate([one.translation, one.rotation[..., [1, 2, 3, 0]]], axis=-1).reshape(-1, 7) for one in transforms
     ]
@@ -243,7 +241,7 @@ def tf_numbers(transforms: Iterable[Transform], count: int) -> NDArray[np.float6
 
 
 def _continuous(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows of joints and base pose whose quaternions take the shorter way: q and -q are the same turn."""
+    """Rows of joints and base pose, quaternions signed for the shorter rotation: q and -q are the same orientation."""
     quaternions = rows[:, -4:]
     same = np.sum(quaternions[1:] * quaternions[:-1], axis=1) >= 0.0
     signs = np.cumprod(np.concatenate([[1.0], np.where(same, 1.0, -1.0)]))
@@ -251,11 +249,11 @@ def _continuous(rows: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
-    """A connection of a bag: what its `write` wants to know of a topic, with the quality that is offered on it."""
+    """A new topic of a bag, with the offered quality of service; the writer's `write` takes it."""
     from rosbags.interfaces import Qos as BagQos
     from rosbags.interfaces import QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 
-    # rmw takes zeros for its defaults, which are unlimited; how "unlimited" is spelt differs between distributions.
+    # To rmw, zeros mean its defaults, which are unlimited; the spelling of "unlimited" differs between distributions.
     unlimited = QosTime(0, 0)
     profile = BagQos(
         QosHistory.KEEP_LAST,

@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import BinaryIO, Final
 from zlib import crc32
 
+from quadruped_env.trajectory.formats.salvage.records import Message, Topic, decompress
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.salvage.found import Message, Topic, decompress
 
 _MAGIC: Final = b"\x89MCAP0\r\n"
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 0x03, 0x04, 0x05, 0x06
-"""Records"""
+"""Types of records."""
 _CHUNK_HEAD: Final = struct.Struct("<BQQQQII")
-"""Of a chunk: op, length, first and last time, size, checksum, and the length of the compression's name"""
+"""Head of a chunk: type, length, first and last time, size, checksum, length of the compression's name."""
 _COMPRESSIONS: Final = (b"", b"lz4", b"zstd")
 
 
@@ -37,14 +37,14 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
 
 def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
-    """Records that hold something, those within chunks included, and whether the checksum of their chunk holds."""
+    """Type, data and "covered by a correct checksum" of all records with content, also of those in chunks."""
     with path.open("rb") as file:
         if file.read(len(_MAGIC)) != _MAGIC:
             reading.note(f"{path.name}: the beginning is damaged")
         size = path.stat().st_size
         while True:
             start = file.tell()
-            reading.at(start / size)
+            reading.report_progress(start / size)
             head = file.read(9)
             if len(head) < 9:
                 if head[: len(_MAGIC)] != _MAGIC:
@@ -65,19 +65,14 @@ def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
 
 
 def _next_chunk(file: BinaryIO, start: int, size: int) -> int | None:
-    """Where a chunk begins behind a place, if its head makes sense; None if there is none."""
+    """Offset of the next plausible chunk from `start` on; None if there is none."""
     with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         at = data.find(bytes([_CHUNK]), start)
         while 0 <= at <= size - _CHUNK_HEAD.size:
             _, length, first, last, _, _, name = _CHUNK_HEAD.unpack_from(data, at)
-            behind = at + _CHUNK_HEAD.size
-            if (
-                name <= 4
-                and first <= last
-                and at + 9 + length <= size
-                and data[behind : behind + name] in _COMPRESSIONS
-            ):
-                held = int.from_bytes(data[behind + name : behind + name + 8], "little")
+            end = at + _CHUNK_HEAD.size
+            if name <= 4 and first <= last and at + 9 + length <= size and data[end : end + name] in _COMPRESSIONS:
+                held = int.from_bytes(data[end + name : end + name + 8], "little")
                 if held == length - 40 - name:
                     return at
             at = data.find(bytes([_CHUNK]), at + 1)
@@ -85,7 +80,7 @@ def _next_chunk(file: BinaryIO, start: int, size: int) -> int | None:
 
 
 def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
-    """Records of a chunk, up to where it is cut off; none if its checksum is wrong."""
+    """Records of a chunk, up to a cut; none if its checksum is wrong."""
     try:
         _, _, size, checksum = struct.unpack_from("<QQQI", data)
         compression, at = _text(data, 28)
@@ -108,7 +103,7 @@ def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> It
 
 
 def _text(data: bytes, at: int) -> tuple[str, int]:
-    """A text, and where it ends."""
+    """A text, and the offset of its end."""
     (length,) = struct.unpack_from("<I", data, at)
     end = at + 4 + length
     if end > len(data):

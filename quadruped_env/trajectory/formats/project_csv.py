@@ -1,12 +1,12 @@
-"""This project's CSV of joint states: a header line, then a line a row.
+"""This project's CSV of joint states: a header line, then one line per row.
 
     stamp_ns,position.LF_hip_joint,...,velocity.LF_hip_joint,...,effort.LF_hip_joint,...
     0,0.6,...
 
 `stamp_ns` is a whole number of ns, positions are rad, velocities rad/s, efforts N m. Velocities and efforts may be
 left out, each for all joints; an effort may be `nan`. Columns after the first may come in any order. Numbers are
-written in the shortest form that reads back to the same bits. Nothing is quoted and every line ends, the last one
-too: that is how a file that was cut off is known.
+written in the shortest form that reads back to the same bits. Nothing is quoted. Every line has a line end, also the
+last one, so that a file that was cut off is recognised.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -19,46 +19,54 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.files import whole
-from quadruped_env.trajectory.delimited import Layout, blocks, lines, opened, parse_whole
-from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.reading import KINDS, TORQUE_ONLY, Block, Progress, Reading
+from quadruped_env.progress import Progress
+from quadruped_env.trajectory.formats.delimited import Layout, lines, opened, parse_whole, salvaged_text, table_rows
+from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.rows import KINDS, TORQUE_ONLY, Rows
 
 STAMP_COLUMN: Final = "stamp_ns"
 
 _HEADER: Final = f"{STAMP_COLUMN},position.<joint>,...[,velocity.<joint>,...][,effort.<joint>,...]"
 _FIRST_ROW: Final = 2
-"""The line of the first row; the header is line 1."""
-_ROWS_A_WRITE: Final = 1000
+"""Line of the first row; the header is line 1."""
+_ROWS_PER_WRITE: Final = 1000
 
 
-def read(reading: Reading) -> Iterator[Block]:
-    """The rows of a file.
+def read(reading: Reading) -> Iterator[Rows]:
+    """The rows of a file, not validated.
 
     Raises:
-        QuadrupedError: if the file is missing or damaged; whether its values make sense is not checked here.
+        QuadrupedError: if the file is missing or damaged.
     """
+    return salvaged_text(_rows(reading), reading)
+
+
+def _rows(reading: Reading) -> Iterator[Rows]:
     reading.row_name = "line"
     with opened(reading) as file:
         layout = _layout(_read_header(file.readline(), reading.path))
         table = ((number, line.split(",")) for number, line in enumerate(lines(file, reading, _FIRST_ROW), _FIRST_ROW))
-        yield from blocks(table, layout, reading)
+        yield from table_rows(table, layout, reading)
 
 
-def write(pieces: Iterable[JointTrajectory], path: Path, overwrite: bool) -> None:
-    """Write trajectories that follow each other, in full or not at all; see `JointTrajectory.save`."""
+def write(pieces: Iterable[Rows], path: Path, overwrite: bool) -> None:
+    """Write rows, in full or not at all.
+
+    Raises:
+        QuadrupedError: if a joint's name has characters that a CSV header cannot hold, the file exists and must not be
+            overwritten, or it cannot be written.
+    """
     following = iter(pieces)
     first = next(following)
     for name in first.names:
         if name.splitlines() != [name] or not {",", '"'}.isdisjoint(name):
             raise QuadrupedError(f"{path}: joint name {name!r} cannot stand in a CSV header; rename the joint")
 
-    def kinds(piece: JointTrajectory) -> dict[str, NDArray[np.float64]]:
-        arrays = zip(KINDS, (piece.positions, piece.velocities, piece.efforts), strict=True)
-        return {kind: array for kind, array in arrays if array is not None}
-
-    titles = [f"{kind}.{name}" for kind in kinds(first) for name in first.names]
-    rows = ((piece.stamps, np.concatenate(list(kinds(piece).values()), axis=1)) for piece in chain([first], following))
-    _write_rows(path, titles, rows, overwrite)
+    titles = [f"{kind}.{name}" for kind in first.values for name in first.names]
+    tables = (
+        (piece.stamps, np.concatenate(list(piece.values.values()), axis=1)) for piece in chain([first], following)
+    )
+    _write_tables(path, titles, tables, overwrite)
 
 
 def write_table(
@@ -69,41 +77,47 @@ def write_table(
     overwrite: bool = False,
     progress: Progress | None = None,
 ) -> None:
-    """Write a CSV of stamps (T,) and numbers (T, C) with a title a column, in full or not at all.
+    """Write a CSV of timestamps and numbers, in full or not at all.
 
-    `progress` is told the share of the rows that is written, in [0, 1].
+    Args:
+        path: of the file.
+        stamps: ns (T,).
+        titles: of the columns (C,).
+        table: numbers (T, C).
+        overwrite: replace an existing file.
+        progress: called with the fraction of the rows written.
 
     Raises:
-        QuadrupedError: if the file is there already and is not to be overwritten, or cannot be written.
+        QuadrupedError: if the file exists and must not be overwritten, or cannot be written.
     """
 
-    def rows() -> Iterator[tuple[NDArray[np.int64], NDArray[np.float64]]]:
-        for start in range(0, len(stamps), _ROWS_A_WRITE):
-            block = slice(start, start + _ROWS_A_WRITE)
-            yield stamps[block], table[block]
+    def tables() -> Iterator[tuple[NDArray[np.int64], NDArray[np.float64]]]:
+        for start in range(0, len(stamps), _ROWS_PER_WRITE):
+            part = slice(start, start + _ROWS_PER_WRITE)
+            yield stamps[part], table[part]
             if progress is not None:
-                progress(min(block.stop / len(stamps), 1.0))
+                progress(min(part.stop / len(stamps), 1.0))
 
-    _write_rows(path, titles, rows(), overwrite)
+    _write_tables(path, titles, tables(), overwrite)
 
 
 def check_target(path: Path, overwrite: bool) -> None:
-    """Raise a QuadrupedError if something is at the path that is not to be replaced."""
+    """Raise a QuadrupedError if something exists at the path that must not be replaced."""
     if path.is_dir() or (path.exists() and not overwrite):
         raise QuadrupedError(f"{path}: exists already; name another file, or ask to overwrite it (--overwrite)")
 
 
-def _write_rows(
+def _write_tables(
     path: Path,
     titles: Sequence[str],
-    rows: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]],
+    tables: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]],
     overwrite: bool,
 ) -> None:
     check_target(path, overwrite)
     with whole(path) as part, part.open("w", encoding="utf-8", newline="\n") as file:
         file.write(",".join([STAMP_COLUMN, *titles]) + "\n")
-        # In blocks: as Python objects, a long recording would not fit into memory.
-        for stamps, table in rows:
+        # In pieces: as Python objects, a long recording would not fit into memory.
+        for stamps, table in tables:
             for stamp, row in zip(stamps.tolist(), table.tolist(), strict=True):
                 file.write(f"{stamp},{','.join(map(repr, row))}\n")
 
@@ -111,7 +125,7 @@ def _write_rows(
 def _read_header(line: str, path: Path) -> list[tuple[str, str]]:
     """(kind, joint) of every column; the first is (STAMP_COLUMN, "")."""
     if not line:
-        raise QuadrupedError(f"{path}: the file is empty; expected the header {_HEADER} and a line a row")
+        raise QuadrupedError(f"{path}: the file is empty; expected the header {_HEADER} and one line per row")
     titles = line.removesuffix("\n").split(",")
     if titles[0] != STAMP_COLUMN:
         raise QuadrupedError(

@@ -1,0 +1,208 @@
+"""From a file of any known format to validated rows, in rad and on the joints of this robot."""
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.progress import Progress
+from quadruped_env.trajectory.conversion import from_degrees, retarget
+from quadruped_env.trajectory.formats import recognition
+from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, concatenated
+from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, validate
+
+MAX_PLAUSIBLE: Final = 4.0 * np.pi
+"""rad: two turns. No joint of a leg reaches it, and a log in degrees nearly always does."""
+
+_DEFAULTS: Final = ReadOptions()
+_MIN_ROWS: Final = 1024
+_MAX_ROWS: Final = 1 << 22
+"""Maximum rows for which memory is allocated in advance: a damaged file may claim any number."""
+
+
+class Stream:
+    """Iterates over a recording in pieces: memory does not grow with its length, unless it is to be sorted.
+
+    Rows are validated and converted as the options say. Timestamps increase, also from piece to piece.
+
+    Args:
+        path: of the file or bag.
+        options: for reading it.
+        progress: called with the fraction read.
+
+    Raises:
+        QuadrupedError: while it is read, if the file is missing or something in it is wrong.
+        MissingExtraError: while it is read, if the format needs libraries that are not installed.
+    """
+
+    def __init__(self, path: str | Path, options: ReadOptions = _DEFAULTS, progress: Progress | None = None) -> None:
+        self._reading = Reading(Path(path), options, progress)
+        self._first: int | None = None
+        """Number of the first row in the file"""
+
+    def remarks(self) -> tuple[str, ...]:
+        """Remarks on the numbers: rows left out, damage. Complete once the last piece was read."""
+        return self._reading.remarks()
+
+    @property
+    def source(self) -> Source:
+        """The source of all rows. Complete once the last piece was read."""
+        reading = self._reading
+        source = Source(reading.name, "kept row", 0, notes=self.remarks())
+        if self._first is None or reading.left_out or reading.options.sort:
+            return source
+        return replace(source, row_name=reading.row_name, first_row=self._first)
+
+    @property
+    def unchecked_rows(self) -> int:
+        """Number of salvaged rows that no checksum covers, also those that were left out later."""
+        return self._reading.unchecked_rows
+
+    @property
+    def expected_rows(self) -> int:
+        """Estimated number of rows; 0 if unknown."""
+        return self._reading.expected_rows
+
+    def __iter__(self) -> Iterator[Rows]:
+        reading = self._reading
+        with ExitStack() as stack:
+            pieces = recognition.read(reading, stack)
+            if reading.options.sort:
+                pieces = _sorted(pieces)
+            for rows in _validated(pieces, reading):
+                if self._first is None:
+                    self._first = int(rows.numbers[0])
+                yield _converted(rows, reading)
+        if self._first is None:
+            raise reading.error(None, f"no row is left; {'; '.join(reading.remarks()) or 'record again'}")
+        reading.report_progress(1.0)
+
+    def collect(self) -> tuple[tuple[str, ...], NDArray[np.int64], dict[str, NDArray[np.float64]]]:
+        """All rows, read-only: names (J,), timestamps in ns (T,), and kind -> values (T, J)."""
+        stamps = _Column()
+        values: dict[str, _Column] = {}
+        names: tuple[str, ...] = ()
+        for piece in self:
+            names = piece.names
+            stamps.append(piece.stamps, self.expected_rows)
+            for kind, array in piece.values.items():
+                values.setdefault(kind, _Column()).append(array, self.expected_rows)
+        return names, stamps.array(), {kind: column.array() for kind, column in values.items()}
+
+
+class _Column:
+    """Collects rows in one array, which grows if there are more than expected: no rows are in memory twice."""
+
+    def __init__(self) -> None:
+        self._array: NDArray[Any] | None = None
+        self._rows = 0
+
+    def append(self, rows: NDArray[Any], expected: int) -> None:
+        """Add rows (n, ...), of which so many are expected in all."""
+        end = self._rows + len(rows)
+        if self._array is None:
+            expected = min(max(expected, _MIN_ROWS), _MAX_ROWS)
+            self._array = np.empty((max(expected, end), *rows.shape[1:]), rows.dtype)
+        elif end > len(self._array):
+            larger = np.empty((max(end, len(self._array) * 3 // 2), *rows.shape[1:]), rows.dtype)
+            larger[: self._rows] = self._array[: self._rows]
+            self._array = larger
+        self._array[self._rows : end] = rows
+        self._rows = end
+
+    def array(self) -> NDArray[Any]:
+        """The rows, read-only: trajectories share such arrays instead of copying them."""
+        assert self._array is not None
+        result = self._array[: self._rows]
+        result.flags.writeable = False
+        return result
+
+
+def _sorted(pieces: Iterator[Rows]) -> Iterator[Rows]:
+    """All rows in the order of their timestamps; rows with equal timestamps stay in the order of the file."""
+    found = list(pieces)
+    if found:
+        rows = concatenated(found)
+        yield rows.take(np.argsort(rows.stamps, kind="stable"))
+
+
+def _validated(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
+    """The rows, validated, or without the invalid ones if the options ask to drop them."""
+    last: int | None = None
+    for piece in pieces:
+        found = piece.without(reading.options.ignore)
+        torque_only = _torque_only(found)
+        if reading.options.drop:
+            found = _without_bad_rows(found, torque_only, last, reading)
+        elif torque_only.any():
+            row = int(found.numbers[torque_only.argmax()])
+            raise reading.error(row, f"{TORQUE_ONLY}, or leave such {reading.row_name}s out (--drop)")
+        if not len(found):
+            continue
+        source = reading.source(found.numbers)
+        if last is not None and found.stamps[0] <= last:
+            raise not_increasing(source, 0, int(found.stamps[0]), last)
+        validate(found, source)
+        last = int(found.stamps[-1])
+        yield found
+
+
+def _without_bad_rows(rows: Rows, torque_only: NDArray[np.bool_], last: int | None, reading: Reading) -> Rows:
+    """The rows with known positions and velocities, and with timestamps that increase from `last` on."""
+    reading.leave_out(TORQUE_ONLY, int(torque_only.sum()))
+    rows = rows.take(~torque_only)
+    valid = rows.stamps >= 0
+    for kind, values in rows.values.items():
+        valid &= ~invalid(kind, values).any(axis=1)
+    reading.leave_out("a number is not finite, or a timestamp is negative", int((~valid).sum()))
+    rows = rows.take(valid)
+    latest = np.maximum.accumulate(np.concatenate([[-1 if last is None else last], rows.stamps]))[:-1]
+    later = rows.stamps > latest
+    reading.leave_out("the timestamp is not later than those before", int((~later).sum()))
+    return rows.take(later)
+
+
+def _torque_only(rows: Rows) -> NDArray[np.bool_]:
+    """Mask (n,) of the rows with efforts and without any position."""
+    efforts = rows.values.get("effort")
+    if efforts is None:
+        return np.zeros(len(rows), dtype=np.bool_)
+    return np.logical_and(
+        np.isnan(rows.values["position"]).all(axis=1), np.isfinite(efforts).any(axis=1), dtype=np.bool_
+    )
+
+
+def _converted(rows: Rows, reading: Reading) -> Rows:
+    """The rows in rad, on the joints of the map if there is one.
+
+    Raises:
+        QuadrupedError: if a converted value is not finite, or if the positions look like degrees and the options do not
+            say what they are.
+    """
+    options, source = reading.options, reading.source(rows.numbers)
+    if options.degrees:
+        rows = from_degrees(rows)
+    if options.joint_map is not None:
+        rows = retarget(rows, options.joint_map, source.name)
+        for kind, values in rows.values.items():
+            check_finite(kind, values, rows.names, source)
+    if options.degrees is None:
+        positions = rows.values["position"]
+        size = np.abs(positions)
+        if size.max() > MAX_PLAUSIBLE:
+            row, column = np.argwhere(size > MAX_PLAUSIBLE)[0]
+            value = positions[row, column]
+            mark = f"; if it marks a missing value, add it to the map (missing = {value:g})" if options.columns else ""
+            raise QuadrupedError(
+                f"{source.row(row)}, position.{rows.names[column]}: "
+                f"{value:g} rad is more than two turns: these may be degrees. Say so "
+                f'(--degrees, or unit = "deg" in a map) to have them converted, or that they are rad (--radians){mark}'
+            )
+    return rows

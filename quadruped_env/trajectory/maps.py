@@ -1,0 +1,346 @@
+"""Maps of other robots' recordings, as TOML: columns of a CSV to joint states, and other joints to this robot's.
+
+`[columns]` is a column map, `[joints.<joint>]` a joint map; a file may hold one of them or both.
+
+    [columns]
+    stamp = "time_start"                    # the column of the timestamp
+    stamp_unit = "s"                        # s, ms, us or ns; default: "s"
+    positions = ["flarm", "flfoot"]         # the columns of the positions, which also name the joints ...
+    velocities = { flarm = "w3" }           # ... or joint = "column"; optional
+    efforts = { flarm = "i3" }              # optional
+    velocity_files = { "a.csv" = "v.csv" }  # file -> the file next to it with its velocities, in the same columns
+    separator = ","                         # default: ","
+    header = ["t", "q0", "q1"]              # names of all columns, for a file without a header line
+    missing = [2.146e9, "-"]                # values that mean "no value": numbers, or texts such as ""
+
+The first line names the columns, unless `header` does. Other columns are ignored. A column may also be given by its
+number, 1 for the first:
+
+    stamp = 1
+    positions = { flarm = 2, flfoot = 5 }
+
+If all columns are given by number, the file is expected to have no header line; `header = true` says that it has one,
+`header = false` that it has none.
+
+A value is missing if it equals a number of `missing` once it is read as float64 (2146000000.0 equals 2.146e9), or a
+text of it once the spaces around it are removed. It counts as not recorded and becomes NaN. An effort may be NaN; a row
+with such a position or velocity is an error unless it is left out (`drop`) or the velocities are not read (`ignore`).
+Timestamps are never missing. The account says how many values were missing. Timestamps are decimals of any length and
+are read exactly.
+
+    [joints.LF_hip_joint]     # one table per joint of this robot
+    source = "flarm"          # the other robot's joint; without it the joint stays at its offset
+    sign = -1                 # 1 or -1; default: 1
+    scale = 1.0               # above 0; default: 1
+    offset = 35.0             # in `unit`; default: 0
+    unit = "deg"              # of the source and the offset: "rad" or "deg"; default: "rad"
+    velocity_unit = "rpm"     # of the source's velocity: "rad/s", "deg/s" or "rpm"; default: `unit` per second
+
+    position = sign * scale * source + offset
+
+Velocities are multiplied by the same factor. Efforts are divided by `sign * scale`, which keeps the power.
+"""
+
+import math
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, Final, Self
+
+from quadruped_env.documents import read_toml
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY
+
+STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
+"""Unit of time -> power of ten of its ns"""
+UNITS: Final = {"rad": 1.0, "deg": math.pi / 180.0}
+"""Unit of an angle -> rad"""
+VELOCITY_UNITS: Final = {"rad/s": 1.0, "deg/s": math.pi / 180.0, "rpm": math.pi / 30.0}
+"""Unit of an angular velocity -> rad/s"""
+
+_COLUMN_FORM: Final = "name or number from 1 on"
+
+Column = str | int
+"""Name of a column, or its number, 1 for the first"""
+Columns = list[str] | dict[str, Column]
+"""Names of columns, which are the joints' names too, or joint -> column"""
+Mark = float | str
+"""A value that means "no value": a number or a text"""
+
+
+@dataclass(frozen=True)
+class ColumnMap:
+    """The columns of a CSV that hold a joint state; all keys are described above."""
+
+    stamp: Column
+    """Column of the timestamp"""
+    positions: Columns
+    velocities: Columns | None = None
+    efforts: Columns | None = None
+    stamp_unit: str = "s"
+    velocity_files: dict[str, str] | None = None
+    """Name of a file -> name of the file next to it that has its velocities, in the columns of `velocities`, or of the
+    positions if that is None"""
+    separator: str = ","
+    header: list[str] | bool | None = None
+    """Names of all columns, for a file without a header line; or whether there is a header line, which there is by
+    default unless all columns are given by number"""
+    missing: Mark | list[Mark] | None = None
+    """Values that mean "no value"; they are read as NaN"""
+    name: str = "ColumnMap"
+    """Name in error messages"""
+
+    def __post_init__(self) -> None:
+        for key in ("stamp_unit", "separator"):
+            if not isinstance(getattr(self, key), str) or not getattr(self, key):
+                raise QuadrupedError(f"{self.name}: {key}: expected a text; found {short(getattr(self, key))}")
+        if not _is_column(self.stamp):
+            raise QuadrupedError(f"{self.name}: stamp: expected a column, {_COLUMN_FORM}; found {short(self.stamp)}")
+        if self.stamp_unit not in STAMP_UNITS:
+            raise QuadrupedError(
+                f"{self.name}: stamp_unit: expected one of {', '.join(STAMP_UNITS)}; found {short(self.stamp_unit)}"
+            )
+        if len(self.separator) != 1 or self.separator in '"\n\r':
+            raise QuadrupedError(f"{self.name}: separator: expected one character; found {short(self.separator)}")
+        files = {} if self.velocity_files is None else self.velocity_files
+        if not isinstance(files, dict) or not all(
+            isinstance(name, str) and Path(name).name == name for name in files.values()
+        ):
+            raise QuadrupedError(
+                f"{self.name}: velocity_files: expected a table of files in the same directory; found {short(files)}"
+            )
+        if not self.joints:
+            raise QuadrupedError(f"{self.name}: positions: name one column or more")
+        for key in ARRAYS.values():
+            columns = getattr(self, key)
+            if columns is None:
+                continue
+            where = f"{self.name}: {key}"
+            if not _are_columns(columns):
+                raise QuadrupedError(
+                    f"{where}: expected column names, or a table joint = column of {_COLUMN_FORM}s; found "
+                    f"{short(columns)}"
+                )
+            if len(set(_joints(columns))) < len(columns) or set(_joints(columns)) != set(self.joints):
+                raise QuadrupedError(
+                    f"{where}: expected each joint once, those of the positions; found {', '.join(_joints(columns))}"
+                )
+        self._check_header()
+        if not all(isinstance(mark, str) or _is_number(mark) for mark in self.marks):
+            raise QuadrupedError(
+                f"{self.name}: missing: expected a number, a text, or a list of them; found {short(self.missing)}"
+            )
+
+    def _check_header(self) -> None:
+        """Raise a QuadrupedError if `header` is invalid, or contradicts columns that are given by name."""
+        header = self.header
+        if isinstance(header, list):
+            if not header or not all(isinstance(title, str) and title for title in header):
+                raise QuadrupedError(f"{self.name}: header: expected the names of all columns; found {short(header)}")
+        elif header is not None and not isinstance(header, bool):
+            raise QuadrupedError(f"{self.name}: header: expected names, true or false; found {short(header)}")
+        named = next((column for column in self.used if isinstance(column, str)), None)
+        if header is False and named is not None:
+            raise QuadrupedError(
+                f"{self.name}: column {short(named)} is given by name, and header = false says that no line names the "
+                f"columns; give its number, or the names of all columns (header = [...])"
+            )
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints, in the order of their positions."""
+        return tuple(_joints(self.positions))
+
+    @property
+    def columns(self) -> dict[str, dict[str, Column]]:
+        """Kind -> joint -> column, of the kinds that are given."""
+        given = {kind: getattr(self, key) for kind, key in ARRAYS.items()}
+        return {
+            kind: columns if isinstance(columns, dict) else {column: column for column in columns}
+            for kind, columns in given.items()
+            if columns is not None
+        }
+
+    @property
+    def used(self) -> list[Column]:
+        """All columns that are read."""
+        return [self.stamp, *(column for columns in self.columns.values() for column in columns.values())]
+
+    @property
+    def has_header_line(self) -> bool:
+        """Whether the first line of the file names its columns."""
+        if self.header is None:
+            return any(isinstance(column, str) for column in self.used)
+        return self.header is True
+
+    @property
+    def marks(self) -> list[Any]:
+        """The values that mean "no value"."""
+        if self.missing is None:
+            return []
+        return self.missing if isinstance(self.missing, list) else [self.missing]
+
+    @classmethod
+    def of(cls, given: "ColumnMap | str | Path") -> "ColumnMap":
+        """A map as it is given: itself, or the path of its TOML file."""
+        return given if isinstance(given, ColumnMap) else cls.load(given)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read a map from the table `[columns]` of a TOML file.
+
+        Raises:
+            QuadrupedError: if there is no such file or something in it is wrong; the message names the key.
+        """
+        table = _table(read_toml(Path(path)), "columns", str(path))
+        where = f"{path}: [columns]"
+        _check_keys(table, (field.name for field in fields(cls) if field.name != "name"), where)
+        for key in ("stamp", "positions"):
+            if key not in table:
+                torque_only = key == "positions" and "efforts" in table
+                problem = f"; {TORQUE_ONLY}" if torque_only else "; add it"
+                raise QuadrupedError(f"{where}: {key} is missing{problem}")
+        return cls(**table, name=where)
+
+
+@dataclass(frozen=True)
+class JointRule:
+    """Conversion of one joint of another robot to one of this robot: `sign * scale * source + offset`."""
+
+    source: str | None = None
+    """Name of the other robot's joint; None keeps the joint at its offset"""
+    sign: float = 1.0
+    scale: float = 1.0
+    offset: float = 0.0
+    """In `unit`"""
+    unit: str = "rad"
+    """Of the source and the offset"""
+    velocity_unit: str | None = None
+    """Of the source's velocity; None is `unit` per second"""
+
+    @property
+    def gear(self) -> float:
+        """Angle of the joint per angle of the source."""
+        return self.sign * self.scale
+
+    @property
+    def factor(self) -> float:
+        """Factor from positions of the source to rad."""
+        return self.gear * UNITS[self.unit]
+
+    @property
+    def velocity_factor(self) -> float:
+        """Factor from velocities of the source to rad/s."""
+        return self.gear * VELOCITY_UNITS[self.velocity_unit or f"{self.unit}/s"]
+
+    @property
+    def offset_rad(self) -> float:
+        """The offset in rad."""
+        return self.offset * UNITS[self.unit]
+
+
+@dataclass(frozen=True)
+class JointMap:
+    """Conversion of another robot's joints to this one's."""
+
+    rules: Mapping[str, JointRule]
+    """Joint -> rule, in the order of the joints in the result"""
+    name: str = "JointMap"
+    """Name in error messages"""
+
+    def __post_init__(self) -> None:
+        if not self.rules:
+            raise QuadrupedError(f"{self.name}: no joint is mapped; add one table [joints.<joint>] per joint")
+        for joint, rule in self.rules.items():
+            _check_rule(f"{self.name}: [joints.{joint}]", rule)
+        if not self.sources:
+            raise QuadrupedError(f"{self.name}: no joint has a source; name the other robot's joints")
+
+    @classmethod
+    def of(cls, given: "JointMap | str | Path") -> "JointMap":
+        """A map as it is given: itself, or the path of its TOML file."""
+        return given if isinstance(given, JointMap) else cls.load(given)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read a map from the tables `[joints.<joint>]` of a TOML file.
+
+        Raises:
+            QuadrupedError: if there is no such file or something in it is wrong; the message names the table.
+        """
+        tables = _table(read_toml(Path(path)), "joints", str(path))
+        rules = {}
+        for joint, table in tables.items():
+            where = f"{path}: [joints.{joint}]"
+            _check_keys(table, (field.name for field in fields(JointRule)), where)
+            rules[joint] = JointRule(**table)
+        return cls(rules, str(path))
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The other robot's joints that are used, each once."""
+        return tuple(dict.fromkeys(rule.source for rule in self.rules.values() if rule.source is not None))
+
+
+def _table(document: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
+    """A table of a TOML document.
+
+    Raises:
+        QuadrupedError: if the key is missing, or is not a table.
+    """
+    table = document.get(key)
+    if not isinstance(table, dict):
+        raise QuadrupedError(f"{where}: expected a table [{key}]; found {'none' if table is None else short(table)}")
+    return table
+
+
+def _check_keys(table: Any, known: Iterable[str], where: str) -> None:
+    """Raise a QuadrupedError unless it is a table with known keys only."""
+    names = tuple(known)
+    if not isinstance(table, dict):
+        raise QuadrupedError(f"{where}: expected a table; found {short(table)}")
+    for key in table:
+        if key not in names:
+            raise QuadrupedError(f"{where}: unknown key {short(key)}; known are {', '.join(names)}")
+
+
+def _check_rule(where: str, rule: JointRule) -> None:
+    expected = {
+        "source": ("the name of a joint", rule.source is None or (isinstance(rule.source, str) and rule.source)),
+        "sign": ("1 or -1", _is_finite(rule.sign) and rule.sign in {1, -1}),
+        "scale": ("a number above 0", _is_finite(rule.scale) and rule.scale > 0.0),
+        "offset": ("a number", _is_finite(rule.offset)),
+        "velocity_unit": (
+            " or ".join(map(repr, VELOCITY_UNITS)),
+            rule.velocity_unit is None
+            or (isinstance(rule.velocity_unit, str) and rule.velocity_unit in VELOCITY_UNITS),
+        ),
+        "unit": (" or ".join(map(repr, UNITS)), isinstance(rule.unit, str) and rule.unit in UNITS),
+    }
+    for key, (wanted, holds) in expected.items():
+        if not holds:
+            raise QuadrupedError(f"{where} {key}: expected {wanted}; found {short(getattr(rule, key))}")
+
+
+def _is_column(value: object) -> bool:
+    return value != "" if isinstance(value, str) else type(value) is int and value >= 1
+
+
+def _are_columns(given: Any) -> bool:
+    """Whether columns are given for joints; in a list they also name the joints, which numbers cannot."""
+    if isinstance(given, dict):
+        return all(map(_is_column, given.values()))
+    return isinstance(given, list) and all(isinstance(column, str) and column for column in given)
+
+
+def _joints(given: Any) -> list[str]:
+    return list(given) if isinstance(given, (list, dict)) else []
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _is_finite(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

@@ -1,0 +1,60 @@
+"""Joint states as plain arrays: what readers and writers of all formats exchange."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+ARRAYS: Final = {"position": "positions", "velocity": "velocities", "effort": "efforts"}
+"""Kind of value, named as in ROS's message and in its order -> the array of a `JointTrajectory` that holds it."""
+KINDS: Final = tuple(ARRAYS)
+
+TORQUE_ONLY: Final = (
+    "torque-only: efforts and no positions, and a joint state needs the position of every joint; record them too"
+)
+"""Why recordings of torque commands cannot be used, for error messages."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Consecutive joint states of a recording, not validated: see `validation.validate`."""
+
+    numbers: NDArray[np.int64]
+    """Line or message numbers in the file (n,)"""
+    stamps: NDArray[np.int64]
+    """Timestamps in ns (n,)"""
+    names: tuple[str, ...]
+    """Joints (J,)"""
+    values: dict[str, NDArray[np.float64]]
+    """Kind -> (n, J) in rad, rad/s or N m, in the order of `KINDS`; velocities and efforts only if recorded"""
+    base_pose: NDArray[np.float64] | None = None
+    """Position in m and quaternion wxyz of `base_link` in `odom` (n, 7), if known; only bags keep it"""
+
+    def __len__(self) -> int:
+        return len(self.stamps)
+
+    def take(self, index: Any) -> "Rows":
+        """The rows that a NumPy index, mask or slice selects."""
+        return Rows(
+            self.numbers[index],
+            self.stamps[index],
+            self.names,
+            {kind: array[index] for kind, array in self.values.items()},
+            None if self.base_pose is None else self.base_pose[index],
+        )
+
+    def without(self, kinds: Collection[str]) -> "Rows":
+        """The rows without values of these kinds."""
+        return replace(self, values={kind: array for kind, array in self.values.items() if kind not in kinds})
+
+
+def concatenated(parts: Sequence[Rows]) -> Rows:
+    """The rows of all parts, which have the same joints and kinds, and no base pose."""
+    return Rows(
+        np.concatenate([part.numbers for part in parts]),
+        np.concatenate([part.stamps for part in parts]),
+        parts[0].names,
+        {kind: np.concatenate([part.values[kind] for part in parts]) for kind in parts[0].values},
+    )

@@ -1,0 +1,109 @@
+"""One table of reading options: Python's keywords and the flags of the command line are those of `ReadOptions`."""
+
+import argparse
+import dataclasses
+import inspect
+
+import pytest
+
+from quadruped_env import JointTrajectory, QuadrupedError, trajectory
+from quadruped_env.trajectory import JointMap, JointRule
+from quadruped_env.trajectory.arguments import add_reading_options, reading_options
+from quadruped_env.trajectory.options import ReadOptions
+
+FIELDS = {field.name: field for field in dataclasses.fields(ReadOptions)}
+GIVEN = {
+    "topic": "/a",
+    "columns": "columns.toml",
+    "joint_map": "joints.toml",
+    "names": ["a", "b"],
+    "degrees": True,
+    "stamps": "log",
+    "ignore": ["effort"],
+    "sort": True,
+    "drop": True,
+    "salvage": True,
+}
+"""Another value than the default, for every option."""
+
+
+def parsed(*arguments):
+    parser = argparse.ArgumentParser()
+    add_reading_options(parser)
+    return reading_options(parser.parse_args([*map(str, arguments)]))
+
+
+def test_load_has_the_keywords_and_defaults_of_the_table():
+    parameters = inspect.signature(JointTrajectory.load).parameters.values()
+    keywords = {one.name: one.default for one in parameters if one.kind is inspect.Parameter.KEYWORD_ONLY}
+    assert keywords.pop("progress") is None
+    assert keywords == {name: field.default for name, field in FIELDS.items()}
+
+
+def test_load_documents_every_option():
+    for name in FIELDS:
+        assert f"\n    {name}: " in inspect.cleandoc(JointTrajectory.load.__doc__)
+
+
+def test_load_passes_every_option_on(monkeypatch):
+    passed = {}
+
+    def of(**given):
+        passed.update(given)
+        raise QuadrupedError("enough")
+
+    monkeypatch.setattr(ReadOptions, "of", of)
+    assert set(GIVEN) == set(FIELDS)
+    with pytest.raises(QuadrupedError, match="enough"):
+        JointTrajectory.load("a.csv", **GIVEN)
+    assert passed == GIVEN
+
+
+def test_arguments_without_flags_give_the_defaults():
+    assert parsed() == {}
+    assert ReadOptions.of(**parsed()) == ReadOptions()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["--topic", "/a"], {"topic": "/a"}),
+        (["--names", "a,b"], {"names": ("a", "b")}),
+        (["--degrees"], {"degrees": True}),
+        (["--radians"], {"degrees": False}),
+        (["--stamps", "log"], {"stamps": "log"}),
+        (["--ignore", "velocity", "--ignore", "effort"], {"ignore": ("velocity", "effort")}),
+        (["--sort"], {"sort": True}),
+        (["--drop"], {"drop": True}),
+        (["--salvage"], {"salvage": True}),
+    ],
+)
+def test_arguments_with_a_flag_change_its_option(arguments, expected):
+    assert ReadOptions.of(**parsed(*arguments)) == ReadOptions(**expected)
+
+
+def test_arguments_with_maps_read_their_files(tmp_path):
+    path = tmp_path / "maps.toml"
+    path.write_text('[columns]\nstamp = "t"\npositions = ["a"]\n\n[joints.b]\nsource = "a"\n')
+    options = ReadOptions.of(**parsed("--columns", path, "--map", path))
+    assert (options.columns.stamp, options.columns.positions) == ("t", ["a"])
+    assert options.joint_map.rules == {"b": JointRule("a")}
+
+
+def test_arguments_of_both_units_are_refused(capsys):
+    with pytest.raises(SystemExit):
+        parsed("--degrees", "--radians")
+    assert "not allowed with" in capsys.readouterr().err
+
+
+def test_options_given_a_map_keep_it():
+    joint_map = JointMap({"b": JointRule("a")})
+    assert ReadOptions.of(joint_map=joint_map).joint_map is joint_map
+
+
+def test_package_functions_load_and_save(tmp_path):
+    given = JointTrajectory([0, 5], ["a"], [[0.1], [0.2]])
+    trajectory.save(given, tmp_path / "a.csv")
+    loaded = trajectory.load(tmp_path / "a.csv", ignore=["effort"])
+    assert isinstance(loaded, JointTrajectory)
+    assert loaded.positions.tolist() == [[0.1], [0.2]]
