@@ -1,4 +1,4 @@
-"""The robot by MuJoCo alone: what one control step makes of it, without the package's simulation and readings."""
+"""A control step of the robot by MuJoCo alone, without the package's simulation and readings."""
 
 import mujoco
 import numpy as np

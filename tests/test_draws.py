@@ -78,10 +78,10 @@ def starts():
     singles = [env.unwrapped for env in envs.envs]
     base = singles[0].model.body("base_link").id
     plain_mass = gymnasium.make(ENV_ID).unwrapped.model.body_mass[base]
-    rows = []
+    episodes = []
     for episode in range(160):
         observation, info = envs.reset(seed=5 if episode == 0 else None)
-        rows.append(
+        episodes.append(
             {
                 "observation": observation,
                 "joint_position": np.array(info["joint_position"]),
@@ -93,7 +93,7 @@ def starts():
                 "mass": np.array([env.model.body_mass[base] for env in singles]),
             }
         )
-    record = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+    record = {name: np.array([episode[name] for episode in episodes]) for name in episodes[0]}
     roll, pitch, yaw = attitude(record["qpos"][..., 3:7])
     base_velocity = share(record["qvel"][..., :6], -0.2, 0.2)
     return {
@@ -125,12 +125,12 @@ def test_starts_after_an_autoreset_have_the_same_laws():
     config = settings(forward_velocity=FORWARD, yaw_rate=YAW_RATE, shares=(0.0, 0.0), fast_control=True)
     env = make_vec(128, config, max_episode_steps=1)
     env.reset(seed=3)
-    rows = []
+    episodes = []
     for _ in range(16):
         observation, _, _, truncated, info = env.step(zeros(env))
         assert truncated.all()
-        rows.append(joint_draws(info) | command_draws(info["command"]) | {"gait phase": phases(observation)})
-    draws = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+        episodes.append(joint_draws(info) | command_draws(info["command"]) | {"gait phase": phases(observation)})
+    draws = {name: np.array([episode[name] for episode in episodes]) for name in episodes[0]}
     assert_uniform(draws)
     assert_independent(draws, ((0, 0), *NEIGHBOURS))
 
@@ -250,7 +250,7 @@ def test_pushes_are_uniform_in_size_and_time_and_independent():
     for i in range(envs):
         env = gymnasium.make(ENV_ID, config=config, max_episode_steps=10**6)
         robot = env.unwrapped
-        # What MuJoCo alone makes of the same state and targets.
+        # The same state and targets, stepped by MuJoCo alone.
         alone = mujoco.MjData(robot.model)
         env.reset(seed=i)
         action, found, since = np.zeros(8, dtype=np.float32), 0, 0
@@ -287,8 +287,14 @@ UPRIGHT = 0.975
 
 @pytest.fixture(scope="module")
 def noise():
-    """Noise (episodes, steps, envs, columns) as shares of its range, and the draws of each start (episodes, envs)."""
-    common = {"fast_control": True, "never_ends": True, "start_tilt": 0.6, "forward_velocity": FORWARD}
+    """Noise (episodes, steps, envs, columns) as shares of its range; tilted envs; draws of starts (episodes, envs)."""
+    common = {
+        "fast_control": True,
+        "never_ends": True,
+        "start_tilt": 0.6,
+        "forward_velocity": FORWARD,
+        "shares": (0.0, 0.0),
+    }
     noisy, quiet = (make_vec(200, settings(noise=amount, **common)) for amount in (1.0, 0.0))
     differences, readings, starts = [], [], []
     for episode in range(4):
@@ -305,7 +311,7 @@ def noise():
     tilted = (abs(readings[..., 2]) < UPRIGHT).all(axis=(0, 1))
     amplitude = np.array([amplitude for _, amplitude in NOISY_COLUMNS])
     np.testing.assert_array_equal(differences[..., len(amplitude) :], 0.0)
-    start = {name: np.array([row[name] for row in starts]) for name in starts[0]}
+    start = {name: np.array([start[name] for start in starts]) for name in starts[0]}
     return share(differences[..., : len(amplitude)], -amplitude, amplitude), tilted, start
 
 

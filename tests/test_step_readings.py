@@ -53,7 +53,7 @@ WEIGHTS = {
 
 @dataclass
 class Memory:
-    """What a step knows of those before it."""
+    """State of the task between two steps."""
 
     command: np.ndarray
     """In force during the next step, m/s and rad/s."""
@@ -196,7 +196,7 @@ EPISODES = {
 
 @dataclass
 class Step:
-    """What was expected of a step, and what the env gave."""
+    """Expected results of a step, and those that the env gave."""
 
     terms: dict
     reward: float

@@ -4,6 +4,7 @@ The training is the real one with two parts replaced: a clock that each step of 
 an env that keeps what it gave and, before an update, makes the exploration grow without bound.
 """
 
+import itertools
 import json
 import math
 import types
@@ -51,7 +52,7 @@ class Watched:
 
     def __init__(self, monkeypatch):
         self.clock = 1000.0
-        self.actions, self.rewards, self.falls, self.dones = [], [], [], []
+        self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
         self.exploration, self.learning_rates = [], []
         self.model = None
         monkeypatch.setattr(ppo, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
@@ -79,6 +80,7 @@ class Watched:
             _, rewards, dones, infos = results
             self.rewards.append(rewards.astype(np.float64))
             self.dones.append(dones.copy())
+            self.episodes.append([info.get("episode") for info in infos])
             self.falls.append(sum(not infos[i]["TimeLimit.truncated"] for i in np.flatnonzero(dones)))
             return results
 
@@ -195,6 +197,20 @@ def test_progress_fall_rate_counts_falls_and_not_the_time_limit(run):
     assert 0 < falls.sum() < dones.sum(), "both happen"
     robot_steps = ROWS_EVERY * SAMPLES
     np.testing.assert_allclose(column(run, "fall_rate"), falls * 1000 / robot_steps, rtol=1e-9)
+
+
+def test_episodes_are_reported_with_their_length_and_return(run):
+    rewards, dones = np.array(run.rewards), np.array(run.dones)
+    lengths = set()
+    for i in range(ENVS):
+        ends = np.flatnonzero(dones[:, i]) + 1
+        for start, end in itertools.pairwise([0, *ends]):
+            episode = run.episodes[end - 1][i]
+            assert episode["l"] == end - start
+            assert episode["r"] == pytest.approx(rewards[start:end, i].sum(), rel=1e-5)
+            lengths.add(end - start)
+        assert sum(step[i] is not None for step in run.episodes) == len(ends)
+    assert len(lengths) > 3
 
 
 def replayed(run):
