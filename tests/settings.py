@@ -1,0 +1,70 @@
+"""Settings of the task for tests of its behaviour: the one place that knows the names of the config's fields."""
+
+import math
+from typing import Final
+
+PHYSICS_TIMESTEP: Final = 0.005
+"""s, the task's default."""
+
+
+def settings(
+    *,
+    fast_control=False,
+    never_ends=False,
+    max_tilt=None,
+    forward_velocity=None,
+    yaw_rate=None,
+    shares=None,
+    resample=None,
+    still_start=False,
+    start_tilt=None,
+    friction=None,
+    payload=None,
+    push_velocity=None,
+    push_interval=None,
+    noise=None,
+):
+    """The `config` argument of an env; None leaves a field at its default.
+
+    Args:
+        fast_control: one physics step per control step, so that a control step takes `PHYSICS_TIMESTEP`.
+        never_ends: no fall ends an episode.
+        max_tilt: rad; a larger one ends an episode.
+        forward_velocity, yaw_rate: ranges of the command, m/s and rad/s.
+        shares: of standing and of straight commands.
+        resample: range of the time between commands, s.
+        still_start: every episode begins in the stance, at rest.
+        start_tilt: bound of the roll and of the pitch at the start, rad.
+        friction, payload: ranges; payload in kg.
+        push_velocity: bound of a push along each axis, m/s.
+        push_interval: range of the time between pushes, s.
+        noise: of the observations; 1 is the full amplitude.
+    """
+    standing, straight = (None, None) if shares is None else shares
+    tilt, force = (math.pi, 1e9) if never_ends else (max_tilt, None)
+    still = dict.fromkeys(("start_joint_position", "start_joint_velocity", "start_base_velocity"), 0.0)
+    sections = {
+        "command": {
+            "forward_velocity": forward_velocity,
+            "yaw_rate": yaw_rate,
+            "standing_fraction": standing,
+            "straight_fraction": straight,
+            "resample_interval": resample,
+        },
+        "termination": {"max_tilt": tilt, "max_trunk_force": force},
+        "randomization": {
+            **(still if still_start else {}),
+            "start_tilt": 0.0 if still_start else start_tilt,
+            "friction": friction,
+            "payload": payload,
+            "push_velocity": push_velocity,
+            "push_interval": push_interval,
+            "observation_noise": noise,
+        },
+    }
+    config = {"decimation": 1} if fast_control else {}
+    for name, section in sections.items():
+        chosen = {field: value for field, value in section.items() if value is not None}
+        if chosen:
+            config[name] = chosen
+    return config

@@ -1,0 +1,375 @@
+"""One control step, recomputed from MuJoCo's own data: joint targets, every reward term, the fall, the observation.
+
+Nothing here asks the package for more than what an env returns. MuJoCo steps a copy of the robot alone, and plain
+formulas, those of the env's docstring, make the rest of its state.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+import gymnasium
+import mujoco
+import numpy as np
+import pytest
+from robot_alone import LEGS, RobotAlone, rotation
+from settings import PHYSICS_TIMESTEP, settings
+
+from quadruped_env.envs import ENV_ID
+from quadruped_env.gait import CommandedGait
+
+LEG_PHASES = (0.0, math.pi, math.pi, 0.0)
+"""A trot: the diagonal legs swing together."""
+STANCE = np.array([0.6, -0.72] * 4)
+LOW, HIGH = np.array([-1.5, -2.0] * 4), np.array([1.5, 0.0] * 4)
+RADIUS = 0.02
+DT = 4 * PHYSICS_TIMESTEP
+CLOCK_RATE = math.tau * 2.2
+MOVING = 0.02
+"""m/s and rad/s; a command below both stands still."""
+
+WEIGHTS = {
+    "track_forward_velocity": 6.0,
+    "track_yaw_rate": 3.0,
+    "forward_progress": 4.0,
+    "turn_progress": 2.0,
+    "gait_clock": 5.0,
+    "upright": -2.0,
+    "base_height": -20.0,
+    "vertical_velocity": -0.5,
+    "roll_pitch_rate": -0.03,
+    "lateral_velocity": -0.5,
+    "action_rate": -0.08,
+    "mechanical_power": -0.005,
+    "foot_slip": -0.3,
+    "stand_still": -1.0,
+    "joint_speed": -1.0,
+    "fall": -50.0,
+}
+"""Per second."""
+
+
+# --- the task by its docstring ---
+
+
+@dataclass
+class Memory:
+    """State of the task between two steps."""
+
+    command: np.ndarray
+    """In force during the next step, m/s and rad/s."""
+    phase: float | None
+    """Of the gait clock before the next step, rad; None until the clock was observed."""
+    last_action: np.ndarray = field(default_factory=lambda: np.zeros(8))
+    average: list[float] = field(default_factory=lambda: [0.0, 0.0])
+    """Forward velocity and yaw rate over about a gait cycle."""
+
+
+def moves(command):
+    return max(abs(command)) > MOVING
+
+
+def observed_phase(observation):
+    """Phase of the clock in an observation; None at a standing command, which shows none."""
+    sine, cosine = map(float, observation[32:34])
+    return None if sine == cosine == 0.0 else math.atan2(sine, cosine)
+
+
+def joint_target(mode, action, memory):
+    """Joint targets (8,) of an action."""
+    clipped = np.clip(action.astype(np.float64), -1.0, 1.0)
+    if mode == "position":
+        target = STANCE + 0.6 * clipped
+    elif not any(memory.command):
+        target = STANCE + 0.4 * clipped
+    else:
+        gait = CommandedGait.tuned().at(tuple(memory.command))
+        assert gait.angular_frequency == pytest.approx(CLOCK_RATE)
+        target = gait.positions(memory.phase / CLOCK_RATE) + 0.4 * clipped
+    return np.clip(target, LOW, HIGH)
+
+
+def share(velocity, command, smallest, overshoot):
+    """Progress towards a command, in [-1, 1]."""
+    size = max(abs(command), smallest)
+    reached, whole = velocity * np.sign(command) / size, abs(command) / size
+    return max(-1.0, reached - overshoot * max(0.0, reached - whole))
+
+
+def reward_terms(robot, action, memory, fallen):
+    """Unweighted terms after a step; `memory` has the action before, and phase and average of after the step."""
+    forward, yaw_rate = memory.command
+    moving, on_ground = moves(memory.command), robot.foot_force() > 1.0
+    clock = slip = 0.0
+    for leg in range(4):
+        position, velocity, spin = robot.foot(leg)
+        missing = max(0.0, 1.0 - (position[2] - RADIUS) / 0.02)
+        if moving:
+            clock += math.sin(memory.phase + LEG_PHASES[leg]) * (1.0 - 2.0 * missing**2) / 4.0
+        sole = velocity + np.cross(spin, [0.0, 0.0, -RADIUS])
+        slip += on_ground[leg] * (sole[0] ** 2 + sole[1] ** 2)
+    return {
+        "track_forward_velocity": math.exp(-(((memory.average[0] - forward) / 0.1) ** 2)),
+        "track_yaw_rate": math.exp(-(((memory.average[1] - yaw_rate) / 0.25) ** 2)),
+        "forward_progress": share(robot.velocity[0], forward, 0.1, 2.0),
+        "turn_progress": share(robot.rates[2], yaw_rate, 0.2, 1.0),
+        "gait_clock": clock,
+        "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
+        "base_height": max(0.0, 0.175 - robot.position[2]) ** 2,
+        "vertical_velocity": robot.velocity[2] ** 2,
+        "roll_pitch_rate": robot.rates[0] ** 2 + robot.rates[1] ** 2,
+        "lateral_velocity": robot.velocity[1] ** 2,
+        "action_rate": sum((np.clip(action, -1.0, 1.0) - memory.last_action) ** 2),
+        "mechanical_power": sum(max(0.0, t * w) for t, w in zip(robot.torque, robot.speeds, strict=True)),
+        "foot_slip": slip,
+        "stand_still": 0.0 if moving else sum((robot.joints - STANCE) ** 2),
+        "joint_speed": sum(max(0.0, abs(w) - 4.0) ** 2 for w in robot.speeds),
+        "fall": float(fallen),
+    }
+
+
+def observation_of(data, action, command, phase):
+    """Name -> columns, from MuJoCo's data after a step."""
+    moving = moves(command)
+    return {
+        "projected_gravity": -rotation(data.qpos[3:7])[2],
+        "angular_velocity": np.clip(0.25 * data.qvel[3:6], -4.0, 4.0),
+        "joint_position": data.qpos[7:] - STANCE,
+        "joint_velocity": np.clip(0.2 * data.qvel[6:], -3.0, 3.0),
+        "last_action": np.clip(action, -1.0, 1.0),
+        "command": 4.0 * command,
+        "gait_clock": [math.sin(phase), math.cos(phase)] if moving else [0.0, 0.0],
+    }
+
+
+# --- episodes ---
+
+
+def still(rng):
+    return np.zeros(8, dtype=np.float32)
+
+
+def noisy(rng):
+    return rng.normal(0.0, 0.3, 8).astype(np.float32)
+
+
+def wild(rng):
+    return rng.uniform(-1.5, 1.5, 8).astype(np.float32)
+
+
+@dataclass
+class Episode:
+    mode: str
+    action: object
+    command: tuple[float, float] | None = None
+    config: dict = field(default_factory=dict)
+    steps: int = 40
+    seed: int = 0
+
+
+CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2)}
+HARD_PUSHES = {"push_velocity": 4.0, "push_interval": (0.1, 0.2)}
+EPISODES = {
+    "gait forward": Episode("residual", still, (0.4, 0.0)),
+    "gait forward, turning left": Episode("residual", noisy, (0.2, 0.6)),
+    "gait backward, turning right": Episode("residual", noisy, (-0.2, -0.4)),
+    "gait, slow": Episode("residual", still, (0.05, -0.1)),
+    "gait, standing": Episode("residual", noisy, (0.0, 0.0)),
+    "gait, changing commands": Episode("residual", noisy, None, CHANGING, 60, 3),
+    "gait, changing commands and pushes": Episode(
+        "residual", still, None, {**CHANGING, "push_velocity": 0.6, "push_interval": (0.1, 0.3)}, 60, 4
+    ),
+    "gait, slippery and loaded": Episode("residual", wild, (0.3, 0.3), {"friction": (0.1, 0.2), "payload": (0.5, 1.0)}),
+    "joints standing": Episode("position", still, (0.0, 0.0)),
+    "joints at random": Episode("position", wild, (0.3, -0.5), {"max_tilt": 3.0}),
+    "joints at random, changing commands": Episode("position", noisy, None, CHANGING, 60, 5),
+    "joints pushed until they lean too far": Episode(
+        "position", wild, (0.2, 0.0), {**HARD_PUSHES, "max_tilt": 0.5}, 100
+    ),
+    **{
+        f"joints pushed until they lie, seed {seed}": Episode(
+            "position", still, (0.0, 0.3), {**HARD_PUSHES, "max_tilt": math.pi}, 100, seed
+        )
+        for seed in range(1, 4)
+    },
+}
+
+
+@dataclass
+class Step:
+    """Expected results of a step, and those that the env gave."""
+
+    terms: dict
+    reward: float
+    info: dict
+    fallen: bool
+    terminated: bool
+    targets: tuple
+    readings: dict
+    observed: dict
+    observation: np.ndarray
+    command: np.ndarray
+    phase: float | None
+    on_ground: np.ndarray
+    trunk_force: list[float]
+
+
+def play(episode):
+    env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=settings(**episode.config))
+    options = None if episode.command is None else {"command": episode.command}
+    observation, info = env.reset(seed=episode.seed, options=options)
+    rng = np.random.default_rng(episode.seed)
+    data, robot = env.unwrapped.data, RobotAlone(env.unwrapped.model)
+    before = mujoco.MjData(robot.model)
+    memory = Memory(info["command"], observed_phase(observation))
+    filtered = 1.0 - math.exp(-DT / 0.2)
+    steps = []
+    for _ in range(episode.steps):
+        action = episode.action(rng)
+        mujoco.mj_copyData(before, robot.model, data)
+        if memory.phase is not None:
+            memory.phase += CLOCK_RATE * DT
+        target = joint_target(episode.mode, action, memory)
+        observation, reward, terminated, _, info = env.step(action)
+        robot.step(before, target)
+        for i, value in enumerate((robot.velocity[0], robot.rates[2])):
+            memory.average[i] += filtered * (value - memory.average[i])
+        fallen = math.acos(robot.up[2]) > (episode.config.get("max_tilt") or 1.0) or max(robot.trunk_force()) > 1.0
+        steps.append(
+            Step(
+                terms=reward_terms(robot, action, memory, fallen),
+                reward=reward,
+                info=info,
+                fallen=fallen,
+                terminated=terminated,
+                targets=(target, data.ctrl.copy()),
+                readings={
+                    "base_position": data.qpos[:3].copy(),
+                    "base_linear_velocity": rotation(data.qpos[3:7]).T @ data.qvel[:3],
+                    "base_angular_velocity": data.qvel[3:6].copy(),
+                    "joint_position": robot.joints,
+                    "joint_velocity": robot.speeds,
+                    "joint_torque": robot.torque,
+                    "foot_force": robot.foot_force(),
+                    "foot_contact": robot.foot_force() > 1.0,
+                },
+                observed=observation_of(data, action, info["command"], memory.phase or 0.0),
+                observation=observation,
+                command=memory.command,
+                phase=memory.phase,
+                on_ground=robot.foot_force() > 1.0,
+                trunk_force=robot.trunk_force(),
+            )
+        )
+        memory.last_action = np.clip(action, -1.0, 1.0)
+        memory.command = info["command"]
+        if memory.phase is None:
+            memory.phase = observed_phase(observation)
+        if terminated:
+            break
+    return steps
+
+
+@pytest.fixture(scope="module")
+def played():
+    """Name -> steps of every episode."""
+    return {name: play(episode) for name, episode in EPISODES.items()}
+
+
+def all_steps(played):
+    return [(f"{name}, step {i}", step) for name, steps in played.items() for i, step in enumerate(steps, 1)]
+
+
+def test_episodes_cover_falls_commands_and_contacts(played):
+    steps = [step for _, step in all_steps(played)]
+    lying = [step for step in steps if step.terminated and max(step.trunk_force) > 1.0]
+    leaning = [step for step in steps if step.terminated and max(step.trunk_force) <= 1.0]
+    assert lying
+    assert leaning
+    changes = [
+        (step.command != step.info["command"]).any() and moves(step.command) != moves(step.info["command"])
+        for step in steps
+    ]
+    assert sum(changes) >= 3, "commands change between standing and moving"
+    contacts = np.array([step.on_ground for step in steps])
+    assert (contacts.mean(axis=0) > 0.2).all()
+    assert (contacts.mean(axis=0) < 0.95).all()
+
+
+@pytest.mark.parametrize("term", WEIGHTS)
+def test_reward_term_is_its_formula_on_mujocos_readings(played, term):
+    values = []
+    for name, step in all_steps(played):
+        expected = WEIGHTS[term] * DT * step.terms[term]
+        assert step.info[f"reward_{term}"] == pytest.approx(expected, rel=1e-5, abs=1e-7), name
+        values.append(step.terms[term])
+    assert np.ptp(values) > 1e-4, "the episodes say something about this term"
+
+
+def test_reward_is_the_sum_of_exactly_these_terms(played):
+    for name, step in all_steps(played):
+        named = {key.removeprefix("reward_") for key in step.info if key.startswith("reward_")}
+        assert named == set(WEIGHTS), name
+        assert step.reward == pytest.approx(sum(step.info[f"reward_{term}"] for term in WEIGHTS), abs=1e-12), name
+
+
+def test_termination_is_a_tilt_or_a_trunk_on_the_ground(played):
+    for name, step in all_steps(played):
+        assert step.terminated == step.fallen, name
+
+
+def test_joint_targets_follow_action_command_and_clock(played):
+    for name, step in all_steps(played):
+        expected, found = step.targets
+        np.testing.assert_allclose(found, expected, atol=1e-6, err_msg=name)
+
+
+@pytest.mark.parametrize(
+    "reading",
+    [
+        "base_position",
+        "base_linear_velocity",
+        "base_angular_velocity",
+        "joint_position",
+        "joint_velocity",
+        "joint_torque",
+        "foot_force",
+        "foot_contact",
+    ],
+)
+def test_info_reading_is_mujocos(played, reading):
+    for name, step in all_steps(played):
+        # The motors turn a difference of targets in the seventh digit into some of the torques and forces.
+        np.testing.assert_allclose(step.info[reading], step.readings[reading], rtol=1e-4, atol=1e-4, err_msg=name)
+
+
+@pytest.mark.parametrize(
+    "field",
+    [
+        "projected_gravity",
+        "angular_velocity",
+        "joint_position",
+        "joint_velocity",
+        "last_action",
+        "command",
+        "gait_clock",
+    ],
+)
+def test_observation_field_is_mujocos_reading_scaled(played, field):
+    for name, step in all_steps(played):
+        start = 0
+        for known, columns in step.observed.items():
+            if known == field:
+                found = step.observation[start : start + len(columns)]
+                np.testing.assert_allclose(found, columns, atol=2e-6, err_msg=name)
+            start += len(columns)
+        assert start == len(step.observation)
+
+
+def test_gait_clock_pays_for_lifting_the_feet_that_swing(played):
+    """The scripted gait walks by the clock, so a clock with another sign or another foot order pays it less."""
+    steps = played["gait forward"][10:]
+    assert np.mean([step.info["reward_gait_clock"] for step in steps]) > 0.1 * WEIGHTS["gait_clock"] * DT
+    for leg in range(4):
+        sine = np.array([math.sin(step.phase + LEG_PHASES[leg]) for step in steps])
+        contact = np.array([step.on_ground[leg] for step in steps])
+        assert contact[sine > 0.5].mean() < contact[sine < -0.5].mean(), LEGS[leg]

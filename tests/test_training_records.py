@@ -1,0 +1,327 @@
+"""Training's schedules, records and checkpoints against known answers.
+
+The training is the real one with two parts replaced: a clock that each step of the env advances by a fixed time, and
+an env that keeps what it gave and, before an update, makes the exploration grow without bound.
+"""
+
+import itertools
+import json
+import math
+import types
+
+import gymnasium
+import numpy as np
+import pytest
+from trainings import progress
+
+from quadruped_env.envs import ENV_ID, make_sb3_vec_env
+from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig, ppo
+from quadruped_env.training.resume import Parent
+
+ENVS, N_STEPS, ROLLOUTS = 8, 8, 12
+SAMPLES = ENVS * N_STEPS
+STEP_SECONDS = 0.0625
+"""A rollout takes half a second, so that every other one ends with a row of progress.csv."""
+ROWS_EVERY = 2
+EPISODE_STEPS = 20
+SEED = 3
+LEARNING_RATE = 1e-3
+
+
+def config(**changes):
+    values = {
+        "timesteps": ROLLOUTS * SAMPLES,
+        "num_envs": ENVS,
+        "n_steps": N_STEPS,
+        "batch_size": 32,
+        "n_epochs": 3,
+        "hidden": (8,),
+        "seed": SEED,
+        "learning_rate": LEARNING_RATE,
+        "checkpoint_seconds": 1.75,
+        "final_log_std": -3.0,
+        # Some fall, and others do not.
+        "task": {"termination": {"max_tilt": 0.12}, "command": {"resample_interval": [100.0, 100.0]}},
+    }
+    return TrainConfig(**values | changes)
+
+
+class Watched:
+    """A training by `ppo.train` of which everything is known that it cannot know itself."""
+
+    def __init__(self, monkeypatch):
+        self.clock = 1000.0
+        self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
+        self.exploration, self.learning_rates = [], []
+        self.model = None
+        monkeypatch.setattr(ppo, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
+        monkeypatch.setattr(ppo, "make_sb3_vec_env", self._make_env)
+        monkeypatch.setattr(ppo, "make_model", self._make_model(ppo.make_model))
+        # The class's: SB3 saves what an instance has.
+        monkeypatch.setattr(ppo.NativePPO, "train", self._update(ppo.NativePPO.train))
+
+    def train(self, runs, config, resume=None):
+        self.directory, self.finished = ppo.train(config, runs, "a test", resume)
+        return self
+
+    def _make_env(self, num_envs, **kwargs):
+        env = make_sb3_vec_env(num_envs, max_episode_steps=EPISODE_STEPS, **kwargs)
+        act, wait = env.step_async, env.step_wait
+
+        def step_async(actions):
+            self.actions.append(np.array(actions))
+            self.exploration.append(float(self.model.policy.log_std.detach().max()))
+            act(actions)
+
+        def step_wait():
+            self.clock += STEP_SECONDS
+            results = wait()
+            _, rewards, dones, infos = results
+            self.rewards.append(rewards.astype(np.float64))
+            self.dones.append(dones.copy())
+            self.episodes.append([info.get("episode") for info in infos])
+            self.falls.append(sum(not infos[i]["TimeLimit.truncated"] for i in np.flatnonzero(dones)))
+            return results
+
+        env.step_async, env.step_wait = step_async, step_wait
+        return env
+
+    def _make_model(self, make):
+        def made(*arguments):
+            self.model = make(*arguments)
+            return self.model
+
+        return made
+
+    def _update(self, update):
+        def train(model):
+            update(model)
+            self.learning_rates.append(model.policy.optimizer.param_groups[0]["lr"])
+            model.policy.log_std.data.fill_(5.0)
+
+        return train
+
+
+@pytest.fixture
+def watched(monkeypatch):
+    return lambda: Watched(monkeypatch)
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """A finished training."""
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        return Watched(monkeypatch).train(tmp_path_factory.mktemp("runs"), config())
+
+
+def windows(values):
+    """Values (steps, ...) in the groups that each row of progress.csv is about."""
+    size = ROWS_EVERY * N_STEPS
+    return [np.array(values[start : start + size]) for start in range(0, len(values), size)]
+
+
+def column(run, name):
+    return [float(row[name]) for row in progress(run.directory)]
+
+
+# --- schedules ---
+
+
+def explorations(run):
+    """Log standard deviation of the actions in every rollout, which must not change within it."""
+    by_rollout = np.reshape(run.exploration, (-1, N_STEPS))
+    assert (by_rollout == by_rollout[:, :1]).all()
+    return by_rollout[:, 0]
+
+
+def test_exploration_is_clamped_to_a_bound_that_falls_linearly(run):
+    left = 1.0 - np.arange(ROLLOUTS) / ROLLOUTS
+    np.testing.assert_allclose(explorations(run), -3.0 + (-2.0 + 3.0) * left, atol=1e-6)
+
+
+def test_exploration_of_position_mode_begins_wider_and_is_never_widened(watched, tmp_path):
+    narrow = watched().train(tmp_path, config(action_mode="position", timesteps=4 * SAMPLES))
+    np.testing.assert_allclose(explorations(narrow), [-1.0, -1.5, -2.0, -2.5], atol=1e-6)
+    flat = watched().train(tmp_path, config(log_std_init=-5.0, timesteps=2 * SAMPLES))
+    np.testing.assert_allclose(explorations(flat), -5.0, atol=1e-6)
+
+
+def test_learning_rate_falls_linearly_to_a_tenth(run):
+    left = 1.0 - np.arange(1, ROLLOUTS + 1) / ROLLOUTS
+    np.testing.assert_allclose(run.learning_rates, LEARNING_RATE * (0.1 + 0.9 * left), rtol=1e-9)
+    assert run.learning_rates[-1] == pytest.approx(0.1 * LEARNING_RATE)
+
+
+def test_schedules_follow_the_clock_with_a_budget_in_seconds(watched, tmp_path):
+    seconds = 2.6
+    run = watched().train(tmp_path, config(seconds=seconds))
+    steps = math.ceil(seconds / STEP_SECONDS)
+    assert len(run.rewards) == steps, "ends at the first step past the budget"
+    whole = steps // N_STEPS
+    ends = np.arange(1, whole + 1) * N_STEPS * STEP_SECONDS
+    left = 1.0 - ends / seconds
+    np.testing.assert_allclose(run.learning_rates, LEARNING_RATE * (0.1 + 0.9 * left), rtol=1e-6)
+    bounds = -3.0 + np.concatenate([[1.0], left])
+    np.testing.assert_allclose(run.exploration[::N_STEPS], bounds[: len(run.exploration[::N_STEPS])], atol=1e-6)
+    assert run.finished
+
+
+def test_options_reach_the_algorithm(watched, tmp_path):
+    options = {"gamma": 0.9, "gae_lambda": 0.8, "clip_range": 0.3, "ent_coef": 0.01, "max_grad_norm": 0.7}
+    model = watched().train(tmp_path, config(timesteps=SAMPLES, activation="relu", **options)).model
+    assert model.clip_range(0.5) == options["clip_range"]
+    for name in ("gamma", "gae_lambda", "ent_coef", "max_grad_norm"):
+        assert getattr(model, name) == options[name], name
+    assert (model.n_epochs, model.batch_size, model.n_steps, model.seed) == (3, 32, N_STEPS, SEED)
+    assert model.policy.optimizer.state_dict()["state"][0]["step"] == 3 * SAMPLES / 32
+
+
+# --- records ---
+
+
+def test_progress_has_a_row_a_second_with_steps_and_seconds(run):
+    rows = np.arange(1, ROLLOUTS // ROWS_EVERY + 1)
+    np.testing.assert_array_equal(column(run, "timesteps"), rows * ROWS_EVERY * SAMPLES)
+    np.testing.assert_allclose(column(run, "seconds"), rows * 1.0, atol=1e-3)
+
+
+def test_progress_return_is_the_mean_reward_over_a_whole_episode(run):
+    expected = [1000 * rewards.mean() for rewards in windows(run.rewards)]
+    np.testing.assert_allclose(column(run, "return"), expected, rtol=1e-5)
+
+
+def test_progress_fall_rate_counts_falls_and_not_the_time_limit(run):
+    falls = np.array([falls.sum() for falls in windows(run.falls)])
+    dones = np.array([dones.sum() for dones in windows(run.dones)])
+    assert 0 < falls.sum() < dones.sum(), "both happen"
+    robot_steps = ROWS_EVERY * SAMPLES
+    np.testing.assert_allclose(column(run, "fall_rate"), falls * 1000 / robot_steps, rtol=1e-9)
+
+
+def test_episodes_are_reported_with_their_length_and_return(run):
+    rewards, dones = np.array(run.rewards), np.array(run.dones)
+    lengths = set()
+    for i in range(ENVS):
+        ends = np.flatnonzero(dones[:, i]) + 1
+        for start, end in itertools.pairwise([0, *ends]):
+            episode = run.episodes[end - 1][i]
+            assert episode["l"] == end - start
+            assert episode["r"] == pytest.approx(rewards[start:end, i].sum(), rel=1e-5)
+            lengths.add(end - start)
+        assert sum(step[i] is not None for step in run.episodes) == len(ends)
+    assert len(lengths) > 3
+
+
+def replayed(run):
+    """The same training in the native vector env: its `info` after every step, before a reset."""
+    env = gymnasium.make_vec(
+        ENV_ID, num_envs=ENVS, action_mode="residual", config=config().task, max_episode_steps=EPISODE_STEPS
+    )
+    _, info = env.reset(seed=SEED)
+    command, infos = info["command"], []
+    for actions in run.actions:
+        _, _, terminated, truncated, info = env.step(actions)
+        done = terminated | truncated
+        last = {name: np.array(info[name]) for name in info if not name.startswith(("_", "final"))}
+        for name in last if done.any() else ():
+            last[name][done] = info["final_info"][name][done]
+        if done.all():
+            last = {name: np.array(value) for name, value in info["final_info"].items() if not name.startswith("_")}
+        infos.append({**last, "done": done, "in_force": command})
+        command = info["command"]
+    return infos
+
+
+def test_tensorboard_has_the_mean_of_every_reward_term_per_second(run):
+    shown, infos = tensorboard(run.directory), replayed(run)
+    terms = [name for name in infos[0] if name.startswith("reward_")]
+    assert {f"reward_per_second/{name.removeprefix('reward_')}" for name in terms} <= set(shown)
+    for name in terms:
+        expected = [values.mean() / 0.02 for values in windows([info[name] for info in infos])]
+        steps, values = shown[f"reward_per_second/{name.removeprefix('reward_')}"]
+        assert steps == column(run, "timesteps")
+        np.testing.assert_allclose(values, expected, rtol=1e-4, atol=1e-6, err_msg=name)
+
+
+def test_tensorboard_has_the_columns_of_progress(run):
+    shown = tensorboard(run.directory)
+    for name in ("return", "fall_rate", "forward_velocity_error", "yaw_rate_error", "seconds"):
+        steps, values = shown[f"progress/{name}"]
+        assert steps == column(run, "timesteps")
+        np.testing.assert_allclose(values, column(run, name), rtol=1e-5, err_msg=name)
+
+
+def tensorboard(directory):
+    """Name of each scalar -> steps and values."""
+    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+
+    events = EventAccumulator(str(directory / "tensorboard"))
+    events.Reload()
+    return {
+        tag: ([event.step for event in events.Scalars(tag)], [event.value for event in events.Scalars(tag)])
+        for tag in events.Tags()["scalars"]
+    }
+
+
+def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path):
+    # No episode ends within the run: what an env shows after a reset is another episode's.
+    run = watched()
+    task = {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}, "command": {"resample_interval": [100.0, 100.0]}}
+    run.train(tmp_path, config(timesteps=2 * SAMPLES, task=task))
+    env = gymnasium.make_vec(ENV_ID, num_envs=ENVS, action_mode="residual", config=task)
+    _, info = env.reset(seed=SEED)
+    average, squares = np.zeros((ENVS, 2)), []
+    for actions in run.actions:
+        *_, info = env.step(actions)
+        velocity = np.stack([info["base_linear_velocity"][:, 0], info["base_angular_velocity"][:, 2]], axis=1)
+        average += (1.0 - math.exp(-0.02 / 0.2)) * (velocity - average)
+        squares.append((average - info["command"]) ** 2)
+    expected = np.sqrt(np.mean(squares, axis=(0, 1)))
+    found = [column(run, name)[0] for name in ("forward_velocity_error", "yaw_rate_error")]
+    np.testing.assert_allclose(found, expected, rtol=1e-6)
+
+
+# --- checkpoints and the run's end ---
+
+
+def test_checkpoints_come_at_their_times_with_the_step_count_of_theirs(run):
+    # Ends of rollouts are at multiples of 0.5 s; each checkpoint is due 1.75 s after the one before.
+    expected = {2.0: "00002s", 4.0: "00004s", 6.0: "00006s"}
+    directories = sorted((run.directory / "checkpoints").iterdir())
+    assert [path.name for path in directories] == list(expected.values())
+    for (seconds, _), path in zip(expected.items(), directories, strict=True):
+        card = load_policy(path).card
+        steps = round(seconds / STEP_SECONDS) * ENVS
+        assert (card["timesteps"], card["seconds"]) == (steps, seconds)
+        assert card["budget_left"] == pytest.approx(1.0 - steps / (ROLLOUTS * SAMPLES))
+        assert [float(row["timesteps"]) for row in progress(path)][-1] <= steps
+
+
+def test_card_of_a_finished_run_has_its_steps_seconds_and_no_budget_left(run):
+    card = load_policy(run.directory).card
+    assert (card["timesteps"], card["seconds"], card["budget_left"]) == (ROLLOUTS * SAMPLES, 6.0, 0.0)
+    assert (card["seed"], card["command"]) == (SEED, "a test")
+    assert run.finished
+    assert json.loads((run.directory / "config.json").read_text())["training"]["learning_rate"] == LEARNING_RATE
+
+
+def test_policy_that_is_saved_is_the_one_that_was_trained(run):
+    observation = np.random.default_rng(0).uniform(-1.0, 1.0, (20, 34)).astype(np.float32)
+    expected, _ = run.model.predict(observation, deterministic=True)
+    np.testing.assert_allclose(load_policy(run.directory).predict(observation), expected, atol=1e-5)
+
+
+def test_resumed_training_goes_on_with_clock_steps_and_schedules(run, watched, tmp_path):
+    checkpoint = sorted((run.directory / "checkpoints").iterdir())[0]
+    parent = Parent.load(checkpoint)
+    resumed = watched().train(tmp_path, parent.resumed({}), checkpoint)
+    rollouts = ROLLOUTS - 4
+    assert len(resumed.rewards) == rollouts * N_STEPS
+    left = 1.0 - np.arange(4, ROLLOUTS + 1) / ROLLOUTS
+    np.testing.assert_allclose(resumed.learning_rates, LEARNING_RATE * (0.1 + 0.9 * left[1:]), rtol=1e-6)
+    np.testing.assert_allclose(explorations(resumed), -3.0 + left[:-1], atol=1e-6)
+    np.testing.assert_array_equal(column(resumed, "timesteps")[-1], ROLLOUTS * SAMPLES)
+    np.testing.assert_allclose(column(resumed, "seconds")[-1], 6.0, atol=1e-3)
+    card = load_policy(resumed.directory).card
+    assert (card["timesteps"], card["seconds"], card["budget_left"]) == (ROLLOUTS * SAMPLES, 6.0, 0.0)
