@@ -10,7 +10,7 @@ from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.evaluate import print_results
-from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options
+from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options, task_option
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.files import free_path
 
@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.results import prepare_output
 
     output = arguments.output or free_path(Path("results", "comparison"))
-    subjects = find_subjects(arguments.runs, output)
+    subjects = find_subjects(arguments.runs, output, arguments.task)
     prepare_video(arguments.video, arguments.overwrite)
     prepare_output(output)
     policies = {name: subject.policy for name, subject in subjects.items()}
@@ -40,7 +40,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         subjects,
         comparison,
         output,
-        f"{invocation.program} {sources} --seeds {arguments.seeds} --seconds {arguments.seconds:g}",
+        f"{invocation.program} {sources} {task_option(arguments.task)}--seeds {arguments.seeds} "
+        f"--seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),
     )

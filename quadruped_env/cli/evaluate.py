@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_evaluation_options
+from quadruped_env.cli.options import add_evaluation_options, task_option
 from quadruped_env.cli.progress import ProgressLine
 
 
@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.pages.pictures import filmed
     from quadruped_env.reporting.results import prepare_output
 
-    subject = find_subject(arguments.run, arguments.output)
+    subject = find_subject(arguments.run, arguments.output, arguments.task)
     prepare_output(subject.output)
     prepare_video(arguments.video, arguments.overwrite)
     print(f"evaluating {subject.name}")
@@ -40,7 +40,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     report, numbers, missing = write_report(
         subject,
         comparison,
-        f"{invocation.program} {subject.source} --seeds {arguments.seeds} --seconds {arguments.seconds:g}",
+        f"{invocation.program} {subject.source} {task_option(arguments.task)}--seeds {arguments.seeds} "
+        f"--seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),
     )

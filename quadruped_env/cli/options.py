@@ -1,6 +1,7 @@
 """Options that several commands have in common: the same name and meaning in each."""
 
 import argparse
+import shlex
 from pathlib import Path
 from typing import Final
 
@@ -42,6 +43,21 @@ def add_video(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_task_file(parser: argparse.ArgumentParser) -> None:
+    """Add `--task`, for commands that read policies."""
+    parser.add_argument(
+        "--task",
+        type=Path,
+        metavar="FILE",
+        help="Python file of terms that a run was trained with, if it was; it is executed (docs/make-it-yours.md)",
+    )
+
+
+def task_option(task_file: Path | None) -> str:
+    """The option `--task` as a user types it again, and a space; nothing without a file."""
+    return "" if task_file is None else f"--task {shlex.quote(str(task_file))} "
+
+
 def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:
     """Add the options of commands that write a report.
 
@@ -59,6 +75,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
         metavar="S",
         help="length of an episode, s (default: %(default)g)",
     )
+    add_task_file(parser)
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
     add_overwrite(parser, "replace the file of --video if it exists")

@@ -2,18 +2,23 @@
 
 mini-quadruped train                          two minutes or less, then a policy that walks
 mini-quadruped train --action-mode position   without the scripted gait underneath
+mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 
 import argparse
 import dataclasses
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final, get_args
 
 from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import add_output
+from quadruped_env.documents import read_json
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.training import TrainConfig
 
 RUNS: Final = Path("runs")
@@ -35,7 +40,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         if field.name == "hidden":
             options.update(type=int, nargs="+", metavar="N")
         elif field.name == "task":
-            options.update(type=json_object, metavar="JSON")
+            options.update(
+                type=task_change,
+                action="append",
+                metavar="TASK",
+                help="a Python file of terms (docs/make-it-yours.md), a JSON file of changes to the task's config, or "
+                "these changes as JSON; may be given again",
+            )
         elif isinstance(default, bool):
             options.update(action=argparse.BooleanOptionalAction)
         elif get_args(field.type) and isinstance(default, str):
@@ -61,6 +72,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     typed = {name: value for name, value in vars(arguments).items() if name in names}
     if "hidden" in typed:
         typed["hidden"] = tuple(typed["hidden"])
+    task_file, typed_task = task_changes(typed.pop("task", []))
+    if typed_task:
+        typed["task"] = typed_task
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
     if resume is None:
@@ -68,7 +82,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     else:
         from quadruped_env.training.resume import Parent
 
-        parent = Parent.load(resume)
+        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
         config, resume = parent.resumed(typed), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
@@ -77,16 +91,57 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.training.config import shortness
     from quadruped_env.training.ppo import train
 
-    directory, finished = train(config, runs, invocation.line, resume)
-    advice = shortness(config.action_mode, load_policy(directory).card["timesteps"])
+    directory, finished = train(config, runs, invocation.line, resume, task_file)
+    advice = shortness(config.action_mode, load_policy(directory, task_file).card["timesteps"])
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     if advice:
         print(advice)
-    print(f"evaluate it:  {program_command('evaluate', directory)}")
-    print(f"see it walk:  {program_command('view', directory)}")
+    task = [] if task_file is None else ["--task", task_file]
+    print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
+    print(f"see it walk:  {program_command('view', directory, *task)}")
     print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
     return 0
+
+
+def task_change(text: str) -> Path | dict[str, Any]:
+    """Parse one `--task`: a Python file by its path, or changes to the config from a JSON file or from JSON."""
+    if text.endswith(".py"):
+        return Path(text)
+    if text.endswith(".json"):
+        try:
+            values = read_json(Path(text), "fix it")
+        except QuadrupedError as error:
+            raise argparse.ArgumentTypeError(str(error)) from error
+        if not isinstance(values, dict):
+            raise argparse.ArgumentTypeError(f"{text}: expected a JSON object of changes to the task's config")
+        return values
+    return json_object(text)
+
+
+def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, dict[str, Any]]:
+    """The Python file of all that `--task` gave, and the changes to the config, later ones over earlier ones.
+
+    Raises:
+        QuadrupedError: if there are two Python files.
+    """
+    files = [entry for entry in given if isinstance(entry, Path)]
+    if len(files) > 1:
+        raise QuadrupedError(f"--task: expected one Python file; found {files[0]} and {files[1]}; put them into one")
+    changes: dict[str, Any] = {}
+    for entry in given:
+        if isinstance(entry, dict):
+            changes = merged(changes, entry)
+    return next(iter(files), None), changes
+
+
+def merged(values: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """Nested values with changes over them."""
+    result = dict(values)
+    for name, value in changes.items():
+        both = isinstance(value, dict) and isinstance(result.get(name), dict)
+        result[name] = merged(result[name], value) if both else value
+    return result
 
 
 def json_object(text: str) -> dict[str, Any]:

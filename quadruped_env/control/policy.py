@@ -286,7 +286,10 @@ def _from_document(
             raise QuadrupedError(f"{card_path}: field {key!r} is missing; the file is damaged, train again")
     try:
         task = document["config"]
-        check_task_file(task.get(TASK_FILE) if isinstance(task, dict) else None, terms.file)
+        named = task.get(TASK_FILE) if isinstance(task, dict) else None
+        check_task_file(named, terms.file)
+        if named is None:
+            terms = Terms()
         control = ControlConfig.of_task(task, terms.commands)
     except QuadrupedError as error:
         raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error

@@ -34,12 +34,13 @@ class Subject:
         return path if path.is_file() else None
 
 
-def find_subject(run: str | None, output: Path | None = None) -> Subject:
+def find_subject(run: str | None, output: Path | None = None, task_file: Path | None = None) -> Subject:
     """The policy that a person names; of a run that was killed, that of its last checkpoint.
 
     Args:
         run: a run's directory or a shipped policy's name; None takes the latest run, or else the shipped policy.
         output: where the results go; None takes `evaluation` in the run's directory, or `results/<name>`.
+        task_file: the user's file of terms that the run was trained with; it is executed.
 
     Raises:
         QuadrupedError: if there is no such policy, or it is damaged.
@@ -52,4 +53,6 @@ def find_subject(run: str | None, output: Path | None = None) -> Subject:
     if run in SHIPPED:
         return Subject(run, load_policy(run), shipped_directory(run), output or Path("results", run))
     directory = finished_directory(Path(run)).resolve()
-    return Subject(run_name(directory), load_policy(directory), directory, output or Path(run) / "evaluation")
+    return Subject(
+        run_name(directory), load_policy(directory, task_file), directory, output or Path(run) / "evaluation"
+    )

@@ -13,6 +13,7 @@ from quadruped_env.control import by_name
 from quadruped_env.control import policy as control_policy
 from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import Controller, PolicyController
+from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
@@ -134,7 +135,8 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
         QuadrupedError: if the task's config is not valid.
     """
     try:
-        config = TaskConfig.from_dict(policy.task, definition)
+        # A policy that needs no file of terms is not affected by one.
+        config = TaskConfig.from_dict(policy.task, definition if TASK_FILE in policy.task else BUILT_IN)
     except QuadrupedError as error:
         raise QuadrupedError(f"{policy.source}: {error}; train again, or install the version that made it") from error
     return Policy(policy.weights, policy.biases, policy.activation, config, policy.card)

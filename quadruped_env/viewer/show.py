@@ -137,6 +137,7 @@ def open_show(
     host: str = LOOPBACK,
     port: int = PORT,
     results: Path = RESULTS,
+    task_file: Path | None = None,
 ) -> Show:
     """A show of what a person asked for, ready to run.
 
@@ -147,13 +148,14 @@ def open_show(
         host: the address to listen on.
         port: the first one to try; 0 takes any.
         results: where recordings go.
+        task_file: the user's file of terms that the runs were trained with; it is executed.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
         QuadrupedError: if something that was asked for cannot be used.
     """
     import_viser()
-    controller = ViewController(*find_controllers(asked), results)
+    controller = ViewController(*find_controllers(asked, task_file=task_file), results)
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

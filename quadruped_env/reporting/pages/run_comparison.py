@@ -16,7 +16,7 @@ from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_
 from quadruped_env.reporting.results import prepare_output
 
 
-def find_subjects(runs: Sequence[str], output: Path) -> dict[str, Subject]:
+def find_subjects(runs: Sequence[str], output: Path, task_file: Path | None = None) -> dict[str, Subject]:
     """The policies that a person names, each once, by name.
 
     Raises:
@@ -24,7 +24,7 @@ def find_subjects(runs: Sequence[str], output: Path) -> dict[str, Subject]:
     """
     subjects: dict[str, Subject] = {}
     for run in runs:
-        subject = find_subject(run, output)
+        subject = find_subject(run, output, task_file)
         if subject.name in subjects:
             raise QuadrupedError(f"{run}: a policy called {subject.name!r} is named before; name each one once")
         subjects[subject.name] = subject
