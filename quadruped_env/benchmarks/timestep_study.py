@@ -20,6 +20,7 @@ from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.results import write_json
 from quadruped_env.gait import SinusoidalGait
+from quadruped_env.progress import Progress
 from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, load_model
 from quadruped_env.simulation import BatchSimulation
 
@@ -53,8 +54,6 @@ _FALLEN: Final = 0.5
 _SPEED_ROWS: Final = 32
 _SPEED_STEPS: Final = 10
 _SPEED_ROUNDS: Final = 30
-
-Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,11 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.metrics import METRICS, measure
 from quadruped_env.evaluation.recording import Recording, play, publish
 from quadruped_env.evaluation.results import check_free, write_json
-from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
+from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
+from quadruped_env.progress import Progress
 from quadruped_env.trajectory import JointTrajectory, saving
 
 SHOWN: Final = (

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
-from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Progress, Rollout, roll_out
+from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
 from quadruped_env.evaluation.statistics import Estimate, bootstrap_mean, proportion
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController, Controller, GaitController, PolicyController, ZeroController
 from quadruped_env.policies.policy import Policy
+from quadruped_env.progress import Progress
 from quadruped_env.task import RandomizationConfig, TaskConfig
 from quadruped_env.task.commands import MOVING_THRESHOLD
 from quadruped_env.task.config import Range

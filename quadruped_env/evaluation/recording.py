@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
+from quadruped_env.progress import Progress
 from quadruped_env.robot import (
     JOINT_NAMES,
     JOINT_POSITION_HIGH,

@@ -13,9 +13,9 @@ from quadruped_env.evaluation.films.film import FRAME_RATE, Motion
 from quadruped_env.evaluation.pages.page import REPORT_FILE
 from quadruped_env.evaluation.recording import Recording, play
 from quadruped_env.evaluation.results import check_free, write_json
-from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.evaluation.saturation import Saturation, saturation
 from quadruped_env.evaluation.signals import Signals, lag, side_by_side
+from quadruped_env.progress import Progress
 from quadruped_env.robot import (
     FOOT_RADIUS,
     JOINT_NAMES,

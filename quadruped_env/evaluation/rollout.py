@@ -1,6 +1,6 @@
 """Run a controller on fixed commands, many episodes at once, and keep what the metrics read."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, Final, Self
 
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
+from quadruped_env.progress import Progress
 from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, LEG_NAMES, load_model
 from quadruped_env.simulation import BatchSimulation, State
 from quadruped_env.task import Task, TaskConfig
@@ -18,9 +19,6 @@ from quadruped_env.task.rewards import foot_slip
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = 1_000_000
 """Far from the small seeds that people train with: no episode of the evaluation was an episode of the training."""
-
-Progress = Callable[[float], None]
-"""Is told the share of the work that is done, in [0, 1]."""
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,11 @@ import numpy as np
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import measure
 from quadruped_env.evaluation.pages.verdict import verdict
-from quadruped_env.evaluation.rollout import FIRST_SEED, Progress, roll_out
+from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.files import write_whole
 from quadruped_env.policies import Policy, PolicyController, load_policy
 from quadruped_env.policies.policy import finished_directory, shipped_directory
+from quadruped_env.progress import Progress
 from quadruped_env.training.run import PROGRESS_FILE
 
 ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))

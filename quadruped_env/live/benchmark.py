@@ -23,10 +23,11 @@ from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import Node
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.stamps import NANOSECONDS, read_stamp
+from quadruped_env.live.stamps import read_stamp
 from quadruped_env.live.topics import CLOCK, CMD_VEL, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
 from quadruped_env.policies import load_policy
 from quadruped_env.ros import Qos, cdr
+from quadruped_env.timestamps import NS_PER_SECOND
 
 COMMAND_PERIOD: Final = 0.1
 """s between messages on /cmd_vel"""
@@ -242,7 +243,7 @@ class _Listener:
         latencies = np.array([at - self._sent[stamp] for stamp, at in self._answers if stamp in self._sent]) / 1e6
         policy_period = round(np.median(np.diff(np.unique(stamps))))
         ticks = round((stamps.max() - stamps.min()) / policy_period) + 1
-        late = (sent - stamps) / NANOSECONDS
+        late = (sent - stamps) / NS_PER_SECOND
         met = len(np.unique(stamps[late <= ON_TIME]))
         lags = np.array([[sample.seconds, sample.clock_lag] for sample in self._samples])
         half = [sample for sample in self._samples if sample.seconds >= seconds / 2]

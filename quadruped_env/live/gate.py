@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from quadruped_env.live.stamps import NANOSECONDS
+from quadruped_env.timestamps import NS_PER_SECOND
 
 MAX_AGE: Final = 0.2
 """s"""
@@ -47,7 +47,7 @@ class Gate:
             now: s of this machine's, steady; when the measurement was taken.
             moving: whether the robot is being moved.
         """
-        lag = now - stamp / NANOSECONDS
+        lag = now - stamp / NS_PER_SECOND
         least = self._lag + _CLOCK_DRIFT * (now - self._seen)
         if lag > least + MAX_AGE and self._always_late(lag, now) and not moving:
             self._begin(self._late_lag, now)

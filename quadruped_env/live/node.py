@@ -19,11 +19,11 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.dds import Network, open_participant
 from quadruped_env.live.graph import Graph
 from quadruped_env.live.profiles import dds_qos
-from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import Topic
 from quadruped_env.live.type_information import withhold_type_information
 from quadruped_env.live.wire import wire_type
 from quadruped_env.ros import Qos, cdr
+from quadruped_env.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
 _LATENCIES: Final = 1000
@@ -97,7 +97,7 @@ class Publisher:
     def wait_until_read(self, seconds: float) -> bool:
         """Wait until every reliable reader has what was sent; whether that came about in time."""
         try:
-            return bool(self._writer.wait_for_acks(round(seconds * NANOSECONDS)))
+            return bool(self._writer.wait_for_acks(round(seconds * NS_PER_SECOND)))
         except AttributeError:
             # What cyclonedds 11.0.1 makes of a time that ran out: it looks for the code in a class without it.
             return False
@@ -130,7 +130,7 @@ class Subscription(Generic[T]):
                 if sample.sample_info.valid_data:
                     sent = sample.sample_info.source_timestamp
                     taken.append(Received(sample.data, sent, sample.sample_info.publication_handle, at))
-                    self.latencies.append((now - sent) / NANOSECONDS)
+                    self.latencies.append((now - sent) / NS_PER_SECOND)
             if len(samples) < _TAKEN:
                 break
         self.count += len(taken)
@@ -260,7 +260,7 @@ class Node:
             # DDS does not wait for nothing.
             time.sleep(seconds)
             return False
-        return bool(self._waitset.wait(round(seconds * NANOSECONDS)) > 0)
+        return bool(self._waitset.wait(round(seconds * NS_PER_SECOND)) > 0)
 
     def close(self) -> None:
         """Leave the domain, so that others learn of it at once."""

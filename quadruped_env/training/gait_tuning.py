@@ -32,7 +32,8 @@ _RAMP: Final = 0.5
 _MIDDLE: Final = 0.8
 """of the clock's sine, above which a foot is in the middle of its swing"""
 
-Progress = Callable[[str], None]
+Log = Callable[[str], None]
+"""Called with a line of text about the progress."""
 
 
 @dataclass(frozen=True)
@@ -210,7 +211,7 @@ def search(
 
 
 def tune_commanded_gait(
-    angular_frequency: float, forward: tuple[float, ...], backward: tuple[float, ...], generations: int, say: Progress
+    angular_frequency: float, forward: tuple[float, ...], backward: tuple[float, ...], generations: int, say: Log
 ) -> CommandedGait:
     """The table of `CommandedGait` for the given speeds, m/s, each tuple from slow to fast.
 
@@ -242,7 +243,7 @@ def _line(what: str, found: Found) -> str:
     )
 
 
-def _with_tuned_track(gait: CommandedGait, say: Progress) -> CommandedGait:
+def _with_tuned_track(gait: CommandedGait, say: Log) -> CommandedGait:
     """The gait with the half track that turns closest to the commanded yaw rates."""
     commands = np.array([(v, w) for v in (0.0, 0.2, 0.3) for w in (-0.6, -0.3, 0.3, 0.6)])
     best, best_error = gait, np.inf
@@ -288,7 +289,7 @@ def achieved_table(gait: CommandedGait) -> str:
     return "\n".join(lines)
 
 
-def tune_presets(generations: int, say: Progress) -> dict[str, list[float]]:
+def tune_presets(generations: int, say: Log) -> dict[str, list[float]]:
     """The candidate (10,) of each preset but the article's, for the highest speed that it walks at steadily."""
     tuned = {}
     for name, angular_frequency, speed in PRESET_SPEEDS:

@@ -13,7 +13,8 @@ from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.evaluation.films.overlay import Overlay
 from quadruped_env.evaluation.metrics import heading_of
 from quadruped_env.evaluation.recording import Recording
-from quadruped_env.evaluation.rollout import Progress, Rollout
+from quadruped_env.evaluation.rollout import Rollout
+from quadruped_env.progress import Progress
 from quadruped_env.robot import load_model
 
 Picture = NDArray[np.uint8]

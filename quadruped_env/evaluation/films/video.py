@@ -12,8 +12,8 @@ from quadruped_env._python import pip_command
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.films.film import FRAME_RATE, Camera, Motion, Picture
 from quadruped_env.evaluation.results import check_free
-from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.files import write_whole
+from quadruped_env.progress import Progress
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
 STILLS: Final = 4

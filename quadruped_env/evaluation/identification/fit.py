@@ -24,7 +24,7 @@ from quadruped_env.evaluation.identification.quantities import (
 from quadruped_env.evaluation.identification.recorded import Recorded, columns
 from quadruped_env.evaluation.identification.rough import derivatives, half_widths, search
 from quadruped_env.evaluation.identification.spec import joint_spec
-from quadruped_env.evaluation.rollout import Progress
+from quadruped_env.progress import Progress
 from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
 from quadruped_env.robot.motors import fill_command_history
 

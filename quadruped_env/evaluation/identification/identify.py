@@ -13,7 +13,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.identification.fit import MotorFit
 from quadruped_env.evaluation.identification.quantities import FITTED, quantity, value_of
 from quadruped_env.evaluation.identification.recorded import UNITS, Recorded, align, columns, remarks
-from quadruped_env.evaluation.rollout import Progress
+from quadruped_env.progress import Progress
 from quadruped_env.robot import JOINT_NAMES, MotorConfig
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory

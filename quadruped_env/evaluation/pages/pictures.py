@@ -15,7 +15,7 @@ from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.evaluation.pages.failures import Failure
 from quadruped_env.evaluation.pages.page import data_url, words
 from quadruped_env.evaluation.pages.scene import scene_html
-from quadruped_env.evaluation.rollout import Progress
+from quadruped_env.progress import Progress
 
 CLIP_SECONDS: Final = 2.4
 SCENE_SECONDS: Final = 20.0

@@ -12,8 +12,8 @@ from quadruped_env.evaluation.pages.failures import Failure, worst_episodes
 from quadruped_env.evaluation.pages.page import circumstances, data_url, figure, tables, without_nan, words, write_page
 from quadruped_env.evaluation.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.evaluation.pages.verdict import verdict
-from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.evaluation.subject import Subject, prepare
+from quadruped_env.progress import Progress
 from quadruped_env.robot import EFFORT_LIMIT, VELOCITY_LIMIT
 
 _EPISODE: Final = "Shown is the first episode without a fall, or else the longest."

@@ -11,8 +11,8 @@ from quadruped_env.evaluation.films.film import Motion
 from quadruped_env.evaluation.pages.page import circumstances, figure, tables, without_nan, words, write_page
 from quadruped_env.evaluation.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.evaluation.pages.verdict import LEVEL, error_of, listed, verdict
-from quadruped_env.evaluation.rollout import Progress
 from quadruped_env.evaluation.subject import Subject, find_subject, prepare
+from quadruped_env.progress import Progress
 
 
 def find_subjects(runs: Sequence[str], output: Path) -> dict[str, Subject]:

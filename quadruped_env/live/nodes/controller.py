@@ -23,10 +23,10 @@ from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Subscription, message_reader
 from quadruped_env.live.pilot import Answer, Measurement, Mode, Pilot
 from quadruped_env.live.session import Session, add_realtime_argument
-from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
+from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.viewer.sources import asked_source
 
 SUMMARY: Final = "a policy drives the robot: states and /cmd_vel in, joint commands out"
@@ -103,7 +103,7 @@ class _Inbox:
         if not states or self._imu is None:
             return None
         received, newest = max(states, key=lambda state: state[1].stamp)
-        if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NANOSECONDS:
+        if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NS_PER_SECOND:
             self._session.refuse(f"{IMU.name} and {JOINT_STATES.name} are over {_IMU_AGE:g} s apart")
             return None
         assert newest.positions is not None

@@ -28,11 +28,11 @@ from quadruped_env.live.node import message_reader
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.live.sole import SolePublisher
-from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.joint_state import Encoder
+from quadruped_env.timestamps import NS_PER_SECOND
 
 SUMMARY: Final = "a scripted gait on /joint_states, as the tutorial's publisher, or as commands"
 RATE: Final = 20.0
@@ -104,7 +104,7 @@ def _send_states(session: Session, gait: _SteeredGait, period: float) -> None:
         t = pace.ticks * period
         gait.take(t)
         if pace.tick():
-            stamp = start + round(t * NANOSECONDS)
+            stamp = start + round(t * NS_PER_SECOND)
             states.send_bytes(encode(stamp, gait.positions(t).tobytes(), gait.velocities(t).tobytes(), efforts))
         gait.report()
 
@@ -135,7 +135,7 @@ def _send_commands(session: Session, gait: _SteeredGait, period: float) -> None:
         if pace.tick():
             share = min(t / FADE, 1.0)
             last = limited(first + share * (gait.positions(t) - first), last, period)
-            commands.send_bytes(write(start + round(t * NANOSECONDS), last))
+            commands.send_bytes(write(start + round(t * NS_PER_SECOND), last))
         gait.report()
     commands.send_bytes(write(time.time_ns(), None))
     commands.wait_until_read(0.5)

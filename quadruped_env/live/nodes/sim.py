@@ -29,9 +29,9 @@ from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.sole import SolePublisher
-from quadruped_env.live.stamps import NANOSECONDS
 from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
+from quadruped_env.timestamps import NS_PER_SECOND
 
 SUMMARY: Final = "the simulated robot in real time"
 STEPS_PER_STATE: Final = 2
@@ -76,7 +76,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     gc.freeze()
     start = time.time_ns()
     pace, push_log = Pace(TIMESTEP), Pace(_PUSH_LOG_PERIOD)
-    step = round(TIMESTEP * NANOSECONDS)
+    step = round(TIMESTEP * NS_PER_SECOND)
     fell, fell_at = False, 0.0
     while session.running:
         session.wait(pace.remaining)
