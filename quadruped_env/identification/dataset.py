@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
 SIGNALS: Final = ("position", "velocity", "effort")
@@ -91,13 +92,14 @@ def align(
     first = max(int(measured.stamps[0]), int(commands.stamps[0]))
     last = min(int(measured.stamps[-1]), int(commands.stamps[-1]))
     rows = (measured.stamps >= first) & (measured.stamps <= last)
-    if last - first < MIN_SECONDS * 1e9 or np.count_nonzero(rows) < 10 * MIN_SECONDS:
+    if last - first < MIN_SECONDS * NS_PER_SECOND or np.count_nonzero(rows) < 10 * MIN_SECONDS:
         raise QuadrupedError(
             f"{measured.source.name} and {commands.source.name}: {np.count_nonzero(rows)} measurements over "
-            f"{max(last - first, 0) / 1e9:g} s in common (measured {_span(measured)}, commands {_span(commands)}); "
-            f"at least {MIN_SECONDS:g} s and {10 * MIN_SECONDS:g} measurements are needed, on one clock"
+            f"{max(last - first, 0) / NS_PER_SECOND:g} s in common (measured {_span(measured)}, commands "
+            f"{_span(commands)}); at least {MIN_SECONDS:g} s and {10 * MIN_SECONDS:g} measurements are needed, on one "
+            f"clock"
         )
-    if last - first > MAX_SECONDS * 1e9:
+    if last - first > MAX_SECONDS * NS_PER_SECOND:
         raise QuadrupedError(
             f"{measured.source.name}: {(last - first) / 1e9:g} s in common with its commands, over {MAX_SECONDS:g} s; "
             f"cut out a minute in which the joints move ({program_command('convert')} ... --start S --stop S)"
@@ -105,7 +107,7 @@ def align(
     if not np.ptp(commands.positions, axis=0).any():
         raise QuadrupedError(f"{commands.source.name}: no command changes; record the robot while it moves")
     stamps = measured.stamps[rows]
-    times = (stamps - stamps[0]) / 1e9
+    times = (stamps - stamps[0]) / NS_PER_SECOND
     steps = int(np.ceil(times[-1] / timestep - 1e-6)) + 1
     values = np.full((len(times), len(SIGNALS) * len(JOINT_NAMES)), np.nan)
     for name, array in zip(SIGNALS, (measured.positions, measured.velocities, measured.efforts), strict=True):
@@ -119,7 +121,7 @@ def align(
         values[:, JOINT_NAMES.index(name) :: len(JOINT_NAMES)] = np.nan
     if not np.isfinite(values).any():
         raise QuadrupedError("identify: no joint is left; leave out fewer")
-    control = held((commands.stamps - stamps[0]) / 1e9, commands.positions, edges)
+    control = held((commands.stamps - stamps[0]) / NS_PER_SECOND, commands.positions, edges)
     return Recorded(control, times, values, start, timestep, times <= train_share * times[-1])
 
 
@@ -155,4 +157,4 @@ def held(times: NDArray[np.float64], values: NDArray[np.float64], edges: NDArray
 
 
 def _span(trajectory: JointTrajectory) -> str:
-    return f"{trajectory.stamps[0] / 1e9:.3f} to {trajectory.stamps[-1] / 1e9:.3f} s"
+    return f"{trajectory.stamps[0] / NS_PER_SECOND:.3f} to {trajectory.stamps[-1] / NS_PER_SECOND:.3f} s"

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
 SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
@@ -106,7 +107,7 @@ def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
     if len(rows) < 2:
         return [None] * len(JOINT_NAMES)
     rows = rows[:: -(-len(rows) // _LAG_ROWS)]
-    offset = (int(played.stamps[0]) - int(target.stamps[0])) / 1e9
+    offset = (int(played.stamps[0]) - int(target.stamps[0])) / NS_PER_SECOND
     errors = np.array(
         [
             np.mean((played.positions[rows] - target.positions_at(played.times[rows] + offset - shift)) ** 2, axis=0)
