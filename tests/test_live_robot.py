@@ -9,9 +9,9 @@ from live_loop import EPOCH, Loop
 from live_nodes import received_from
 from waiting import wait_until
 
+from benchmarks.live import speed_in_environment
 from quadruped_env import QuadrupedError
 from quadruped_env.live import Node
-from quadruped_env.live.benchmark import speed_in_environment
 from quadruped_env.live.commands import LIMP
 from quadruped_env.live.mirror import Mirror, mirror_source
 from quadruped_env.live.pilot import Mode

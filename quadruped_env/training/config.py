@@ -44,7 +44,7 @@ class TrainConfig:
     gae_lambda: float = 0.95
     """Decay of the advantage estimate"""
     clip_range: float = 0.2
-    """PPO's clip"""
+    """PPO's limit on the change of an action's probability ratio"""
     ent_coef: float = 0.0
     """Weight of the entropy bonus"""
     max_grad_norm: float = 1.0

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.benchmarks.throughput import HEADER, Measure, row, run_python
+from benchmarks.throughput import HEADER, Measure, row, run_python
 
 MIN_RATE: Final = 30_000
 """Messages a second that reading MCAP should reach, on one core"""
@@ -18,7 +18,7 @@ import json, sys, time
 from pathlib import Path
 import numpy as np
 from quadruped_env import JOINT_NAMES, JointTrajectory
-from quadruped_env.benchmarks.render_speed import stay_on_one_core
+from benchmarks.render_speed import stay_on_one_core
 from quadruped_env.trajectory import formats, saving
 stay_on_one_core()
 """
