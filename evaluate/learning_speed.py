@@ -1,8 +1,7 @@
-"""Measure how long it takes to learn to walk."""
+"""Measure how long it takes to learn to walk: runs tools/learning_speed.py, a tool for maintainers."""
 
-import argparse
+import runpy
 import sys
-from dataclasses import asdict
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
@@ -67,4 +66,5 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.path[0] = str(TOOLS)  # as if it had been started there
+    runpy.run_path(str(TOOLS / "learning_speed.py"), run_name="__main__")

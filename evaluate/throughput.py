@@ -1,48 +1,11 @@
-"""Measure speed and memory."""
+"""Measure speed and memory: runs tools/throughput.py, a tool for maintainers."""
 
-import argparse
+import runpy
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
-
-from quadruped_env.benchmarks import throughput
-from quadruped_env.program import run_program
-from quadruped_env.provenance import machine, versions
-
-
-def main() -> int:
-    """Parse the arguments and measure."""
-    parser = argparse.ArgumentParser(
-        description="Speed and memory of the environments and of training, each as a ratio to a bare simulation or to "
-        "another environment within this run. Prints a Markdown table and writes JSON. Takes about six minutes on two "
-        "cores, most of it for the memory of a long training. Let nothing else run meanwhile.",
-        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-    )
-    parser.add_argument("--memory-steps", type=int, default=5_000_000, help="length of the training watched for leaks")
-    parser.add_argument(
-        "-o", "--output", type=Path, default=Path("results/throughput.json"), help="where to write the JSON"
-    )
-    parser.add_argument(
-        "--only",
-        nargs="+",
-        choices=[*throughput.WORKS, throughput.MEMORY],
-        default=[],
-        metavar="NAME",
-        help=f"measure only these: {', '.join([*throughput.WORKS, throughput.MEMORY])}",
-    )
-    arguments = parser.parse_args()
-    return run_program(parser.prog, lambda: run(arguments))
-
-
-def run(arguments: argparse.Namespace) -> int:
-    """Do the work, and print and write the results."""
-    print(throughput.HEADER, flush=True)
-    measures = throughput.run_all(arguments.memory_steps, lambda line: print(line, flush=True), arguments.only)
-    throughput.write(measures, machine(), versions(), arguments.output)
-    print(f"\nmeasured on {machine()}; written to {arguments.output}")
-    return 0 if all(measure.reached for measure in measures) else 1
-
+TOOLS = Path(__file__).parents[1] / "tools"
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.path[0] = str(TOOLS)  # as if it had been started there
+    runpy.run_path(str(TOOLS / "throughput.py"), run_name="__main__")

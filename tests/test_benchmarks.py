@@ -3,9 +3,9 @@ import json
 import numpy as np
 import pytest
 
-from quadruped_env.benchmarks import throughput
-from quadruped_env.benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
-from quadruped_env.evaluation.shipping import acceptance
+from benchmarks import throughput
+from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
+from benchmarks.shipping import acceptance
 from quadruped_env.policies import load_policy
 
 

@@ -9,6 +9,7 @@ from live_loop import EPOCH, Loop
 from live_nodes import received_from
 from waiting import wait_until
 
+from benchmarks.live import speed_in_environment
 from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode

@@ -24,7 +24,7 @@ for name in ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml"):
 env = gymnasium.make("MiniQuadruped-v0")
 observation, _ = env.reset(seed=0)
 policy = quadruped_env.policies.load_policy("flat")
-for name in ("train", "evaluate", "tests", "assets"):
+for name in ("train", "evaluate", "tests", "tools", "benchmarks", "assets"):
     try:
         __import__(name)
     except ImportError:

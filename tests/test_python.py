@@ -13,7 +13,9 @@ from quadruped_env import MissingExtraError, QuadrupedError, _python
 from quadruped_env.policies import load_policy
 
 ROOT = Path(__file__).parents[1]
-PROGRAMS = [path.relative_to(ROOT) for folder in ("train", "evaluate") for path in sorted((ROOT / folder).glob("*.py"))]
+PROGRAMS = [
+    path.relative_to(ROOT) for folder in ("train", "evaluate", "tools") for path in sorted((ROOT / folder).glob("*.py"))
+]
 BARE = (sys.executable, "-S")
 """This Python without what is installed for it"""
 

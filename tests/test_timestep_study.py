@@ -4,9 +4,9 @@ import math
 import numpy as np
 import pytest
 
+from benchmarks import timestep_study
+from benchmarks.timestep_study import Outcome, Reading, Setting, Study
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.benchmarks import timestep_study
-from quadruped_env.benchmarks.timestep_study import Outcome, Reading, Setting, Study
 from quadruped_env.robot import STANCE_HEIGHT
 from quadruped_env.task import TaskConfig
 

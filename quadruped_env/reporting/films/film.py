@@ -23,7 +23,7 @@ WIDTH, HEIGHT = 640, 480
 FRAME_RATE: Final = 25
 """1/s; half the control rate, and a whole number of the hundredths of a second that a GIF counts in"""
 
-# Chosen with evaluate/render_speed.py: on one core the sharpest shadow that a software renderer draws smoothed at well
+# Chosen with tools/render_speed.py: on one core the sharpest shadow that a software renderer draws smoothed at well
 # over 40 frames a second. Reflections would draw the scene once more. On an endless plane software renderers leave
 # dark specks, and MuJoCo cuts a plane into squares of which the default size costs half of the time.
 SHADOW_SIZE: Final = 1024

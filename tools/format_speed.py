@@ -6,8 +6,9 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env.benchmarks.format_speed import measure_formats
-from quadruped_env.benchmarks.throughput import write
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+from benchmarks.format_speed import measure_formats
+from benchmarks.throughput import write
 from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 

@@ -1,6 +1,6 @@
 """Put a trained run's policy into the package, with its metrics on its card.
 
-python train/ppo.py && python evaluate/ship.py runs/latest
+After `mini-quadruped train`: tools/ship.py runs/latest
 """
 
 import argparse
@@ -10,9 +10,10 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+from benchmarks.shipping import ship
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.evaluation.shipping import ship
 from quadruped_env.policies.policy import SHIPPED
 from quadruped_env.program import run_program
 

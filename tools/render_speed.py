@@ -7,7 +7,8 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env.benchmarks.render_speed import GOAL, measure_rendering, stay_on_one_core
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+from benchmarks.render_speed import GOAL, measure_rendering, stay_on_one_core
 from quadruped_env.files import write_json
 from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions

@@ -15,8 +15,9 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+from benchmarks.timestep_study import GAITS, run_study
 from quadruped_env._python import pasteable
-from quadruped_env.benchmarks.timestep_study import GAITS, run_study
 from quadruped_env.cli.options import add_output, add_overwrite
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.files import check_free, free_path

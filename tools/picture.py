@@ -6,6 +6,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.benchmarks.throughput import HEADER, Measure, row, run_python
+from benchmarks.throughput import HEADER, Measure, row, run_python
 
 MIN_RATE: Final = 30_000
 """Messages a second that reading MCAP should reach, on one core"""

@@ -297,13 +297,14 @@ def import_time() -> list[Measure]:
 
 
 def run_python(program: str, *arguments: str) -> dict[str, Any]:
-    """What a program in a process of its own prints as its last line of JSON."""
+    """The JSON that a program prints as its last line, run in a process of its own that can import this package."""
+    paths = str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH")
     result = subprocess.run(  # noqa: S603
         [sys.executable, "-c", program, *arguments],
         stdout=subprocess.PIPE,
         text=True,
         check=True,
-        env={**os.environ, "PYTHONWARNINGS": "ignore"},
+        env={**os.environ, "PYTHONWARNINGS": "ignore", "PYTHONPATH": os.pathsep.join(filter(None, paths))},
     )
     return json.loads(result.stdout.strip().splitlines()[-1])
 
