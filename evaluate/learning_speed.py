@@ -4,66 +4,7 @@ import runpy
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
-
-from quadruped_env.files import write_json
-from quadruped_env.program import run_program
-from quadruped_env.provenance import machine, versions
-
-
-def main() -> int:
-    """Parse the arguments, train each seed until it walks, and print the table."""
-    parser = argparse.ArgumentParser(
-        description="Train seeds until each walks at a commanded 0.5 m/s (64 episodes of 10 s, at most 2 falls, "
-        "speed within 0.05 m/s, yaw rate at most 0.1 rad/s) and report the wall clock of learning, with the seeds that "
-        "failed. Testing does not count as learning. Takes minutes on two cores; let nothing else run meanwhile.",
-        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-    )
-    parser.add_argument("--action-modes", nargs="+", default=["position", "residual"], help="which modes")
-    parser.add_argument("--seeds", type=int, nargs="+", default=[0, 1, 2, 3, 4], help="seeds, each trained on its own")
-    parser.add_argument(
-        "--timesteps", type=int, default=2_000_000, help="budget at which the schedules of learning rate and noise end"
-    )
-    parser.add_argument(
-        "--symmetric",
-        action=argparse.BooleanOptionalAction,
-        default=True,
-        help="make the policy left/right symmetric by construction",
-    )
-    parser.add_argument("--limit", type=float, default=60.0, help="s of learning after which a seed has failed")
-    parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
-    parser.add_argument(
-        "-o", "--output", type=Path, default=Path("results/learning_speed.json"), help="where to write JSON"
-    )
-    arguments = parser.parse_args()
-    return run_program(parser.prog, lambda: run(arguments))
-
-
-def run(arguments: argparse.Namespace) -> int:
-    """Do the work, and print and write the results."""
-    import quadruped_env.training.ppo  # noqa: F401  (it names the extra that is missing)
-    from quadruped_env.benchmarks.learning_speed import summary, time_to_walk
-
-    def say(line: str) -> None:
-        print(line, flush=True)
-
-    results = []
-    for mode in arguments.action_modes:
-        for seed in arguments.seeds:
-            say(f"{mode}, seed {seed}")
-            training = {"timesteps": arguments.timesteps, "symmetric": arguments.symmetric}
-            results.append(time_to_walk(mode, seed, arguments.limit, arguments.interval, say, **training))
-    say(f"\n{summary(results)}")
-    document = {
-        "machine": machine(),
-        "versions": versions(),
-        "symmetric": arguments.symmetric,
-        "results": [asdict(result) for result in results],
-    }
-    write_json(arguments.output, document)
-    say(f"\nmeasured on {machine()}; written to {arguments.output}")
-    return 0
-
+TOOLS = Path(__file__).parents[1] / "tools"
 
 if __name__ == "__main__":
     sys.path[0] = str(TOOLS)  # as if it had been started there

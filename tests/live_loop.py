@@ -21,7 +21,7 @@ class Loop:
 
     def restart_pilot(self):
         """The controller ended, and another one begins."""
-        self.pilot = LiveController(*find_controller(self._controller).make())
+        self.pilot = LiveController(find_controller(self._controller).make())
 
     @property
     def time(self):

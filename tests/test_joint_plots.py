@@ -5,7 +5,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from quadruped_env.evaluation.plots.joints import Line, joint_panels
+
+from quadruped_env.reporting.plots.joints import Line, joint_panels
 
 ROWS = 200_000
 JOINT = 3

@@ -14,7 +14,6 @@ from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
-from quadruped_env.live.benchmark import speed_in_environment
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot

@@ -14,7 +14,7 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import ship
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.policies.policy import SHIPPED
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.program import run_program
 
 
