@@ -48,7 +48,7 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
     (wheel,) = tmp_path.glob("*.whl")
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
-    for part in ("assets/mini_quadruped/scene.xml", "policies/shipped/flat/policy.safetensors", "py.typed"):
+    for part in ("assets/mini_quadruped/scene.xml", "control/shipped/flat/policy.safetensors", "py.typed"):
         assert f"quadruped_env/{part}" in names
     assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
 
@@ -85,20 +85,25 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
     assert named.returncode == 0
 
 
-def test_the_specification_in_the_docstring_is_the_config():
+def test_the_tables_of_the_docstring_are_the_terms():
     doc = MiniQuadrupedEnv.__doc__
-    weights = {
-        name: float(weight) for name, weight in re.findall(r"^ *\| `(\w+)` \|.*\| (-?[\d.]+) \|$", doc, re.MULTILINE)
-    }
-    assert weights == TaskConfig().reward.weights
-    for field in LAYOUT.fields:
-        line = next(line for line in doc.splitlines() if f"| `{field.name}` |" in line)
-        columns = [cell.strip() for cell in line.split("|")[1:-1]]
-        assert float(columns[4]) == field.scale
-        assert columns[5] == f"+-{field.high:g}"
+    rows = [
+        [cell.strip() for cell in line.split("|")[1:-1]] for line in doc.splitlines() if line.strip().startswith("|")
+    ]
+    cells = {row[0]: row for row in rows} | {row[1]: row for row in rows}
+    for name, weight in TaskConfig().reward.weights.items():
+        value, _, found = cells[f"`{name}`"][1:]
+        assert value, name
+        assert float(found) == weight
+    for name, columns in LAYOUT.slices.items():
+        row = cells[f"`{name}`"]
+        assert row[0] == f"{columns.start}-{columns.stop - 1}"
+        assert float(row[4]) == LAYOUT.scale[columns.start]
+        assert row[5] == f"+-{LAYOUT.high[columns.start]:g}"
+    assert "{" not in doc.replace("`{}`", "").replace('{"command": (vx, wz)}', "")
     config = TaskConfig()
-    for number in (config.reward.forward_velocity_std, config.reward.yaw_rate_std, config.reward.foot_lift):
-        assert re.search(rf"\b{number:g} (m|rad)", doc)
+    for number in (config.reward.foot_lift, config.reward.base_height):
+        assert re.search(rf"\b{number:g} m\b", doc)
 
 
 def test_the_repository_names_no_home_and_no_registry():

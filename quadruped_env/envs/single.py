@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs import arguments, spaces
 from quadruped_env.envs.rendering import SceneRenderer
+from quadruped_env.envs.specification import with_tables
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import load_model
 from quadruped_env.simulation import SingleSimulation
@@ -18,6 +19,7 @@ from quadruped_env.task import Task, TaskConfig
 _ROW = np.zeros(1, dtype=np.intp)
 
 
+@with_tables()
 class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """A small four-legged robot that follows velocity commands on flat ground.
 
@@ -45,15 +47,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     `Box((34,), float32)` with finite bounds; only what a robot can measure. Value = (reading - offset) * scale,
     clipped to the bounds:
 
-    | columns | name | reading | unit | scale | bounds |
-    |---|---|---|---|---|---|
-    | 0-2 | `projected_gravity` | down, seen from the base | 1 | 1 | +-1 |
-    | 3-5 | `angular_velocity` | gyroscope | rad/s | 0.25 | +-4 |
-    | 6-13 | `joint_position` | relative to the stance | rad | 1 | +-2.1 |
-    | 14-21 | `joint_velocity` | | rad/s | 0.2 | +-3 |
-    | 22-29 | `last_action` | as clipped | 1 | 1 | +-1 |
-    | 30-31 | `command` | forward velocity, yaw rate | m/s, rad/s | 4 | +-4 |
-    | 32-33 | `gait_clock` | sine and cosine of the phase; 0 when the command is zero | 1 | 1 | +-1 |
+    {observations}
 
     ## Command
     Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; a tenth of the commands are
@@ -63,35 +57,22 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
     each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are the base's, in its own
-    frame; v~ and w~ are averaged over about a gait cycle (first order, 0.2 s). c is 1 for a foot on the ground.
+    frame; v~ and w~ are averaged over about a gait cycle (first order, 0.2 s). A share of the commanded velocity counts
+    less below 0.1 m/s and 0.2 rad/s.
 
-    | term | formula | weight, 1/s |
-    |---|---|---|
-    | `track_forward_velocity` | exp(-((v~ - v_command) / 0.1 m/s)^2) | 6 |
-    | `track_yaw_rate` | exp(-((w~ - w_command) / 0.25 rad/s)^2) | 3 |
-    | `forward_progress` | share - 2 max(0, share - 1), in [-1, 1]; share = v / v_command, less below 0.1 m/s | 4 |
-    | `turn_progress` | min(share, 1), in [-1, 1]; share = w / w_command, less below 0.2 rad/s | 2 |
-    | `gait_clock` | mean over feet of sin(phase) (1 - 2 missing^2), missing = max(0, 1 - sole height / 0.02 m) | 5 |
-    | `upright` | squared horizontal part of the base's up axis | -2 |
-    | `base_height` | max(0, 0.175 m - height)^2 | -20 |
-    | `vertical_velocity` | v_z^2 | -0.5 |
-    | `roll_pitch_rate` | w_x^2 + w_y^2 | -0.03 |
-    | `lateral_velocity` | v_y^2 | -0.5 |
-    | `action_rate` | sum of (action - last action)^2 | -0.08 |
-    | `mechanical_power` | sum of max(0, torque * joint velocity) | -0.005 |
-    | `foot_slip` | sum of c * squared velocity of the sole's lowest point | -0.3 |
-    | `stand_still` | sum of (joint - stance)^2, at a zero command | -1 |
-    | `joint_speed` | sum of max(0, joint speed - 4 rad/s)^2 | -1 |
-    | `fall` | 1 where the episode ends in a fall | -50 |
+    {rewards}
 
     ## Starting state
     The stance, 1 cm over the ground: joints +-0.1 rad and +-0.5 rad/s, base +-0.2 m/s and +-0.2 rad/s on each axis,
-    roll and pitch +-0.05 rad, any heading; uniform, from the environment's own generator.
+    roll and pitch +-0.05 rad, any heading; uniform. Every random number follows from the seed, the episode and its
+    purpose alone.
 
     ## Episode end
-    Terminated when the base leans more than 1 rad, when the base or a hip presses on the ground with more than 1 N, or
-    when MuJoCo reports that the simulation diverged (`info["diverged"]`). Truncated after 1000 steps (20 s) by
-    `gymnasium.make`'s time limit.
+    Terminated when MuJoCo reports that the simulation diverged (`info["diverged"]`), or as a fall:
+
+    {terminations}
+
+    Truncated after 1000 steps (20 s) by `gymnasium.make`'s time limit.
 
     ## Information
     `command`, `base_position`, `base_linear_velocity` and `base_angular_velocity` (body frame), `joint_position`,
@@ -104,6 +85,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     |---|---|---|
     | `action_mode` | `"position"` | `"position"` or `"residual"` |
     | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested values; `motor` for other motors |
+    | `task_file` | `None` | a Python file with terms of your own (docs/make-it-yours.md); it is executed |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
     | `width`, `height` | 640, 480 | of a picture, in pixels, as large as OpenGL can |
 

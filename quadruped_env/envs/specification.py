@@ -1,0 +1,71 @@
+"""Tables of the environment's docstring, made from the terms that they describe."""
+
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+from quadruped_env.control.observations import ObservationLayout
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task import BUILT_IN
+
+Class = TypeVar("Class", bound=type)
+
+
+def with_tables(indent: int = 4) -> Callable[[Class], Class]:
+    """Decorator: puts the tables in place of `{observations}`, `{rewards}` and `{terminations}` in a docstring.
+
+    Args:
+        indent: spaces before each line.
+    """
+    tables = {"observations": observation_table(), "rewards": reward_table(), "terminations": termination_list()}
+
+    def decorate(cls: Class) -> Class:
+        if cls.__doc__ is not None:  # with -OO there is none
+            for name, lines in tables.items():
+                cls.__doc__ = cls.__doc__.replace(f"{{{name}}}", f"\n{' ' * indent}".join(lines))
+        return cls
+
+    return decorate
+
+
+def observation_table() -> list[str]:
+    """Lines of a Markdown table of the built-in observations."""
+    layout = ObservationLayout(MINI_QUADRUPED)
+    return _table(
+        ("columns", "name", "reading", "unit", "scale", "bounds"),
+        (
+            (
+                f"{columns.start}-{columns.stop - 1}",
+                f"`{field.name}`",
+                _sentence(field.description),
+                field.unit,
+                f"{layout.scale[columns][0]:g}",
+                f"+-{layout.high[columns][0]:g}",
+            )
+            for field, columns in zip(layout.fields, layout.slices.values(), strict=True)
+        ),
+    )
+
+
+def reward_table() -> list[str]:
+    """Lines of a Markdown table of the built-in reward terms."""
+    return _table(
+        ("term", "value", "unit", "weight, 1/s"),
+        (
+            (f"`{name}`", _sentence(term.description), term.unit, f"{weight:g}")
+            for term in BUILT_IN.rewards
+            for name, weight in term.weights.items()
+        ),
+    )
+
+
+def termination_list() -> list[str]:
+    """Lines of a Markdown list of the built-in terminations."""
+    return [f"* {_sentence(term.description)}" for term in BUILT_IN.terminations]
+
+
+def _table(header: tuple[str, ...], rows: Iterable[tuple[Any, ...]]) -> list[str]:
+    return [f"| {' | '.join(row)} |" for row in (header, ("---",) * len(header), *rows)]
+
+
+def _sentence(text: str) -> str:
+    return text.removesuffix(".")
