@@ -87,19 +87,17 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
 
 def test_the_tables_of_the_docstring_are_the_terms():
     doc = MiniQuadrupedEnv.__doc__
-    rows = [
-        [cell.strip() for cell in line.split("|")[1:-1]] for line in doc.splitlines() if line.strip().startswith("|")
-    ]
-    cells = {row[0]: row for row in rows} | {row[1]: row for row in rows}
-    for name, weight in TaskConfig().reward.weights.items():
-        value, _, found = cells[f"`{name}`"][1:]
-        assert value, name
-        assert float(found) == weight
+    lines = [line.strip() for line in doc.splitlines() if line.strip().startswith("|")]
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
+    terms = {row[0].strip("`"): row for row in rows if len(row) == 4 and row[0].startswith("`")}
+    assert {name: float(row[3]) for name, row in terms.items()} == TaskConfig().reward.weights
+    assert len({row[1] for row in terms.values()}) == len(terms), "each has a description of its own"
+    fields = {row[1].strip("`"): row for row in rows if len(row) == 6 and row[1].startswith("`")}
+    assert list(fields) == list(LAYOUT.slices)
     for name, columns in LAYOUT.slices.items():
-        row = cells[f"`{name}`"]
-        assert row[0] == f"{columns.start}-{columns.stop - 1}"
-        assert float(row[4]) == LAYOUT.scale[columns.start]
-        assert row[5] == f"+-{LAYOUT.high[columns.start]:g}"
+        assert fields[name][0] == f"{columns.start}-{columns.stop - 1}"
+        assert float(fields[name][4]) == LAYOUT.scale[columns.start]
+        assert fields[name][5] == f"+-{LAYOUT.high[columns.start]:g}"
     assert "{" not in doc.replace("`{}`", "").replace('{"command": (vx, wz)}', "")
     config = TaskConfig()
     for number in (config.reward.foot_lift, config.reward.base_height):

@@ -44,8 +44,8 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
 
     ## Observation space
-    `Box((34,), float32)` with finite bounds; only what a robot can measure. Value = (reading - offset) * scale,
-    clipped to the bounds:
+    `Box((34,), float32)` with finite bounds; only what a robot can measure. Value = reading * scale, clipped to
+    the bounds:
 
     {observations}
 
@@ -57,8 +57,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
     each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are the base's, in its own
-    frame; v~ and w~ are averaged over about a gait cycle (first order, 0.2 s). A share of the commanded velocity counts
-    less below 0.1 m/s and 0.2 rad/s.
+    frame; v~ and w~ are averaged over about a gait cycle (first order, 0.2 s).
 
     {rewards}
 

@@ -51,7 +51,7 @@ def reward_table() -> list[str]:
     return _table(
         ("term", "value", "unit", "weight, 1/s"),
         (
-            (f"`{name}`", _sentence(term.description), term.unit, f"{weight:g}")
+            (f"`{name}`", _sentence(term.described(name)), term.unit, f"{weight:g}")
             for term in BUILT_IN.rewards
             for name, weight in term.weights.items()
         ),

@@ -18,7 +18,11 @@ Positive = Parameter.positive
 
 @reward_group(track_forward_velocity=6.0, track_yaw_rate=3.0)
 class tracking:  # noqa: N801  a term, and named as the others are
-    """exp(-((v~ - v_command) / std)^2), likewise with the yaw rate; v~ and w~ are averaged over about a gait cycle."""
+    """How well the velocity command is followed.
+
+    track_forward_velocity: exp(-((v~ - v_command) / 0.1 m/s)^2)
+    track_yaw_rate: exp(-((w~ - w_command) / 0.25 rad/s)^2)
+    """
 
     def __init__(
         self,
@@ -35,7 +39,11 @@ class tracking:  # noqa: N801  a term, and named as the others are
 
 @reward_group(forward_progress=4.0, turn_progress=2.0)
 class progress:  # noqa: N801
-    """Share of the commanded velocity that is reached, in [-1, 1]; a forward velocity beyond the command costs."""
+    """Share of the commanded velocity that is reached.
+
+    forward_progress: share - 2 max(0, share - 1), in [-1, 1]; share = v / v_command, less below 0.1 m/s
+    turn_progress: min(share, 1), in [-1, 1]; share = w / w_command, less below 0.2 rad/s
+    """
 
     def __init__(self, context: TaskContext) -> None:
         # Twice for the forward velocity, because going too fast does not pay. The yaw rate sways by more than its

@@ -85,6 +85,12 @@ class RewardTerm:
         """In the order of the columns."""
         return tuple(self.weights)
 
+    def described(self, name: str) -> str:
+        """What one of the terms is: its line `name: ...` of the docstring, or else the first line."""
+        lines = [line.strip() for line in (self.function.__doc__ or "").splitlines()]
+        own = [line.partition(": ")[2] for line in lines if line.startswith(f"{name}: ")]
+        return own[0] if own else self.description
+
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         """Compute it."""
         return self.function(*args, **kwargs)
