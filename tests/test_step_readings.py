@@ -231,6 +231,8 @@ def play(episode):
         target = joint_target(episode.mode, action, memory)
         observation, reward, terminated, _, info = env.step(action)
         robot.step(before, target)
+        # A clock that was never observed has its first phase from this observation.
+        phase = observed_phase(observation) if memory.phase is None else memory.phase
         for i, value in enumerate((robot.velocity[0], robot.rates[2])):
             memory.average[i] += filtered * (value - memory.average[i])
         fallen = math.acos(robot.up[2]) > (episode.config.get("max_tilt") or 1.0) or max(robot.trunk_force()) > 1.0
@@ -252,7 +254,7 @@ def play(episode):
                     "foot_force": robot.foot_force(),
                     "foot_contact": robot.foot_force() > 1.0,
                 },
-                observed=observation_of(data, action, info["command"], memory.phase or 0.0),
+                observed=observation_of(data, action, info["command"], phase or 0.0),
                 observation=observation,
                 command=memory.command,
                 phase=memory.phase,
@@ -262,8 +264,7 @@ def play(episode):
         )
         memory.last_action = np.clip(action, -1.0, 1.0)
         memory.command = info["command"]
-        if memory.phase is None:
-            memory.phase = observed_phase(observation)
+        memory.phase = phase
         if terminated:
             break
     return steps
