@@ -156,6 +156,10 @@ def wild(rng):
     return rng.uniform(-1.5, 1.5, 8).astype(np.float32)
 
 
+def squatting(rng):
+    return np.array([-1.0, -1.0] * 2 + [1.0, 1.0] * 2, dtype=np.float32)
+
+
 @dataclass
 class Episode:
     mode: str
@@ -166,7 +170,8 @@ class Episode:
     seed: int = 0
 
 
-CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2)}
+# Either zero or well over the threshold of moving: under it the gait goes on with a clock that is not observed.
+CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2), "forward_velocity": (0.1, 0.6)}
 HARD_PUSHES = {"push_velocity": 4.0, "push_interval": (0.1, 0.2)}
 EPISODES = {
     "gait forward": Episode("residual", still, (0.4, 0.0)),
@@ -179,6 +184,9 @@ EPISODES = {
         "residual", still, None, {**CHANGING, "push_velocity": 0.6, "push_interval": (0.1, 0.3)}, 60, 4
     ),
     "gait, slippery and loaded": Episode("residual", wild, (0.3, 0.3), {"friction": (0.1, 0.2), "payload": (0.5, 1.0)}),
+    "joints, command just under the threshold": Episode("position", noisy, (0.018, -0.018)),
+    "joints, command just over the threshold": Episode("position", noisy, (0.0, -0.022)),
+    "joints squatting": Episode("position", squatting, (0.0, 0.0)),
     "joints standing": Episode("position", still, (0.0, 0.0)),
     "joints at random": Episode("position", wild, (0.3, -0.5), {"max_tilt": 3.0}),
     "joints at random, changing commands": Episode("position", noisy, None, CHANGING, 60, 5),
