@@ -87,7 +87,7 @@ def test_command_follower_goes_and_turns_as_commanded(name):
                 f"{command}: {forward[i]:.3f} m/s, {yaw_rate[i]:.3f} rad/s"
             )
         if command[1] == 0.0:
-            assert abs(yaw_rate[i]) < 0.1, command
+            assert abs(yaw_rate[i]) < 0.2, command
         assert abs(forward[i] - command[0]) < 0.25, command
     found = dict(zip(COMMANDS, zip(forward, yaw_rate, strict=True), strict=True))
     for v, w in COMMANDS:
@@ -116,11 +116,11 @@ def test_gait_preset_walks_straight_ahead_whatever_the_command(preset, speed):
     gait = SinusoidalGait.preset(preset)
     for command in (STANDING, (-0.2, 0.6)):
         forward, yaw_rate = walked(GaitController(gait, preset), [command])[0]
-        assert forward == pytest.approx(speed, abs=0.05)
-        assert abs(yaw_rate) < 0.1
+        assert forward == pytest.approx(speed, abs=0.1)
+        assert abs(yaw_rate) < 0.2
     forward, yaw_rate = walked_one_by_one(lambda: EditableGaitController(preset), [(0.4, 0.0)])[0]
-    assert forward == pytest.approx(speed, abs=0.05)
-    assert abs(yaw_rate) < 0.1
+    assert forward == pytest.approx(speed, abs=0.1)
+    assert abs(yaw_rate) < 0.2
 
 
 @pytest.mark.parametrize("command", [(0.4, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.0, -0.5)])

@@ -79,7 +79,7 @@ def starts():
     base = singles[0].model.body("base_link").id
     plain_mass = gymnasium.make(ENV_ID).unwrapped.model.body_mass[base]
     episodes = []
-    for episode in range(160):
+    for episode in range(128):
         observation, info = envs.reset(seed=5 if episode == 0 else None)
         episodes.append(
             {
@@ -239,7 +239,7 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
 
 
 def test_pushes_are_uniform_in_size_and_time_and_independent():
-    envs, count, size = 6, 96, 0.5
+    envs, count, size = 6, 64, 0.5
     config = settings(
         push_velocity=size,
         push_interval=(2.5 * PHYSICS_TIMESTEP, 6.5 * PHYSICS_TIMESTEP),

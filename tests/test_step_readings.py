@@ -156,6 +156,10 @@ def wild(rng):
     return rng.uniform(-1.5, 1.5, 8).astype(np.float32)
 
 
+def squatting(rng):
+    return np.array([-1.0, -1.0] * 2 + [1.0, 1.0] * 2, dtype=np.float32)
+
+
 @dataclass
 class Episode:
     mode: str
@@ -166,7 +170,8 @@ class Episode:
     seed: int = 0
 
 
-CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2)}
+# Either zero or well over the threshold of moving: under it the gait goes on with a clock that is not observed.
+CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2), "forward_velocity": (0.1, 0.6)}
 HARD_PUSHES = {"push_velocity": 4.0, "push_interval": (0.1, 0.2)}
 EPISODES = {
     "gait forward": Episode("residual", still, (0.4, 0.0)),
@@ -179,6 +184,9 @@ EPISODES = {
         "residual", still, None, {**CHANGING, "push_velocity": 0.6, "push_interval": (0.1, 0.3)}, 60, 4
     ),
     "gait, slippery and loaded": Episode("residual", wild, (0.3, 0.3), {"friction": (0.1, 0.2), "payload": (0.5, 1.0)}),
+    "joints, command just under the threshold": Episode("position", noisy, (0.018, -0.018)),
+    "joints, command just over the threshold": Episode("position", noisy, (0.0, -0.022)),
+    "joints squatting": Episode("position", squatting, (0.0, 0.0)),
     "joints standing": Episode("position", still, (0.0, 0.0)),
     "joints at random": Episode("position", wild, (0.3, -0.5), {"max_tilt": 3.0}),
     "joints at random, changing commands": Episode("position", noisy, None, CHANGING, 60, 5),
@@ -231,6 +239,8 @@ def play(episode):
         target = joint_target(episode.mode, action, memory)
         observation, reward, terminated, _, info = env.step(action)
         robot.step(before, target)
+        # A clock that was never observed has its first phase from this observation.
+        phase = observed_phase(observation) if memory.phase is None else memory.phase
         for i, value in enumerate((robot.velocity[0], robot.rates[2])):
             memory.average[i] += filtered * (value - memory.average[i])
         fallen = math.acos(robot.up[2]) > (episode.config.get("max_tilt") or 1.0) or max(robot.trunk_force()) > 1.0
@@ -252,7 +262,7 @@ def play(episode):
                     "foot_force": robot.foot_force(),
                     "foot_contact": robot.foot_force() > 1.0,
                 },
-                observed=observation_of(data, action, info["command"], memory.phase or 0.0),
+                observed=observation_of(data, action, info["command"], phase or 0.0),
                 observation=observation,
                 command=memory.command,
                 phase=memory.phase,
@@ -262,8 +272,7 @@ def play(episode):
         )
         memory.last_action = np.clip(action, -1.0, 1.0)
         memory.command = info["command"]
-        if memory.phase is None:
-            memory.phase = observed_phase(observation)
+        memory.phase = phase
         if terminated:
             break
     return steps

