@@ -34,6 +34,8 @@ COMMAND_PERIOD: Final = 0.1
 """s between messages on /cmd_vel"""
 SETTLING: Final = 8.0
 """s from the start of the two to when counting begins: they find each other, and the robot gets up and to speed"""
+_STARTS: Final = 10
+"""Most times that `SETTLING` is waited for the first commands and odometry."""
 ON_TIME: Final = 0.005
 """s after its tick by which a command is out"""
 _LONG: Final = 600.0
@@ -147,7 +149,11 @@ def measure(
             process("controller", network, policy, *asked) as controller,
         ):
             listener = _Listener(node, velocity)
-            listener.listen(SETTLING, sim, controller, lambda line: None)
+            # On a busy machine the two take a while to start and to meet.
+            for _ in range(_STARTS):
+                listener.listen(SETTLING, sim, controller, lambda line: None)
+                if listener.hears:
+                    break
             listener.begin()
             listener.listen(seconds, sim, controller, progress)
             return listener.result(seconds, environment_speed, realtime)
@@ -212,6 +218,11 @@ class _Listener:
         self._speeds: list[float] = []
         self._lowest = 1.0
         self._samples: list[Sample] = []
+
+    @property
+    def hears(self) -> bool:
+        """Whether commands and odometry have come."""
+        return bool(self._answers) and bool(self._speeds)
 
     def listen(
         self,
