@@ -10,8 +10,9 @@ import pytest
 from live_nodes import joint_state, received_from
 from waiting import wait_until
 
+from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
-from quadruped_env.live import Node, Topic, benchmark
+from quadruped_env.live import Node, Topic
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.pilot import Safety
 from quadruped_env.live.sole import CONTEST
