@@ -20,7 +20,7 @@ from quadruped_env.reporting.films.film import Camera, Motion
 from quadruped_env.reporting.palette import LEG_COLOURS
 from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT
 
-PROGRAMS = Path(__file__).parents[1] / "evaluate"
+ROOT = Path(__file__).parents[1]
 
 
 @pytest.fixture(scope="module")
@@ -206,26 +206,26 @@ def test_recordings_and_replays_can_be_filmed():
 @pytest.mark.slow
 def test_every_program_that_runs_the_robot_films_it(tmp_path, camera):
     def run(name, *arguments):
-        command = [sys.executable, PROGRAMS / name, *map(str, arguments)]
+        command = [sys.executable, ROOT / name, *map(str, arguments)]
         return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
 
     short = ("--seeds", 1, "--seconds", 2, "--no-video")
     programs = {
-        "baseline.py": ("--seconds", 1, "--episodes", 1, "--out", "walk.csv"),
-        "replay.py": ("walk.csv",),
-        "policy.py": ("flat", *short),
-        "compare.py": ("flat", "other", *short),
-        "picture.py": (),
+        "evaluate/baseline.py": ("--seconds", 1, "--episodes", 1, "--out", "walk.csv"),
+        "evaluate/replay.py": ("walk.csv",),
+        "evaluate/policy.py": ("flat", *short),
+        "evaluate/compare.py": ("flat", "other", *short),
+        "tools/picture.py": (),
     }
     shutil.copytree(shipped_directory("flat"), tmp_path / "other")
     for name, arguments in programs.items():
-        option = "--output" if name == "picture.py" else "--video"
-        file = tmp_path / f"{name}.png"
+        option = "--output" if name == "tools/picture.py" else "--video"
+        file = tmp_path / f"{Path(name).stem}.png"
         result = run(name, *arguments, option, file)
         assert result.returncode == 0, result.stderr
         assert str(file) in result.stdout
         with Image.open(file) as image:
             assert image.size == (video.STILLS * 320, 240)
-    again = run("policy.py", "flat", *short, "--video", tmp_path / "policy.py.png")
+    again = run("evaluate/policy.py", "flat", *short, "--video", tmp_path / "policy.png")
     assert again.returncode == 2
     assert "exists already" in again.stderr

@@ -10,6 +10,7 @@ import pytest
 from live_nodes import joint_state, received_from
 from waiting import wait_until
 
+from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node, Topic, benchmark

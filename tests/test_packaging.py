@@ -52,6 +52,7 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         assert f"quadruped_env/{part}" in names
     assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
 
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     environment = tmp_path / "venv"
     venv.create(environment, with_pip=True)
     python = environment / "bin" / "python"
@@ -59,8 +60,8 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         [python, "-m", "pip", "install", "--quiet", "-c", str(ROOT / "constraints.txt"), str(wheel)],
         check=True,
         capture_output=True,
+        env=clean,
     )
-    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     result = subprocess.run([python, "-c", USE], cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stderr
     assert "stepped" in result.stdout
