@@ -4,7 +4,6 @@ import numpy as np
 
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.robot import STANCE
-from quadruped_env.task import TaskConfig
 
 LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
 LYING = np.array([0.6, -0.3] * 4)
@@ -22,9 +21,9 @@ class Recording:
         self.target = np.array(target)
         self.commands = []
 
-    def step(self, task, observation):
-        self.commands.append(task.command[0].tolist())
-        return task.step_joint_target(self.target[None].copy())
+    def act(self, observation, control):
+        self.commands.append(control.command[0].tolist())
+        return self.target[None].copy()
 
 
 class Bench:
@@ -33,7 +32,7 @@ class Bench:
     def __init__(self, controller=None, **safety):
         self.controller = controller or Recording()
         self.said = []
-        self.pilot = LiveController(self.controller, TaskConfig(), Safety(**safety), self.said.append)
+        self.pilot = LiveController(self.controller, safety=Safety(**safety), say=self.said.append)
         self.now = 50.0
         self.positions = LYING.copy()
         self.orientation = LEVEL

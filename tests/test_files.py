@@ -1,6 +1,5 @@
 """Files that appear under their name only when they are whole, whatever keeps them from being written."""
 
-import dataclasses
 import errno
 import json
 import os
@@ -210,7 +209,7 @@ def recording(seed):
 
 def save_policy(directory, seed):
     """As training does it with a checkpoint: a new directory in one step."""
-    files = dataclasses.replace(load_policy("flat"), card={"seed": seed}).files()
+    files = load_policy("flat").with_card({"seed": seed}).files()
     with whole(directory) as part:
         part.mkdir()
         for name, content in files.items():

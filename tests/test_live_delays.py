@@ -21,7 +21,6 @@ from quadruped_env.live.topics import CMD_VEL, ODOMETRY
 from quadruped_env.policies import find_controller
 from quadruped_env.robot import STANCE
 from quadruped_env.ros import Qos, cdr
-from quadruped_env.task import TaskConfig
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -43,15 +42,15 @@ class Asks:
     action_mode = "position"
     name = "stance"
 
-    def step(self, task, observation):
-        return task.step_joint_target(STANCE[None].copy())
+    def act(self, observation, control):
+        return STANCE[None].copy()
 
 
 class Still(Link):
     """A robot that stays in its stance, and is laid on its side and put up again once."""
 
     def __init__(self):
-        super().__init__(LiveController(Asks(), TaskConfig()), self._still)
+        super().__init__(LiveController(Asks()), self._still)
 
     def _still(self, stamp):
         fallen = any(one.holds("fall", self.time) for one in self.disturbances)

@@ -13,7 +13,7 @@ from waiting import wait_until
 from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.control.live_controller import Safety
-from quadruped_env.live import Node, Topic, benchmark
+from quadruped_env.live import Node, Topic
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.sole import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH

@@ -5,20 +5,31 @@ import math
 import numpy as np
 import pytest
 from live_bench import EPOCH, LEVEL, LYING, PERIOD, Bench, Recording
-from quadruped_env.live.measured import MeasuredRobot, up_in_body
 
-from quadruped_env import JOINT_NAMES, QuadrupedError
+from quadruped_env import JOINT_NAMES, QuadrupedError, SinusoidalGait
+from quadruped_env.control import ControlInterface
 from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
 from quadruped_env.live.commands import CommandWriter, positions_message, read_positions, read_target
 from quadruped_env.live.imu import read_imu
 from quadruped_env.live.joints import JointReader
-from quadruped_env.policies import GaitController, PolicyController, load_policy
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT, load_model
+from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
+from quadruped_env.readings import Readings
+from quadruped_env.robot import (
+    JOINT_POSITION_HIGH,
+    JOINT_POSITION_LOW,
+    MINI_QUADRUPED,
+    STANCE,
+    VELOCITY_LIMIT,
+    load_model,
+)
 from quadruped_env.ros import cdr
+from quadruped_env.rotations import rotate_inverse
 from quadruped_env.simulation import SingleSimulation
-from quadruped_env.task import Task, TaskConfig
+from quadruped_env.task import Task
+
+ROW = np.zeros(1, dtype=np.intp)
 
 pytest.importorskip("rosbags")
 
@@ -286,40 +297,39 @@ def test_commands_of_ros2_control_are_read_as_they_are_written():
             read_positions(positions_message(np.array(wrong)))
 
 
-def test_up_in_body_is_the_models_sensor(model):
-    rng = np.random.default_rng(3)
-    simulation = SingleSimulation(model)
-    for _ in range(20):
-        orientation = rng.normal(size=4)
-        orientation /= np.linalg.norm(orientation)
-        qpos = np.concatenate([[0.0, 0.0, 5.0], orientation, STANCE])
-        simulation.reset(np.zeros(1, dtype=np.intp), qpos[None], np.zeros((1, 14)))
-        np.testing.assert_allclose(up_in_body(orientation), simulation.readings.up_b[0], atol=1e-12)
-
-
 @pytest.mark.parametrize("kind", ["policy", "gait"])
 def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
-    """A task on the simulation, and one that is only told its readings, ask for the same joint targets."""
+    """The environment's controller, and one that only receives what a robot measures, give the same joint targets."""
     if kind == "policy":
-        policy = load_policy("flat")
-        controller, config = PolicyController(policy), policy.config
+        controller = PolicyController(load_policy("flat"))
     else:
-        from quadruped_env import SinusoidalGait
-
-        controller, config = GaitController(SinusoidalGait.preset("trot"), "trot"), TaskConfig()
-    row = np.zeros(1, dtype=np.intp)
-    simulation, robot = SingleSimulation(load_model(config.physics_timestep, config.motor)), MeasuredRobot()
+        controller = GaitController(SinusoidalGait.preset("trot"), "trot")
+    config = task_of(controller)
+    simulation = SingleSimulation(load_model(config.physics_timestep, config.motor))
     asked = []
     original = simulation.step
     simulation.step = lambda target, *rest: (asked.append(target[0].copy()), original(target, *rest))
-    real, told = Task(simulation, config), Task(robot, config)
-    for task in (real, told):
-        task.reset(row, seeds=[4], command=(0.4, 0.2))
+    task = Task(simulation, config)
+    task.reset(ROW, seeds=[4], command=(0.4, 0.2))
+    control = ControlInterface(MINI_QUADRUPED, config.control)
+    control.reset(ROW, task.phase)
+    control.set_command(ROW, task.command)
+    measured, observation = Readings.of_a_real_robot(MINI_QUADRUPED), task.observe()
     for _ in range(100):
-        state = simulation.readings
-        robot.measure(
-            state.joint_position[0], state.joint_velocity[0], state.orientation[0], state.angular_velocity_b[0]
-        )
-        controller.step(told, told.observe())
-        controller.step(real, real.observe())
-        np.testing.assert_allclose(robot.joint_target, asked[-1], atol=1e-6)
+        readings = simulation.readings
+        for name in ("joint_position", "joint_velocity", "orientation", "angular_velocity_b"):
+            getattr(measured, name)[:] = getattr(readings, name)
+        measured.up_b[0] = rotate_inverse(readings.orientation[0], [0.0, 0.0, 1.0])
+        np.testing.assert_allclose(measured.up_b, readings.up_b, atol=1e-12)
+        seen = control.observe(measured)
+        np.testing.assert_allclose(seen, observation, atol=1e-6)
+        control.advance()
+        target = control.within_limits(controller.act(seen, control))
+        observation = task.act(controller, observation).observation
+        np.testing.assert_allclose(target[0], asked[-1], atol=1e-6)
+
+
+def test_what_is_not_measured_is_not_a_number():
+    readings = Readings.of_a_real_robot(MINI_QUADRUPED)
+    for name in ("base_position", "linear_velocity_b", "foot_force", "foot_position", "joint_torque"):
+        assert np.isnan(getattr(readings, name)).all(), name

@@ -216,8 +216,8 @@ class Collapse:
     name = "collapse"
     action_mode = "position"
 
-    def step(self, task, observation):
-        return task.step_joint_target(np.tile([1.5, 0.0], (task.num_envs, 4)))
+    def act(self, observation, control):
+        return np.tile([1.5, 0.0], (control.num_envs, 4))
 
 
 def test_a_fall_is_counted_once_and_for_good():

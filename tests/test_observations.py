@@ -7,6 +7,7 @@ import pytest
 from tasks import LAYOUT, NEVER_FALLS, OBSERVATION_WIDTH, STILL_START, column, make_env, make_task
 
 from quadruped_env import JOINT_NAMES
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED, STANCE
 from quadruped_env.task import RandomizationConfig
 
@@ -36,7 +37,7 @@ def test_an_observation_is_the_readings_offset_scaled_and_clipped():
         observation = task.step(action).observation
         state = task.simulation.readings
         clock = np.stack([np.sin(task.phase), np.cos(task.phase)], axis=1)
-        clock[(task.command == 0).all(axis=1)] = 0.0
+        clock[(abs(task.command) <= MOVING_THRESHOLD).all(axis=1)] = 0.0
         readings = {
             "projected_gravity": -state.up_b,
             "angular_velocity": state.angular_velocity_b,

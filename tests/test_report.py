@@ -489,7 +489,7 @@ def test_runs_that_cannot_be_compared_are_named(run_directory, tmp_path):
 def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     asked = []
-    monkeypatch.setattr(subject, "load_policy", lambda name: asked.append(name) or random_policy("position"))
+    monkeypatch.setattr(subject, "load_policy", lambda name, *_: asked.append(name) or random_policy("position"))
     assert find_subject(None).output == Path("results/flat")
     assert asked == ["flat"]
     Path("runs").mkdir()

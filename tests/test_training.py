@@ -182,10 +182,10 @@ def test_a_signal_ends_a_training_which_saves_and_exits_cleanly(tmp_path, number
 def say_in_the_end(tmp_path, monkeypatch, capsys):
     """Runs the program with a training that takes no time: its lines."""
 
-    def train(config, runs, command, resume):
+    def train(config, runs, command, resume, task_file):
         directory = runs / "20260101-000000-flat"
         policy = load_policy("flat")
-        dataclasses.replace(policy, card={"timesteps": config.timesteps}).save(directory)
+        policy.with_card({"timesteps": config.timesteps}).save(directory)
         with contextlib.suppress(FileNotFoundError):
             (runs / "latest").unlink()
         (runs / "latest").symlink_to(directory.name)

@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
                 action="append",
                 metavar="TASK",
                 help="a Python file of terms (docs/make-it-yours.md), a JSON file of changes to the task's config, or "
-                "these changes as JSON; may be given again",
+                "these changes as JSON; may be given again (default: {})",
             )
         elif isinstance(default, bool):
             options.update(action=argparse.BooleanOptionalAction)

@@ -3,7 +3,7 @@
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Final, Literal, Self
+from typing import Any, Final, Literal, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,31 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.readings import Readings
 from quadruped_env.robot.robot import Robot
 
-if TYPE_CHECKING:
-    from quadruped_env.control.interface import ControlInterface
-
 Floats = NDArray[np.float64]
-Reader = Callable[[Readings, "ControlInterface"], Floats]
+
+
+class ControlState(Protocol):
+    """Parts of a `ControlInterface` that observations read."""
+
+    robot: Robot
+    stance: Floats
+    """rad (1, J)"""
+    action: Floats
+    """Latest action in [-1, 1], (N, J)"""
+    command: Floats
+    """Forward velocity in m/s and yaw rate in rad/s, (N, 2)"""
+
+    @property
+    def clock(self) -> Floats:
+        """Sine and cosine of the phase, (N, 2)."""
+        ...
+
+    def command_of(self, name: str) -> Floats:
+        """One number of the command by name, (N,)."""
+        ...
+
+
+Reader = Callable[[Readings, ControlState], Floats]
 PerRobot = float | Callable[[Robot], float]
 """A number, or a function that computes it from the robot"""
 MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
@@ -100,46 +120,46 @@ def _largest_joint_offset(robot: Robot) -> float:
 
 
 @observation(unit="1", mirror=(1.0, -1.0, 1.0), noise=0.02)
-def projected_gravity(readings: Readings, control: "ControlInterface") -> Floats:
+def projected_gravity(readings: Readings, control: ControlState) -> Floats:
     """Down, seen from the base."""
     return -readings.up_b
 
 
 # An axial vector: mirroring turns the other two signs.
 @observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=0.25, bound=4.0, noise=0.1)
-def angular_velocity(readings: Readings, control: "ControlInterface") -> Floats:
+def angular_velocity(readings: Readings, control: ControlState) -> Floats:
     """Gyroscope."""
     return readings.angular_velocity_b
 
 
 @observation(unit="rad", mirror="joints", bound=_largest_joint_offset, noise=0.01)
-def joint_position(readings: Readings, control: "ControlInterface") -> Floats:
+def joint_position(readings: Readings, control: ControlState) -> Floats:
     """Relative to the stance."""
     return readings.joint_position - control.stance
 
 
 # Impacts can drive a joint faster than its motor can.
 @observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit, bound=3.0, noise=0.3)
-def joint_velocity(readings: Readings, control: "ControlInterface") -> Floats:
+def joint_velocity(readings: Readings, control: ControlState) -> Floats:
     """Joint speeds."""
     return readings.joint_velocity
 
 
 @observation(unit="1", mirror="joints")
-def last_action(readings: Readings, control: "ControlInterface") -> Floats:
+def last_action(readings: Readings, control: ControlState) -> Floats:
     """As clipped."""
     return control.action
 
 
 @observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
-def command(readings: Readings, control: "ControlInterface") -> Floats:
+def command(readings: Readings, control: ControlState) -> Floats:
     """Forward velocity, yaw rate."""
     return control.command
 
 
 # In a trot the left fore leg swings with the right hind leg, so the mirror image is half a cycle away.
 @observation(unit="1", mirror=(-1.0, -1.0))
-def gait_clock(readings: Readings, control: "ControlInterface") -> Floats:
+def gait_clock(readings: Readings, control: ControlState) -> Floats:
     """Sine and cosine of the phase; 0 when the command is zero."""
     return control.clock
 

@@ -3,7 +3,7 @@
 import functools
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import gymnasium
 import numpy as np
@@ -50,7 +50,11 @@ class Policy(control_policy.Policy):
         object.__setattr__(self, "config", config)
 
     config: TaskConfig
-    """The task that it was trained for"""
+    """Task that it was trained for."""
+
+    def with_card(self, card: dict[str, Any]) -> Self:
+        """The same policy with another card."""
+        return type(self)(self.weights, self.biases, self.activation, self.config, card)
 
     def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
         """The environment that the policy was trained for: its task, action mode and control rate.

@@ -1,6 +1,5 @@
 """Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -68,7 +67,7 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
         "verdict": verdict(comparison).text(),
     }
     directory, curve = shipped_directory(name), run / PROGRESS_FILE
-    files = replace(policy, card=card).files()
+    files = policy.with_card(card).files()
     if curve.is_file():
         files = {PROGRESS_FILE: curve.read_bytes(), **files}
     write_whole({directory / file: content for file, content in files.items()})
