@@ -78,14 +78,14 @@ def standing(model):
 
 class TestStanding:
     def test_the_feet_carry_the_weight(self, standing):
-        force = standing.state.foot_force[0]
+        force = standing.readings.foot_force[0]
         assert force.sum() == pytest.approx(TOTAL_MASS * GRAVITY, rel=0.01)
         # The left-right mirror image of the stance is the stance.
         np.testing.assert_allclose(force[[0, 2]], force[[1, 3]], rtol=1e-6)
-        np.testing.assert_array_equal(standing.state.trunk_force, 0.0)
+        np.testing.assert_array_equal(standing.readings.trunk_force, 0.0)
 
     def test_it_stands_still_and_upright(self, standing):
-        state = standing.state
+        state = standing.readings
         assert state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=1e-3)
         np.testing.assert_allclose(state.up_b[0], [0, 0, 1], rtol=0, atol=2e-3)
         np.testing.assert_allclose(state.joint_position[0], STANCE, rtol=0, atol=0.01)
@@ -93,8 +93,8 @@ class TestStanding:
         assert abs(state.joint_torque).max() < 0.05 * EFFORT_LIMIT
 
     def test_accelerometer_reads_gravity(self, standing):
-        expected = GRAVITY * standing.state.up_b[0]
-        np.testing.assert_allclose(standing.state.linear_acceleration_b[0], expected, rtol=0, atol=0.01)
+        expected = GRAVITY * standing.readings.up_b[0]
+        np.testing.assert_allclose(standing.readings.linear_acceleration_b[0], expected, rtol=0, atol=0.01)
 
 
 def motor_torque(error, speed):
