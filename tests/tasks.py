@@ -103,6 +103,7 @@ class Terms:
         self.control.action[:], self.control.previous_action[:] = rng.uniform(-1, 1, (2, n, ACTION_WIDTH))
         self.control.phase[:] = rng.uniform(0, math.tau, n)
         self.context.velocity[:], self.context.smooth_velocity[:] = 0.3 * rng.standard_normal((2, n, 2))
+        self.context.tracking_error[:] = self.context.smooth_velocity - command
         self.context.fallen[:] = rng.random(n) < 0.3
         return self
 

@@ -15,7 +15,7 @@ from quadruped_env.task import RewardConfig, TaskConfig, quantities
 
 
 def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
-    value = quantities.tracking_kernel(np.array([0.3, 0.45, 0.15, 0.6]), np.array([0.3] * 4), 0.15)
+    value = quantities.tracking_kernel(np.array([0.0, 0.15, -0.15, 0.3]), 0.15)
     np.testing.assert_allclose(value, [1.0, math.exp(-1), math.exp(-1), math.exp(-4)], rtol=1e-12)
 
 
@@ -132,6 +132,7 @@ def test_every_term_reads_what_its_name_says():
     terms.control.action[:], terms.control.previous_action[:] = 0.5, 0.25
     terms.control.phase[:] = math.pi / 6
     terms.context.velocity[:] = terms.context.smooth_velocity[:] = [[0.1, 0.25]]
+    terms.context.tracking_error[:] = terms.context.smooth_velocity - terms.control.command
     terms.context.fallen[:] = 1.0
     expected = {
         "track_forward_velocity": math.exp(-1.0),
@@ -180,7 +181,7 @@ def test_an_envs_terms_do_not_depend_on_the_envs_beside_it(num_envs):
     here.set_command(everywhere.control.command[chosen])
     for name in ("action", "previous_action", "phase"):
         getattr(here.control, name)[:] = getattr(everywhere.control, name)[chosen]
-    for name in ("velocity", "smooth_velocity", "fallen"):
+    for name in ("velocity", "smooth_velocity", "tracking_error", "fallen"):
         getattr(here.context, name)[:] = getattr(everywhere.context, name)[chosen]
     expected = everywhere.values()
     for name, value in here.values().items():

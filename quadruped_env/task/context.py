@@ -46,6 +46,8 @@ class TaskContext:
         """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)"""
         self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", 2)
         """`velocity`, averaged over about a gait cycle, (N, 2)"""
+        self.tracking_error: Floats = np.zeros((control.num_envs, 2))
+        """`smooth_velocity` minus the command that was in force in this step, (N, 2)"""
         self.fallen: Floats = np.zeros(control.num_envs)
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)"""
         self.contact_threshold = xp.constant(contact_threshold)
@@ -74,6 +76,7 @@ class TaskContext:
         self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
         change = self.velocity - self.smooth_velocity
         self.smooth_velocity += np.multiply(change, self._smoothing, change)
+        np.subtract(self.smooth_velocity, self.command, self.tracking_error)
 
     @property
     def joint_offset(self) -> Any:

@@ -15,10 +15,10 @@ _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 """m/s and rad/s below which `progress` no longer pays in full."""
 
 
-def tracking_kernel(value: Any, target: Any, std: Any, xp: Namespace = NUMPY) -> Any:
-    """Score in (0, 1]: how close a velocity is to its command; 1/e at an error of std. Elementwise, (N, 2)."""
-    error = (value - target) / std
-    return xp.exp(-(error * error))
+def tracking_kernel(error: Any, std: Any, xp: Namespace = NUMPY) -> Any:
+    """Score in (0, 1] of a tracking error: 1 without one, 1/e at an error of std. Elementwise, (N, 2)."""
+    share = error / std
+    return xp.exp(-(share * share))
 
 
 def progress_scale(command: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

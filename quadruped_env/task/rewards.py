@@ -34,7 +34,7 @@ class tracking:  # noqa: N801  a term, and named as the others are
 
     def __call__(self, context: TaskContext) -> Any:
         """Values (N, 2)."""
-        return quantities.tracking_kernel(context.smooth_velocity, context.command, self._std, context.xp)
+        return quantities.tracking_kernel(context.tracking_error, self._std, context.xp)
 
 
 @reward_group(forward_progress=4.0, turn_progress=2.0)

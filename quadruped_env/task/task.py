@@ -123,6 +123,11 @@ class Task:
         return self.context.smooth_velocity
 
     @property
+    def tracking_error(self) -> Floats:
+        """`smooth_velocity` minus the command that was in force in the last step, (N, 2); live, and kept at a reset."""
+        return self.context.tracking_error
+
+    @property
     def phase(self) -> Floats:
         """Phase of the gait clock in [0, 2 pi), (N,); live."""
         return self.control.phase

@@ -317,7 +317,7 @@ class Recorder(BaseCallback):
         self._falls = 0
 
     def _on_step(self) -> bool:
-        error = self._task.smooth_velocity - self._task.command
+        error = self._task.tracking_error
         self._squares += (error * error).mean(axis=0)
         self._terms += self._env.last_terms.mean(axis=0)
         self._steps += 1
