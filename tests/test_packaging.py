@@ -1,8 +1,10 @@
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tomllib
 import venv
 import zipfile
 from pathlib import Path
@@ -38,10 +40,22 @@ print("stepped")
 """
 
 
+def test_every_package_is_listed_for_the_wheel():
+    listed = set(tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]["packages"])
+    packages = {".".join(path.parent.relative_to(ROOT).parts) for path in (ROOT / "quadruped_env").rglob("__init__.py")}
+    assert listed == packages | {"quadruped_env.assets"}
+
+
 @pytest.mark.slow
 def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_repository(tmp_path):
+    # From a copy: setuptools would also pack what an earlier build left in the checkout.
+    source = tmp_path / "source"
+    for name in ("quadruped_env", "assets"):
+        shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, source)
     subprocess.run(
-        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(tmp_path), str(ROOT)],
+        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(tmp_path), str(source)],
         check=True,
         capture_output=True,
     )
