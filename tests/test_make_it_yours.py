@@ -1,6 +1,8 @@
 """A user's own terms: the code of docs/make-it-yours.md, and what is refused."""
 
+import copy
 import json
+import pickle
 import re
 import subprocess
 import sys
@@ -9,6 +11,7 @@ from pathlib import Path
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium.envs.registration import EnvSpec
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.policy import load_terms
@@ -245,3 +248,34 @@ def test_the_page_works_from_the_command_line(my_task, tmp_path):
     document = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
     assert document["task"]["reward"]["weights"]["upright"] == -3.0
     assert document["task"]["task_file"]["name"] == "my_task.py"
+
+
+NOISY = {"randomization": {"observation_noise": 1.0, "push_velocity": 0.4, "push_interval": [0.1, 0.3]}}
+CONTINUE = """
+import pickle, sys
+import numpy as np
+env = pickle.load(open(sys.argv[1], "rb"))
+print([float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)])
+"""
+
+
+def test_a_copied_env_with_own_terms_goes_on_identically_also_in_another_process(my_task, tmp_path):
+    env = gymnasium.make(ENV_ID, task_file=my_task, config=NOISY)
+    env.reset(seed=1)
+    for _ in range(10):
+        env.step(np.full(8, -0.1))
+    copied, file = copy.deepcopy(env), tmp_path / "env.pickle"
+    file.write_bytes(pickle.dumps(env))
+    expected = [float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)]
+    assert [float(copied.step(np.full(8, 0.1))[1]).hex() for _ in range(20)] == expected
+    done = subprocess.run([sys.executable, "-c", CONTINUE, file], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == str(expected)
+
+
+def test_an_env_with_own_terms_is_made_again_from_its_spec_and_in_workers(my_task):
+    env = gymnasium.make(ENV_ID, task_file=my_task)
+    again = gymnasium.make(EnvSpec.from_json(env.spec.to_json()))
+    assert again.observation_space == env.observation_space
+    workers = gymnasium.make_vec(ENV_ID, num_envs=2, vectorization_mode="async", task_file=my_task)
+    np.testing.assert_array_equal(workers.reset(seed=0)[0][0], env.reset(seed=0)[0])
+    workers.close()
