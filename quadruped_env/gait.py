@@ -24,7 +24,7 @@ PRESETS: Final = ("article", "trot", "walk", "bound", "pace", "tuned")
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
 
-TURNS: Final = {
+LEG_PHASES: Final = {
     "trot": (0.0, 0.5, 0.5, 0.0),
     "walk": (0.0, 0.5, 0.75, 0.25),
     "bound": (0.0, 0.0, 0.5, 0.5),
@@ -154,12 +154,18 @@ def _preset(
 _PRESETS: Final = {
     "article": SinusoidalGait(0.4, 0.0, 0.3, -0.3, 2.0, (0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21)),
     # The others: train/tune_gait.py.
-    "trot": _preset(TURNS["trot"], 14.0, (0.201, 0.63, 0.247, -0.255, -0.6), (-0.076, 0.431, 0.045, -0.291, -0.752)),
-    "walk": _preset(TURNS["walk"], 12.0, (0.078, 0.73, 0.172, -0.201, -0.56), (0.084, 0.436, 0.186, -0.202, -0.843)),
-    "bound": _preset(
-        TURNS["bound"], 14.0, (0.16, 0.782, 0.133, -0.029, -0.607), (-0.084, 0.489, 0.272, -0.213, -0.656)
+    "trot": _preset(
+        LEG_PHASES["trot"], 14.0, (0.201, 0.63, 0.247, -0.255, -0.6), (-0.076, 0.431, 0.045, -0.291, -0.752)
     ),
-    "pace": _preset(TURNS["pace"], 14.0, (0.135, 0.469, 0.221, -0.265, -0.87), (0.013, 0.546, 0.172, -0.13, -0.618)),
+    "walk": _preset(
+        LEG_PHASES["walk"], 12.0, (0.078, 0.73, 0.172, -0.201, -0.56), (0.084, 0.436, 0.186, -0.202, -0.843)
+    ),
+    "bound": _preset(
+        LEG_PHASES["bound"], 14.0, (0.16, 0.782, 0.133, -0.029, -0.607), (-0.084, 0.489, 0.272, -0.213, -0.656)
+    ),
+    "pace": _preset(
+        LEG_PHASES["pace"], 14.0, (0.135, 0.469, 0.221, -0.265, -0.87), (0.013, 0.546, 0.172, -0.13, -0.618)
+    ),
 }
 
 
@@ -257,7 +263,7 @@ class CommandedGait:
         )
 
 
-JOINT_PHASES: Final = np.repeat(np.array(TURNS["trot"]) * math.tau, 2)
+JOINT_PHASES: Final = np.repeat(np.array(LEG_PHASES["trot"]) * math.tau, 2)
 """Phase (8,) of each joint's leg in the trot, rad."""
 
 _TUNED: Final = CommandedGait(

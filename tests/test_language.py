@@ -133,12 +133,10 @@ NOT_YET = {
     "Makefile": "beside",
     "quadruped_env/arrays.py": "what",
     "quadruped_env/cli": "mid-air",
-    "quadruped_env/control": "way stamp none somebody anew rise what mid-air name",
     "quadruped_env/envs": "row asked none one-a beside what",
     "quadruped_env/evaluation": (
         "rows told asked far-off stamp none mend alike beside likewise happened article what mid-air"
     ),
-    "quadruped_env/gait.py": "name",
     "quadruped_env/identification": "told stamp alike what mid-air",
     "quadruped_env/live": (
         "told asked stamp none is-no one-a somebody who alike beside pulls longest-wait knows-no what mid-air name"
