@@ -34,6 +34,6 @@ class EpisodeMemory:
         return {name: array[env_id].copy() for name, array in self._arrays.items()}
 
     def set_state(self, env_id: int, state: dict[str, Any]) -> None:
-        """Restore what `get_state` returned."""
+        """Restore a state from `get_state`."""
         for name, array in self._arrays.items():
             array[env_id] = state[name]
