@@ -1,6 +1,6 @@
 # make walk    from a fresh clone to a walking robot and its report
 # make test    lint, types, layer contract and the default tests
-# make help    everything else
+# make help    all other targets
 
 PYTHON ?= python3
 VENV ?= .venv
@@ -16,7 +16,7 @@ help:  ## list the targets
 
 install: $(INSTALLED)  ## create .venv with everything pinned in constraints.txt
 
-# torch goes first and pinned: asked for by another package it could bring gigabytes of CUDA.
+# torch is installed first and pinned: as a dependency of another package it could bring gigabytes of CUDA.
 $(INSTALLED): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt torch
@@ -39,15 +39,15 @@ check: $(INSTALLED)  ## lint, format, types, layer contract
 test: check  ## the checks and the default tests
 	$(BIN)/python -m pytest -n 2
 
-test-all: check  ## the checks and every test, the slow ones too
+test-all: check  ## the checks and all tests, including the slow ones
 	$(BIN)/python -m pytest -n 2 -m ""
 
-# Beside .venv, because no other target needs it. A run goes on where the last one stopped; it takes hours.
+# Outside .venv, because no other target needs it. A run takes hours, and continues where the last one stopped.
 $(MUTMUT): constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade mutmut==3.8.1
 	@touch $@
 
-mutate: $(INSTALLED) $(MUTMUT)  ## test the tests of task, training, policies and gait; MUTANTS='quadruped_env.gait.*' for some
+mutate: $(INSTALLED) $(MUTMUT)  ## mutation tests of task, training, policies and gait; MUTANTS='quadruped_env.gait.*' selects some
 	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut run $(if $(MUTANTS),"$(MUTANTS)")
 	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut results
 

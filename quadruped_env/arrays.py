@@ -1,7 +1,7 @@
-"""The array functions that terms use, as a namespace that is chosen once, when a task is built.
+"""Array functions for terms, as a namespace that is selected when a task is created.
 
-Terms reach it as `context.xp`. NumPy's ufuncs are called directly: for one env the wrappers around them cost more than
-the arithmetic.
+Terms access it as `context.xp`. NumPy's ufuncs are called directly, because for a single env the wrappers around them
+cost more than the arithmetic.
 """
 
 from typing import Any, Final, Protocol
@@ -11,15 +11,15 @@ from numpy.typing import ArrayLike
 
 
 class Namespace(Protocol):
-    """Functions of arrays (N, ...) of float64."""
+    """Functions on float64 arrays (N, ...)."""
 
     zero: Any
     one: Any
     minus_one: Any
-    """Numbers as arrays: for one env, converting a Python number costs as much again as the operation"""
+    """Constants as arrays, because for a single env converting a Python number costs as much as the operation."""
 
     def constant(self, values: ArrayLike) -> Any:
-        """Numbers as an array."""
+        """Array of constants."""
         ...
 
     def exp(self, x: Any, /) -> Any:
@@ -39,7 +39,7 @@ class Namespace(Protocol):
         ...
 
     def positive(self, x: Any, /) -> Any:
-        """Elementwise x where it is positive, else 0."""
+        """Elementwise max(x, 0)."""
         ...
 
     def sum(self, x: Any, /) -> Any:
@@ -47,15 +47,15 @@ class Namespace(Protocol):
         ...
 
     def any(self, x: Any, /) -> Any:
-        """Whether anything along the last axis is true."""
+        """True where any element along the last axis is true."""
         ...
 
     def dot(self, x: Any, y: Any, /) -> Any:
-        """Sum of the products over the last axis: one call where `sum(x * y)` takes two."""
+        """Sum of x * y over the last axis, in one call."""
         ...
 
     def reverse(self, x: Any, /) -> Any:
-        """The last axis backwards."""
+        """Elements in reverse order along the last axis."""
         ...
 
     def number(self, mask: Any, /) -> Any:

@@ -1,12 +1,12 @@
-"""The scripted gait: eight sinusoids, from time or phase to joint positions.
+"""Scripted gaits: joint positions as eight sinusoids of time or phase.
 
-For every leg, with phase p of the joint and angular frequency w:
+For each leg, with phase p of the joint and angular frequency w:
 
     hip  = hip_amplitude  * sin(w t + p) + hip_offset
     knee = knee_amplitude * cos(w t + p) + knee_offset
 
-The shape is the ROS 2 tutorial's; its numbers are the preset `article`. `CommandedGait` adapts the same shape to
-a commanded forward velocity and yaw rate. Units: rad, rad/s, s.
+The form is that of the ROS 2 tutorial, whose parameters are the preset `article`. `CommandedGait` adapts it to a
+commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 """
 
 import math
@@ -24,13 +24,13 @@ PRESETS: Final = ("article", "trot", "walk", "bound", "pace", "tuned")
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
 
-TURNS: Final = {
+LEG_PHASES: Final = {
     "trot": (0.0, 0.5, 0.5, 0.0),
     "walk": (0.0, 0.5, 0.75, 0.25),
     "bound": (0.0, 0.0, 0.5, 0.5),
     "pace": (0.0, 0.5, 0.0, 0.5),
 }
-"""Phase of each leg's cycle, in cycles, in the order LF, RF, LH, RH."""
+"""Phase of each leg by gait, in the order LF, RF, LH, RH, cycles."""
 
 
 @dataclass(frozen=True)
@@ -38,10 +38,10 @@ class SinusoidalGait:
     """An open-loop gait of one sinusoid per joint.
 
     Args:
-        hip_amplitude, knee_amplitude: rad, one number or one per leg.
-        hip_offset, knee_offset: rad, one number or one per leg.
-        angular_frequency: rad/s.
-        phases: rad, one per joint (8,), in the order of `JOINT_NAMES`.
+        hip_amplitude, knee_amplitude: amplitudes, one number or one per leg, rad.
+        hip_offset, knee_offset: offsets, one number or one per leg, rad.
+        angular_frequency: angular frequency, rad/s.
+        phases: phase of each joint (8,), in the order of `JOINT_NAMES`, rad.
     """
 
     hip_amplitude: float | tuple[float, ...]
@@ -74,7 +74,7 @@ class SinusoidalGait:
 
     @classmethod
     def preset(cls, name: str) -> "SinusoidalGait":
-        """A gait by name: `article` as published, or one tuned to walk on this robot.
+        """A gait by name: `article` as published, or one tuned for this robot.
 
         `tuned` is `CommandedGait` at 0.4 m/s straight ahead.
 
@@ -115,7 +115,7 @@ class SinusoidalGait:
         return math.tau / abs(self.angular_frequency) if self.angular_frequency else math.inf
 
     def violations(self) -> list[str]:
-        """Descriptions of where the gait exceeds the robot's position and velocity limits; empty if it does not."""
+        """Messages about position and velocity limits that the gait exceeds; empty if there are none."""
         amplitude, offset = np.abs(self._amplitude), self._offset
         low, high = offset - amplitude, offset + amplitude
         speed = abs(self.angular_frequency) * amplitude
@@ -133,12 +133,12 @@ class SinusoidalGait:
 
 
 def _preset(
-    turns: tuple[float, ...],
+    leg_phases: tuple[float, ...],
     angular_frequency: float,
     fore: tuple[float, float, float, float, float],
     hind: tuple[float, float, float, float, float],
 ) -> SinusoidalGait:
-    """A gait of two kinds of legs: hip amplitude and offset, the knee's cosine and sine part and its offset."""
+    """A gait from hip amplitude, hip offset, knee cosine part, sine part and offset of fore and hind legs."""
     hip_amplitude, hip_offset, cosine, sine, knee_offset = zip(fore, fore, hind, hind, strict=True)
     lags = [math.atan2(-s, c) for c, s in zip(cosine, sine, strict=True)]
     return SinusoidalGait(
@@ -147,19 +147,27 @@ def _preset(
         knee_amplitude=tuple(math.hypot(c, s) for c, s in zip(cosine, sine, strict=True)),
         knee_offset=knee_offset,
         angular_frequency=angular_frequency,
-        phases=tuple(math.tau * turn + joint for turn, lag in zip(turns, lags, strict=True) for joint in (0.0, lag)),
+        phases=tuple(
+            math.tau * phase + joint for phase, lag in zip(leg_phases, lags, strict=True) for joint in (0.0, lag)
+        ),
     )
 
 
 _PRESETS: Final = {
     "article": SinusoidalGait(0.4, 0.0, 0.3, -0.3, 2.0, (0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21)),
-    # The others: train/tune_gait.py.
-    "trot": _preset(TURNS["trot"], 14.0, (0.201, 0.63, 0.247, -0.255, -0.6), (-0.076, 0.431, 0.045, -0.291, -0.752)),
-    "walk": _preset(TURNS["walk"], 12.0, (0.078, 0.73, 0.172, -0.201, -0.56), (0.084, 0.436, 0.186, -0.202, -0.843)),
-    "bound": _preset(
-        TURNS["bound"], 14.0, (0.16, 0.782, 0.133, -0.029, -0.607), (-0.084, 0.489, 0.272, -0.213, -0.656)
+    # The others were found by train/tune_gait.py.
+    "trot": _preset(
+        LEG_PHASES["trot"], 14.0, (0.201, 0.63, 0.247, -0.255, -0.6), (-0.076, 0.431, 0.045, -0.291, -0.752)
     ),
-    "pace": _preset(TURNS["pace"], 14.0, (0.135, 0.469, 0.221, -0.265, -0.87), (0.013, 0.546, 0.172, -0.13, -0.618)),
+    "walk": _preset(
+        LEG_PHASES["walk"], 12.0, (0.078, 0.73, 0.172, -0.201, -0.56), (0.084, 0.436, 0.186, -0.202, -0.843)
+    ),
+    "bound": _preset(
+        LEG_PHASES["bound"], 14.0, (0.16, 0.782, 0.133, -0.029, -0.607), (-0.084, 0.489, 0.272, -0.213, -0.656)
+    ),
+    "pace": _preset(
+        LEG_PHASES["pace"], 14.0, (0.135, 0.469, 0.221, -0.265, -0.87), (0.013, 0.546, 0.172, -0.13, -0.618)
+    ),
 }
 
 
@@ -169,18 +177,18 @@ def wave_positions(
     cosine: NDArray[np.float64],
     offset: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Joint positions (N, 8) in rad at gait phases (N,) in rad, from what `CommandedGait.waves` gives."""
+    """Joint positions (N, 8) in rad at gait phases (N,) in rad, from the result of `CommandedGait.waves`."""
     angle = phase[:, None] + JOINT_PHASES
     return sine * np.sin(angle) + cosine * np.cos(angle) + offset
 
 
 @dataclass(frozen=True)
 class LegTable:
-    """A leg's sinusoids over the ground speed: columns of `CommandedGait.speeds`' length, rad (K,).
+    """Parameters of a leg's sinusoids as functions of ground speed, one value per entry of `CommandedGait.speeds`, rad.
 
-    The knee's wave is kept as a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p), because
-    walking backwards is walking forwards with time reversed and half a cycle on: only the cosine part changes its sign,
-    and the table stays smooth through zero.
+    The knee has a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p). Walking backward is
+    walking forward with time reversed and a shift of half a cycle, so only the cosine part changes its sign, and the
+    table is smooth at zero speed.
     """
 
     hip_amplitude: tuple[float, ...]
@@ -194,16 +202,16 @@ class LegTable:
 class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
-    Each side of the robot has a ground speed, v - w * half_track on the left and v + w * half_track on the right, and
-    each parameter of that side's legs is interpolated in a table over that speed. Fore and hind legs have tables of
-    their own: with one for both, either the fore or the hind feet hardly leave the ground.
+    Each side of the robot has a ground speed, v - w * half_track on the left and v + w * half_track on the right. The
+    parameters of its legs are interpolated in a table over that speed. Fore and hind legs have separate tables: with a
+    common one, either the fore or the hind feet hardly leave the ground.
 
     Args:
-        angular_frequency: rad/s.
-        half_track: m; half the track for a robot that did not slip, tuned for one that does.
-        speeds: the tables' ground speeds, m/s, increasing (K,).
-        fore: of LF and RF.
-        hind: of LH and RH.
+        angular_frequency: angular frequency, rad/s.
+        half_track: effective half of the track width, tuned to compensate for slip, m.
+        speeds: ground speeds of the tables (K,), increasing, m/s.
+        fore: table for LF and RF.
+        hind: table for LH and RH.
     """
 
     angular_frequency: float
@@ -214,11 +222,11 @@ class CommandedGait:
 
     @classmethod
     def tuned(cls) -> "CommandedGait":
-        """The table that `train/tune_gait.py` found."""
+        """The gait whose tables `train/tune_gait.py` found."""
         return _TUNED
 
     def waves(self, command: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Sine part, cosine part and offset of every joint, rad (N, 8) each, for commands (N, 2) in m/s and rad/s."""
+        """Sine part, cosine part and offset of every joint (N, 8) in rad, for commands (N, 2) in m/s and rad/s."""
         command = np.asarray(command, dtype=np.float64)
         turn = command[:, 1] * self.half_track
         sine, cosine, offset = (np.zeros((len(command), len(JOINT_NAMES))) for _ in range(3))
@@ -242,7 +250,7 @@ class CommandedGait:
         return wave_positions(np.asarray(phase, dtype=np.float64), *self.waves(command))
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
-        """The plain gait for one command."""
+        """The sinusoidal gait for one command."""
         sine, cosine, offset = (values[0] for values in self.waves([command]))
         lag = np.arctan2(-sine[_KNEES], cosine[_KNEES])
         phases = JOINT_PHASES.copy()
@@ -257,8 +265,8 @@ class CommandedGait:
         )
 
 
-JOINT_PHASES: Final = np.repeat(np.array(TURNS["trot"]) * math.tau, 2)
-"""Phase (8,) of each joint's leg in the trot, rad."""
+JOINT_PHASES: Final = np.repeat(np.array(LEG_PHASES["trot"]) * math.tau, 2)
+"""Phase of each joint's leg in the trot (8,), rad."""
 
 _TUNED: Final = CommandedGait(
     angular_frequency=math.tau * 2.2,

@@ -1,4 +1,4 @@
-"""Settings of a scripted gait that a person may change: amplitude, frequency, and the phase of each leg."""
+"""User settings of a scripted gait: amplitude, frequency, and the phase of each leg."""
 
 import math
 from dataclasses import dataclass, replace
@@ -18,7 +18,7 @@ FREQUENCIES: Final = (0.1, 4.0)
 
 @dataclass(frozen=True)
 class GaitSettings:
-    """Changes to a preset."""
+    """Settings that modify a preset."""
 
     amplitude: float
     """Amplitude of every joint, as a multiple of the preset's."""
@@ -39,7 +39,7 @@ class GaitSettings:
 
     @classmethod
     def of(cls, preset: str) -> Self:
-        """The settings that leave a preset unchanged.
+        """Settings that leave a preset unchanged.
 
         Raises:
             QuadrupedError: if there is no such preset.
@@ -50,7 +50,7 @@ class GaitSettings:
 
 
 def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
-    """A gait with other amplitudes, frequency and leg phases; a knee keeps its lag behind its hip."""
+    """A gait with modified amplitudes, frequency and leg phases; each knee keeps its phase lag to the hip."""
     phases = []
     for leg, cycles in enumerate(settings.phases):
         hip, knee = gait.phases[2 * leg : 2 * leg + 2]

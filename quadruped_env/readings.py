@@ -1,4 +1,4 @@
-"""The named readings of a robot, simulated or measured: the only thing that observations and rewards may read of it."""
+"""Named readings of a simulated or real robot: the only source of robot data for observations and rewards."""
 
 from dataclasses import dataclass, fields
 from typing import Final, Self
@@ -15,7 +15,7 @@ _FOOT_VECTORS: Final = ("foot_position", "foot_velocity", "foot_angular_velocity
 
 
 def sensor_names(robot: Robot) -> dict[str, tuple[str, ...]]:
-    """Field of `Readings` -> the model's sensors that make it up, in order."""
+    """Names of the model's sensors for each field of `Readings`, in order."""
     joints = [name.removesuffix("_joint") for name in robot.joint_names]
     feet = [f"{leg}_foot" for leg in robot.leg_names]
     return {
@@ -37,14 +37,14 @@ def sensor_names(robot: Robot) -> dict[str, tuple[str, ...]]:
 
 
 def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
-    """Field of `Readings` -> its columns of the model's sensor data."""
+    """Columns of the model's sensor data for each field of `Readings`."""
     columns = {}
     address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
     for field, sensors in sensor_names(robot).items():
         ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) for sensor in sensors]
         start = stop = address[ids[0]]
         for sensor, i in zip(sensors, ids, strict=True):
-            # A view needs one contiguous run; the model lists each group together and in joint or leg order.
+            # A view must be contiguous: the model lists the sensors of a group together, in joint or leg order.
             assert i >= 0, f"the model has no sensor {sensor!r}"
             assert address[i] == stop, f"sensor {sensor!r} does not follow its group"
             stop += width[i]
@@ -56,43 +56,43 @@ def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
 class Readings:
     """Readings of N robots with J joints and L legs, at the end of a control step.
 
-    A simulation's are live views of its sensors, never copies. `_b` is the body frame of the base, everything else the
-    world frame. Positions and velocities are current. Torques, forces and accelerations belong to the last physics
-    substep: MuJoCo knows them only after it has solved that substep's contacts.
+    The readings of a simulation are live views of its sensor data, not copies. Names with `_b` are in the body frame of
+    the base, all others in the world frame. Positions and velocities are current. Torques, forces and accelerations are
+    those of the last physics substep, because MuJoCo computes them when it solves the contacts of a substep.
     """
 
     joint_position: Floats
-    """rad, (N, J)"""
+    """Joint positions, (N, J), rad."""
     joint_velocity: Floats
-    """rad/s, (N, J)"""
+    """Joint velocities, (N, J), rad/s."""
     joint_torque: Floats
-    """Motor torque, N m, (N, J)"""
+    """Motor torques, (N, J), N m."""
     orientation: Floats
-    """Quaternion wxyz of the base, (N, 4)"""
+    """Quaternion wxyz of the base, (N, 4)."""
     angular_velocity_b: Floats
-    """rad/s, (N, 3)"""
+    """Angular velocity of the base, (N, 3), rad/s."""
     linear_acceleration_b: Floats
-    """Specific force as an accelerometer measures it, m/s^2, (N, 3)"""
+    """Specific force, as measured by an accelerometer, (N, 3), m/s^2."""
     foot_force: Floats
-    """Normal force on each foot, N, (N, L)"""
+    """Normal force on each foot, (N, L), N."""
     trunk_force: Floats
-    """Normal force on the base and on each hip, N, (N, 1 + L)"""
+    """Normal forces on the base and on each hip, (N, 1 + L), N."""
     base_position: Floats
-    """m, (N, 3)"""
+    """Position of the base's centre, (N, 3), m."""
     up_b: Floats
-    """The world's up direction seen from the base, (N, 3); projected gravity is its negative"""
+    """Unit vector of the world's up axis in the body frame, (N, 3); projected gravity is its negative."""
     linear_velocity_b: Floats
-    """m/s, (N, 3)"""
+    """Linear velocity of the base, (N, 3), m/s."""
     foot_position: Floats
-    """Centre of each foot's ball, m, (N, L, 3)"""
+    """Position of the centre of each foot's ball, (N, L, 3), m."""
     foot_velocity: Floats
-    """Velocity of that centre, m/s, (N, L, 3)"""
+    """Velocity of the centre of each foot's ball, (N, L, 3), m/s."""
     foot_angular_velocity: Floats
-    """Angular velocity of the leg, rad/s, (N, L, 3)"""
+    """Angular velocity of each leg, (N, L, 3), rad/s."""
 
     @classmethod
     def from_sensordata(cls, model: mujoco.MjModel, sensordata: Floats, robot: Robot) -> Self:
-        """Views into sensordata (N, model.nsensordata), named as the model names its sensors."""
+        """Readings as views of sensordata (N, model.nsensordata)."""
         views = {}
         for field, columns in sensor_columns(model, robot).items():
             view = sensordata[:, columns]
@@ -101,10 +101,10 @@ class Readings:
 
     @classmethod
     def of_a_real_robot(cls, robot: Robot) -> Self:
-        """Readings of one robot at rest in its stance, to be overwritten by what it measures.
+        """Readings of one robot at rest in its stance, to be overwritten with its measurements.
 
-        Joints, attitude and angular velocity are measured; everything else is NaN, so that nothing is computed from it
-        unnoticed.
+        A real robot measures joint positions, joint velocities, attitude and angular velocity. All other readings are
+        NaN, so that a value computed from them is noticed.
         """
         shapes = {
             "orientation": (4,),

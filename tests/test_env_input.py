@@ -58,7 +58,7 @@ def test_a_bad_action_of_one_row_is_refused_and_no_row_moves():
         ({"config": {"decimation": 0}}, r"decimation must be 1 or more; found 0"),
         ({"config": []}, r"config: expected a mapping of fields; found \[\]"),
         ({"config": "fast"}, r"config: expected a mapping of fields; found 'fast'"),
-        ({"render_mode": "ascii"}, r"render_mode: 'ascii' is unknown; valid modes are None, human, rgb_array"),
+        ({"render_mode": "ascii"}, r"render_mode: 'ascii' is unknown; valid modes: None, human, rgb_array"),
     ],
 )
 @pytest.mark.filterwarnings("ignore:.*possible render_modes")

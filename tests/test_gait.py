@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
-from quadruped_env.gait import PRESETS, TURNS
+from quadruped_env.gait import LEG_PHASES, PRESETS
 from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT
 from quadruped_env.task import TaskConfig
 
@@ -86,12 +86,13 @@ def test_times_of_any_shape_give_that_many_positions():
     np.testing.assert_array_equal(trot.positions([0.0, 1.0])[1], trot.positions(1))
 
 
-@pytest.mark.parametrize("name", TURNS)
+@pytest.mark.parametrize("name", LEG_PHASES)
 def test_fore_and_hind_legs_of_a_preset_move_alike_at_their_turns(name):
     preset = SinusoidalGait.preset(name)
     t = np.linspace(0, preset.period, 30)
     in_phase = [
-        preset.positions(t - turn * preset.period)[:, 2 * leg : 2 * leg + 2] for leg, turn in enumerate(TURNS[name])
+        preset.positions(t - turn * preset.period)[:, 2 * leg : 2 * leg + 2]
+        for leg, turn in enumerate(LEG_PHASES[name])
     ]
     np.testing.assert_allclose(in_phase[1], in_phase[0], atol=1e-9)
     np.testing.assert_allclose(in_phase[3], in_phase[2], atol=1e-9)
@@ -186,7 +187,7 @@ def test_positions_are_the_waves_at_a_phase():
     commands = draw_commands(30)
     phase = np.random.default_rng(1).uniform(0, math.tau, len(commands))
     sine, cosine, offset = TUNED.waves(commands)
-    legs = np.repeat(np.array(TURNS["trot"]) * math.tau, 2)
+    legs = np.repeat(np.array(LEG_PHASES["trot"]) * math.tau, 2)
     angle = phase[:, None] + legs
     expected = sine * np.sin(angle) + cosine * np.cos(angle) + offset
     np.testing.assert_allclose(TUNED.positions(phase, commands), expected, atol=1e-12)

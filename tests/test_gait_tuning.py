@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import CommandedGait, SinusoidalGait
-from quadruped_env.gait import TURNS
+from quadruped_env.gait import LEG_PHASES
 from quadruped_env.robot import STANCE, VELOCITY_LIMIT, load_model
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.training import gait_tuning
@@ -49,7 +49,7 @@ def test_presets_walk_as_fast_as_they_were_tuned_for(name, angular_frequency, sp
     assert preset.violations() == []
     simulation = BatchSimulation(load_model(), 1)
     got = gait_tuning.measure(
-        lambda t: preset.positions(np.array([t])), simulation, preset.angular_frequency, TURNS[name]
+        lambda t: preset.positions(np.array([t])), simulation, preset.angular_frequency, LEG_PHASES[name]
     )
     assert got.forward_velocity[0] == pytest.approx(speed, abs=0.03)
     assert not got.fallen[0]
@@ -67,11 +67,13 @@ def test_candidates_become_the_gait_that_they_describe():
         angular_frequency=12.0,
         phases=tuple(
             2 * np.pi * turn + lag
-            for turn, knee in zip(TURNS["walk"], np.arctan2([0.15, 0.15, 0.3, 0.3], [0.2, 0.2, 0.1, 0.1]), strict=True)
+            for turn, knee in zip(
+                LEG_PHASES["walk"], np.arctan2([0.15, 0.15, 0.3, 0.3], [0.2, 0.2, 0.1, 0.1]), strict=True
+            )
             for lag in (0.0, knee)
         ),
     )
-    targets = gait_tuning.gait_targets(np.array([column, column]), 12.0, TURNS["walk"])
+    targets = gait_tuning.gait_targets(np.array([column, column]), 12.0, LEG_PHASES["walk"])
     for t in (0.0, 0.1, 0.77):
         np.testing.assert_allclose(targets(t), np.tile(preset.positions(t), (2, 1)), atol=1e-12)
 
@@ -82,12 +84,13 @@ def test_a_search_comes_nearer_and_stays_within_the_motors_speed(monkeypatch):
     start = np.tile([0.1, STANCE[0], 0.15, -0.1, STANCE[1]], 2)
     frequency = 14.0
     found = [
-        gait_tuning.search(0.25, frequency, TURNS["trot"], start, 0.15, generations, seed=1) for generations in (1, 8)
+        gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, generations, seed=1)
+        for generations in (1, 8)
     ]
     assert abs(found[1].speed - 0.25) < abs(found[0].speed - 0.25)
     hip, _, cosine, sine, _ = found[1].columns.reshape(2, 5).T
     assert (frequency * np.maximum(abs(hip), np.hypot(cosine, sine)) <= VELOCITY_LIMIT).all()
-    again = gait_tuning.search(0.25, frequency, TURNS["trot"], start, 0.15, 8, seed=1)
+    again = gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, 8, seed=1)
     np.testing.assert_array_equal(again.columns, found[1].columns)
 
 

@@ -130,9 +130,9 @@ def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_me
         if answer is not None:
             bench.answers.append(answer)
     assert len(refused) == pytest.approx(70, abs=2)
-    assert all("stale by more than 0.2 s" in reason for reason in refused)
+    assert all("late by more than 0.2 s" in reason for reason in refused)
     assert sum(answer.target is LIMP for answer in bench.answers) == 1
-    assert "all states come 0.30 s later than before; that is taken as normal from here on" in bench.said
+    assert "all states arrive 0.30 s later than before; this lag is now taken as normal" in bench.said
 
 
 def test_stale_states_among_fresh_ones_never_become_the_measure():
@@ -229,7 +229,7 @@ def assert_walks_again(delay):
     """Within 3 s; where the robot was let go, it begins to get up within 3 s, which takes it up to 6.5 s."""
     link = Walking(seed=0)
     link.disturbances = [delay]
-    # A clock that leapt is noticed after 1 s only.
+    # A jump of the clock is noticed after 1 s only.
     while link.time < delay.end + (1.1 if delay.kind.startswith("clock") else 0.0):
         link.turn()
     let_go = bool(link.let_go)

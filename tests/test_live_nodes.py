@@ -162,7 +162,7 @@ def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
         )
     finally:
         noise.close()
-    assert "a stamp that is not later than the one before" in controller.said
+    assert "the timestamp is not later than the one before" in controller.said
     assert "/joint_commands: from a second publisher" in sim.said
     watcher.until_it_walks()
 

@@ -200,7 +200,7 @@ def test_a_run_with_own_terms_is_trained_and_asks_for_its_file(my_task, tmp_path
 
 def test_a_named_file_is_not_executed_to_find_out_whether_it_is_the_right_one(tmp_path):
     config = {"task_file": {"name": "own.py", "sha256": "0" * 64}}
-    with pytest.raises(QuadrupedError, match=r"terms from 'own.py', which is not executed by itself.*--task FILE"):
+    with pytest.raises(QuadrupedError, match=r"terms from 'own.py', which is not executed automatically.*--task FILE"):
         TaskConfig.from_dict(config)
 
 

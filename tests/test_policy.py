@@ -435,7 +435,7 @@ def test_make_vec_env_makes_many_of_them():
 @pytest.mark.parametrize("name", ["action_mode", "config"])
 def test_make_env_takes_no_other_task(name):
     for call in (make_policy().make_env, lambda **kwargs: make_policy().make_vec_env(2, **kwargs)):
-        with pytest.raises(QuadrupedError, match=f"policy.make_env: {name} is the policy's own"):
+        with pytest.raises(QuadrupedError, match=f"policy.make_env: {name} is given by the policy"):
             call(**{name: None})
 
 
@@ -470,6 +470,8 @@ def test_a_task_that_differs_in_what_does_not_change_actions_fits():
 
 def test_check_env_of_another_environment_is_refused():
     env = make("CartPole-v1")
-    with pytest.raises(QuadrupedError, match=r"is no environment of this package; make one with policy.make_env\(\)"):
+    with pytest.raises(
+        QuadrupedError, match=r"is not an environment of this package; make one with policy.make_env\(\)"
+    ):
         make_policy().check_env(env)
     env.close()

@@ -117,7 +117,7 @@ def test_offscreen_buffer_grows_with_the_size_asked_for(maker):
 def test_picture_too_large_for_opengl_is_said_and_not_blamed_on_its_absence():
     env = make(render_mode="rgb_array", width=10**6, height=8)
     env.reset(seed=0)
-    with pytest.raises(QuadrupedError, match="not for pictures of 1000000 x 8 pixels; ask for a smaller") as caught:
+    with pytest.raises(QuadrupedError, match="not for images of 1000000 x 8 pixels; use a smaller") as caught:
         env.render()
     assert "install" not in str(caught.value)
     assert env.unwrapped.model.vis.global_.offwidth < 10**6

@@ -9,11 +9,11 @@ from conftest import mirrored
 from tasks import ACTION_WIDTH, LAYOUT, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
-from quadruped_env.control.symmetry import Mirror
+from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.robot import STANCE
 
 ROW = np.array([0])
-MIRROR = Mirror.of(LAYOUT)
+MIRROR = MirrorMap.of(LAYOUT)
 
 
 @pytest.mark.parametrize("mode", ["position", "residual"])

@@ -82,5 +82,5 @@ def test_the_program_names_what_is_wrong(tmp_path):
     process = _program("runs/none", cwd=tmp_path)
     out, err = output_of(process)
     assert (process.returncode, out) == (2, "")
-    assert err.startswith("view.py: error: 'runs/none' is no shipped policy (flat), no scripted gait (article, trot, ")
+    assert err.startswith("view.py: error: 'runs/none' is neither a shipped policy (flat), nor a scripted gait (")
     assert len(err.splitlines()) == 1

@@ -5,32 +5,32 @@ import time
 from typing import Final
 
 QUIET: Final = 1.0
-"""s in which a program need not say that it is at work"""
+"""Time before the first message, s."""
 TERMINAL_INTERVAL: Final = 0.2
-"""s between updates of the one line in a terminal"""
+"""Time between updates of the line in a terminal, s."""
 LOG_INTERVAL: Final = 10.0
-"""s between lines where every update is a new one"""
+"""Time between lines where the output is not a terminal, s."""
 
 
 class ProgressLine:
-    """Says on stderr how far something is, once it has taken a second.
+    """Prints the progress of a task on stderr, once the task has taken a second.
 
-    The time that is left is estimated from the first call on: what comes before it (another part of the program, or
-    the set-up of the first picture) says nothing about the pace of the rest.
+    The remaining time is estimated from the time since the first call, because the time before it (other parts of the
+    program, or the set-up of the first image) does not indicate the speed of the task.
 
     Args:
-        label: what is being done.
+        label: name of the task.
     """
 
     def __init__(self, label: str) -> None:
         self._label = label
         self._start: tuple[float, float] | None = None
-        """Time in s and share of the first call."""
+        """Time in s and progress at the first call."""
         self._next = 0.0
         self._shown = False
 
     def __call__(self, share: float) -> None:
-        """Take note that a share in [0, 1] of the work is done."""
+        """Report the fraction of the work that is done, in [0, 1]."""
         now = time.monotonic()
         if self._start is None or share < self._start[1]:
             self._start = now, share

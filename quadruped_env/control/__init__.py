@@ -1,4 +1,4 @@
-"""Control: from readings to observations, and from observations to joint targets, in training and on a real robot."""
+"""Control in training and on a real robot: observations from readings, and joint targets from observations."""
 
 from quadruped_env.control.config import ActionConfig, Command, ControlConfig
 from quadruped_env.control.controllers import (

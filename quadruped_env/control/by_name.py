@@ -16,7 +16,7 @@ from quadruped_env.trajectory import JointTrajectory
 
 RUNS: Final = Path("runs")
 MAX_RUNS: Final = 12
-"""Number of the latest runs that are offered."""
+"""Maximum number of runs that are offered, the latest first."""
 BAG_FILE: Final = "metadata.yaml"
 """File that marks a directory as a ROS 2 bag."""
 STANDING: Final = "stand still"
@@ -31,7 +31,7 @@ class ControllerSpec:
 
     name: str
     make: Callable[[], Controller]
-    """Loads it; raises a QuadrupedError if the controller does not fit this robot."""
+    """Loads the controller; raises a QuadrupedError if it does not fit this robot."""
 
 
 def _gait(preset: str) -> ControllerSpec:
@@ -39,7 +39,7 @@ def _gait(preset: str) -> ControllerSpec:
 
 
 def _policy(name: str, where: str | Path, load: Load) -> ControllerSpec:
-    """A shipped policy or a run's. It is read at every `make`, since training may still be writing it."""
+    """A shipped policy, or that of a run. It is read at every `make`, because training may still be writing it."""
     return ControllerSpec(name, lambda: PolicyController(load(where), name))
 
 
@@ -58,7 +58,7 @@ def find_controller(text: str, load: Load = load_policy) -> ControllerSpec:
         load: reads policies.
 
     Raises:
-        QuadrupedError: if it is none of these. A run or recording is not read yet.
+        QuadrupedError: if the text names nothing of this kind. A run or recording is not read yet.
     """
     if text in SHIPPED:
         return _policy(f"policy {text}", text, load)
@@ -67,27 +67,28 @@ def find_controller(text: str, load: Load = load_policy) -> ControllerSpec:
     path = Path(text)
     if not path.suffix and not path.is_dir():
         raise QuadrupedError(
-            f"{text!r} is no shipped policy ({', '.join(SHIPPED)}), no scripted gait ({', '.join(PRESETS)}), no run's "
-            f"directory and no recording; name one of these, or {training_advice()}"
+            f"{text!r} is neither a shipped policy ({', '.join(SHIPPED)}), nor a scripted gait ({', '.join(PRESETS)}), "
+            f"nor the directory of a run, nor a recording; name one of these, or {training_advice()}"
         )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
     return _recording(path) if recorded else _policy(f"run {shown_path(path)}", text, load)
 
 
 def find_controllers(
-    asked: Sequence[str] = (), runs: Path = RUNS, load: Load = load_policy
+    names: Sequence[str] = (), runs: Path = RUNS, load: Load = load_policy
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
-    """All controllers to choose from, by name, and the names of those to begin with.
+    """All available controllers by name, and the names of those to start with.
 
     Args:
-        asked: texts of `find_controller`; without any, the latest run that fits, or else the shipped policy.
+        names: controllers to start with, each as in `find_controller`; if empty, the latest run that fits this robot,
+            or else the shipped policy.
         runs: directory of the training runs.
         load: reads policies.
 
     Raises:
-        QuadrupedError: if one of those asked for cannot be used.
+        QuadrupedError: if one of `names` cannot be used.
     """
-    wanted = _distinct(asked, load)
+    wanted = _distinct(names, load)
     for spec in wanted:
         spec.make()
     offered = [
@@ -101,15 +102,15 @@ def find_controllers(
     return specs, tuple(spec.name for spec in wanted or [_first_that_fits(offered)])
 
 
-def _distinct(asked: Sequence[str], load: Load) -> list[ControllerSpec]:
-    """Controllers with different names where the texts differ."""
+def _distinct(texts: Sequence[str], load: Load) -> list[ControllerSpec]:
+    """Controllers whose names differ where the texts differ."""
     by_text: dict[str, ControllerSpec] = {}
-    for text in asked:
+    for text in texts:
         spec = find_controller(text, load)
         taken = {other.name for name, other in by_text.items() if name != text}
-        names = (spec.name, *(f"{spec.name} ({number})" for number in range(2, len(asked) + 1)))
+        names = (spec.name, *(f"{spec.name} ({number})" for number in range(2, len(texts) + 1)))
         by_text[text] = replace(spec, name=next(name for name in names if name not in taken))
-    return [by_text[text] for text in asked]
+    return [by_text[text] for text in texts]
 
 
 def _first_that_fits(specs: Sequence[ControllerSpec]) -> ControllerSpec:
@@ -117,7 +118,7 @@ def _first_that_fits(specs: Sequence[ControllerSpec]) -> ControllerSpec:
         try:
             spec.make()
         except QuadrupedError:
-            # A damaged run, or one for another version: choosing it gives this error.
+            # A damaged run, or one of another version: the user sees this error when selecting it.
             continue
         return spec
     raise AssertionError("a scripted gait always fits")
@@ -126,6 +127,6 @@ def _first_that_fits(specs: Sequence[ControllerSpec]) -> ControllerSpec:
 def _latest_runs(runs: Path, load: Load) -> list[ControllerSpec]:
     if not runs.is_dir():
         return []
-    # The names begin with the time. `latest` is one of them under another name.
+    # Names begin with the time. `latest` is a link to one of them.
     finished = [path for path in runs.iterdir() if (path / CARD_FILE).is_file() and not path.is_symlink()]
     return [_policy(f"run {path.name}", path, load) for path in sorted(finished, reverse=True)[:MAX_RUNS]]

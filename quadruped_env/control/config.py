@@ -1,4 +1,4 @@
-"""The numbers that a policy and a robot share: how an action becomes joint targets, how often, and the commands."""
+"""Configuration that training and a real robot share: action scaling, control rate and commands."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -30,14 +30,14 @@ def check_range(name: str, value: Any) -> None:
 
 @dataclass(frozen=True)
 class ActionConfig(PlainFields):
-    """How an action becomes joint targets."""
+    """Conversion of an action to joint targets."""
 
     mode: Literal["position", "residual"] = "position"
-    """`position`: around the stance. `residual`: around the scripted gait, so that a zero action is the gait."""
+    """`position`: relative to the stance. `residual`: relative to the scripted gait: a zero action is the gait."""
     position_scale: float = 0.6
-    """rad of joint target per unit of action in `position` mode."""
+    """Change of the joint target per unit of action in `position` mode, rad."""
     residual_scale: float = 0.4
-    """rad of joint target per unit of action in `residual` mode."""
+    """Change of the joint target per unit of action in `residual` mode, rad."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -50,21 +50,21 @@ class ActionConfig(PlainFields):
 
     @property
     def scale(self) -> float:
-        """Rad of joint target per unit of action, in the mode that is chosen."""
+        """Change of the joint target per unit of action in the selected mode, rad."""
         return self.residual_scale if self.mode == "residual" else self.position_scale
 
 
 @dataclass(frozen=True)
 class Command(PlainFields):
-    """One number that is commanded."""
+    """One component of the command."""
 
     name: str
-    """Also its field in `config["command"]`, which holds its range"""
+    """Name of the component, and of its field in `config["command"]`, which holds the range."""
     unit: str
     range: Range
-    """What it may be, (low, high); episodes draw it uniformly from there, together with the velocity command"""
+    """Valid range (low, high). Episodes draw the component uniformly from it, together with the velocity command."""
     default: float = 0.0
-    """Its value where a command is fixed that does not give it"""
+    """Value for a fixed command that leaves this component out."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -80,26 +80,26 @@ COMMANDS: Final = (
 
 @dataclass(frozen=True)
 class ControlConfig:
-    """What a `ControlInterface` needs to know of a task."""
+    """Fields of a task's config that a `ControlInterface` needs."""
 
     timestep: float = 0.02
-    """s between actions"""
+    """Time between actions, s."""
     clock_frequency: float = 2.2
-    """Gait cycles per second"""
+    """Frequency of the gait clock, cycles per second."""
     action: ActionConfig = field(default_factory=ActionConfig)
     commands: tuple[Command, ...] = COMMANDS
-    """The velocity command first"""
+    """Components of the command, the velocity command first."""
 
     @classmethod
     def of_task(cls, values: Any, commands: Sequence[Command] = COMMANDS) -> Self:
-        """From the plain values of a task's config, as a policy's file holds them.
+        """Create a config from the plain values of a task's config, as stored in a policy's file.
 
         Args:
-            values: `TaskConfig.to_dict`.
-            commands: what is commanded; the ranges are those of the values.
+            values: result of `TaskConfig.to_dict`.
+            commands: components of the command; their ranges are replaced by those in `values`.
 
         Raises:
-            QuadrupedError: if a field is missing or not valid, saying which.
+            QuadrupedError: if a field is missing or not valid; the message names the field.
         """
         if not isinstance(values, dict):
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
@@ -118,4 +118,4 @@ class ControlConfig:
                 commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
             )
         except TypeError as error:
-            raise QuadrupedError(f"config: a field has a value of the wrong kind ({error})") from error
+            raise QuadrupedError(f"config: a field has a value of the wrong type ({error})") from error

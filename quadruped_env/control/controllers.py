@@ -1,4 +1,4 @@
-"""Controllers: from an observation to joint targets."""
+"""Controllers, which compute joint targets from observations."""
 
 from typing import Protocol
 
@@ -15,24 +15,24 @@ Floats = NDArray[np.float64]
 
 
 class Controller(Protocol):
-    """Computes joint targets from observations; it drives nothing."""
+    """Computes joint targets from observations; it does not send them to a robot."""
 
     name: str
     action_mode: str
-    """The action mode of the task that it must be run on"""
+    """Action mode that the task must have."""
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """Joint targets (N, J) in rad for one control step.
 
         Args:
-            observation: of every env (N, width).
-            control: their clocks, commands and actions, already advanced to this step.
+            observation: observations of all envs (N, width).
+            control: clocks, commands and actions of the envs, already advanced to this step.
         """
         ...
 
 
 class ZeroController:
-    """The zero action: it stands."""
+    """Zero action: the robot stands."""
 
     name = "zero"
     action_mode = "position"
@@ -43,7 +43,7 @@ class ZeroController:
 
 
 class GaitController:
-    """A scripted gait by the time since the reset, whatever the command."""
+    """A scripted gait as a function of the time since the reset; it ignores the command."""
 
     action_mode = "position"
 
@@ -71,11 +71,11 @@ class CommandedGaitController:
 
 
 class TrajectoryController:
-    """Plays recorded joint positions back through the motors, holding the last ones at the end.
+    """Plays recorded joint positions back as joint targets, and holds the last ones at the end.
 
     Args:
-        trajectory: the recording; its time starts at its first timestamp.
-        name: what reports call it.
+        trajectory: the recording; time 0 is its first timestamp.
+        name: name in reports.
     """
 
     action_mode = "position"
@@ -102,7 +102,7 @@ class PolicyController:
         """See `Controller.act`.
 
         Raises:
-            QuadrupedError: if the policy's actions mean something else in this task.
+            QuadrupedError: if the policy's actions have another meaning in this task.
         """
         if control.config is not self._checked:
             self.policy.check_control(control.config)

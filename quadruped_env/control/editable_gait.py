@@ -1,4 +1,4 @@
-"""A scripted gait whose settings may change while it runs."""
+"""A scripted gait whose settings can be changed while it runs."""
 
 from typing import Final, Protocol, runtime_checkable
 
@@ -10,23 +10,23 @@ from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.gait_settings import GaitSettings, edited
 
 _COMMANDED: Final = "tuned"
-"""The one preset that follows the velocity command."""
+"""Preset that follows the velocity command; the others ignore it."""
 
 
 @runtime_checkable
 class HasGait(Protocol):
-    """A controller with a scripted gait whose settings may change."""
+    """A controller with a scripted gait whose settings can be changed."""
 
     settings: GaitSettings | None
     """Current settings; None while there is no gait."""
 
     def complaints(self) -> list[str]:
-        """Limits of the joints that the gait exceeds, in words."""
+        """Messages about joint limits that the gait exceeds; empty if there are none."""
         ...
 
 
 class EditableGaitController:
-    """A preset with settings that may change at any time, without a jump in its phase.
+    """A preset whose settings can be changed at any time without a jump in its phase.
 
     Args:
         preset: name of the preset; `tuned` follows the velocity command.
@@ -38,7 +38,7 @@ class EditableGaitController:
         self.name = preset
         self._settings = GaitSettings.of(preset)
         self._time = 0.0
-        """Time in s in which the gait reaches this phase at its current frequency."""
+        """Time in which the gait reaches its current phase at its current frequency, s."""
         self._gait = SinusoidalGait.preset(preset)
         self._command: tuple[float, float] | None = None
 
@@ -66,7 +66,7 @@ class EditableGaitController:
         return target
 
     def complaints(self) -> list[str]:
-        """Limits of the joints that the gait exceeds, in words."""
+        """Messages about joint limits that the gait exceeds; empty if there are none."""
         return self._gait.violations()
 
     def _preset(self, command: tuple[float, float]) -> SinusoidalGait:

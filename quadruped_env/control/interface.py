@@ -1,4 +1,4 @@
-"""What lies between a policy and the joints: the same for training, for evaluation and on a real robot."""
+"""Interface between a policy and the joints, identical in training, in evaluation and on a real robot."""
 
 import math
 from collections.abc import Sequence
@@ -17,8 +17,8 @@ from quadruped_env.robot.robot import Robot
 
 Floats = NDArray[np.float64]
 
-# Numbers as arrays, and vectors with an axis for the envs: for one env, converting and broadcasting cost more than the
-# arithmetic.
+# Scalars are arrays and vectors have an axis for the envs, because for a single env conversion and broadcasting cost
+# more than the arithmetic.
 _ONE: Final = np.array(1.0)
 _MINUS_ONE: Final = np.array(-1.0)
 _CYCLE: Final = np.array(math.tau)
@@ -28,15 +28,15 @@ _NEXT: Final = np.array(1)
 class ControlInterface:
     """Gait clock, command, actions and observations of N robots.
 
-    One control step is `advance()`, then `joint_target(action)` if a policy acts; then the robot moves; then
-    `observe(readings)` gives the next observation. An env's numbers do not depend on N: see the rules in
+    In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves, and
+    `observe(readings)` returns the next observation. The values of an env do not depend on N: see the rules in
     CONTRIBUTING.md.
 
     Args:
-        robot: what is controlled.
-        config: time step, clock, actions and the ranges of commands.
-        num_envs: N.
-        fields: what is observed.
+        robot: robot that is controlled.
+        config: time step, clock, action scaling and ranges of the command.
+        num_envs: number of envs, N.
+        fields: fields of the observation.
     """
 
     def __init__(
@@ -52,26 +52,26 @@ class ControlInterface:
         self.layout = ObservationLayout.of(robot, fields)
         self.memory = memory = EpisodeMemory(num_envs)
         self.action: Floats = memory.zeros("action", robot.num_joints)
-        """The latest action in [-1, 1], (N, J); zero where joint targets come from elsewhere"""
+        """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
         self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
-        """The one before, (N, J)"""
+        """Action of the step before, (N, J)."""
         self.commands: Floats = memory.zeros("commands", max(len(config.commands), VELOCITY))
-        """All that is commanded, in the order of the config's ranges, (N, C)"""
+        """All components of the command, in the order of `config.commands`, (N, C)."""
         self.command: Floats = self.commands[:, :VELOCITY]
-        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)"""
+        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
         self.moving: Floats = memory.zeros("moving")
-        """1.0 where a motion is commanded, else 0.0, (N,)"""
+        """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.phase: Floats = memory.zeros("phase")
-        """Phase of the gait clock in [0, 2 pi), (N,)"""
+        """Phase of the gait clock in [0, 2 pi), (N,), rad."""
         self.steps: NDArray[np.int64] = memory.zeros("steps", dtype=np.int64)
-        """Control steps since the reset, (N,)"""
+        """Number of control steps since the reset, (N,)."""
         self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
         self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
         self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
         self._gait = CommandedGait.tuned() if config.action.mode == "residual" else None
         self.stance: Floats = robot.stance[None]
-        """The robot's stance, rad (1, J)"""
+        """Joint positions of the stance (1, J), rad."""
         self._low, self._high = robot.joint_position_low[None], robot.joint_position_high[None]
         self._scale = np.array(config.action.scale)
         self._phase_step = np.array(math.tau * config.clock_frequency * config.timestep)
@@ -81,7 +81,7 @@ class ControlInterface:
         self._raw = np.zeros((num_envs, self.layout.width))
 
     def __getstate__(self) -> dict[str, Any]:
-        # A view would come back as a copy.
+        # `command` is a view, and unpickling would turn it into a copy.
         return {name: value for name, value in self.__dict__.items() if name != "command"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -89,12 +89,12 @@ class ControlInterface:
         self.command = self.commands[:, :VELOCITY]
 
     def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0) -> None:
-        """Begin anew in some envs (R,): no action, no command, and the clock at a phase (R,) in rad."""
+        """Reset some envs (R,): zero actions and commands, and the gait clock at a phase (R,) in rad."""
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
-        """Give some envs (R,) commands (R, C), or (R, 2) to leave all but the velocities as they are."""
+        """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
         self.commands[env_ids, : command.shape[1]] = command
         velocity = command[:, :VELOCITY]
         self.moving[env_ids] = np.logical_or.reduce(np.abs(velocity) > MOVING_THRESHOLD, -1)
@@ -102,16 +102,16 @@ class ControlInterface:
             self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
 
     def command_of(self, name: str) -> Floats:
-        """One number of the command by name, (N,)."""
+        """One component of the command by name, (N,)."""
         return self.commands[:, self._columns[name]]
 
     @property
     def time(self) -> Floats:
-        """When the current control step began, s since the reset, (N,)."""
+        """Time since the reset at which the current control step began, (N,), s."""
         return np.maximum(self.steps - 1, 0) * self.config.timestep
 
     def advance(self) -> None:
-        """Begin a control step: the clock goes on, and no action is known yet."""
+        """Begin a control step: advance the clock and set the action to zero."""
         np.add(self.steps, _NEXT, self.steps)
         np.add(self.phase, self._phase_step, self.phase)
         np.remainder(self.phase, _CYCLE, self.phase)
@@ -131,13 +131,13 @@ class ControlInterface:
         return np.maximum(target, self._low, out=target)
 
     def nominal(self) -> Floats:
-        """Joint positions that a zero action stands for, rad: the stance (1, J), or the scripted gait (N, J)."""
+        """Joint positions for a zero action, in rad: the stance (1, J), or the scripted gait (N, J)."""
         if self._gait is None:
             return self.stance
         return wave_positions(self.phase, self._sine, self._cosine, self._offset)
 
     def leg_clock(self) -> Floats:
-        """Sine of each leg's phase, (N, L): positive while the foot should swing."""
+        """Sine of each leg's phase, (N, L); positive while the foot should swing."""
         angle = self.phase[:, None] + _LEG_PHASES
         return np.sin(angle, angle)
 
@@ -150,10 +150,10 @@ class ControlInterface:
         return np.multiply(clock, self.moving[:, None], clock)
 
     def observe(self, readings: Readings, noise: Floats | None = None) -> NDArray[np.float32]:
-        """Observations (N, layout.width), a new array.
+        """Observations (N, layout.width) in a new array.
 
         Args:
-            readings: of the N robots.
+            readings: readings of the N robots.
             noise: added to the unscaled readings, (N, layout.width).
         """
         layout, raw = self.layout, self._raw

@@ -1,4 +1,4 @@
-"""What a controller may ask of the robot's motors: joint targets within their limits, or to go limp."""
+"""Commands to the robot's motors: joint targets within the limits, or limp (motors disabled)."""
 
 from typing import Final
 
@@ -9,26 +9,26 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 
 LIMP: Final = None
-"""In place of joint targets: motors disabled"""
+"""Value in place of joint targets that disables the motors."""
 
 Target = NDArray[np.float64] | None
-"""Joint targets, rad (J,), or `LIMP`"""
+"""Joint targets (J,) in rad, or `LIMP`."""
 
 
 def limited(
     target: NDArray[np.float64], last: NDArray[np.float64], seconds: float, robot: Robot = MINI_QUADRUPED
 ) -> NDArray[np.float64]:
-    """A target that a motor may be given: within the joints' range, and no faster than the robot's speed limit.
+    """Joint targets within the joints' ranges that change no faster than the robot's velocity limit.
 
     Args:
-        target: rad (J,).
-        last: the target before, or where the joints were; rad (J,).
-        seconds: since then.
-        robot: whose limits apply.
+        target: joint targets (J,), rad.
+        last: previous joint targets, or the measured positions (J,), rad.
+        seconds: time since `last`, s.
+        robot: robot whose limits apply.
     """
     reach = robot.velocity_limit * seconds
     low, high = robot.joint_position_low, robot.joint_position_high
     within = np.minimum(np.maximum(target, low), high)
-    # The range has the last word: joints that were beyond it come back at once.
+    # The range takes precedence over the velocity limit: joints outside it return to it at once.
     near = np.minimum(np.maximum(within, last - reach), last + reach)
     return np.minimum(np.maximum(near, low), high)

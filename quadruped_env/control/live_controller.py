@@ -1,12 +1,12 @@
-"""State machine of the live controller. Pure logic: times and measurements are passed in.
+"""State machine of the live controller. It does no I/O: times and measurements are passed in.
 
     waiting --fresh states--> ramping --at the stance--> walking
     ramping, walking --no state for 0.2 s--> holding --for 1 s--> limp --> waiting
-    ramping, walking --this process was held up for 1 s--> limp
+    ramping, walking --this process was blocked for 1 s--> limp
     ramping, walking --fallen--> limp
     holding --fresh states--> ramping
 
-Walking is following the command, which is to stand where there is none, or none newer than 0.5 s.
+While walking, the robot follows the velocity command. Without a command, or after 0.5 s without a new one, it stands.
 """
 
 import math
@@ -33,45 +33,45 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.rotations import rotate_inverse
 from quadruped_env.timestamps import NS_PER_SECOND
 
-_ROW: Final = np.zeros(1, dtype=np.intp)
-_LONGEST_STEP: Final = 2.5
-"""Control steps that the way to the stance goes on in one, where states between were lost"""
+_ENV_IDS: Final = np.zeros(1, dtype=np.intp)
+_MAX_RAMP_STEPS: Final = 2.5
+"""Maximum progress of the ramp per command, in control steps, where states were lost."""
 _ROUNDING: Final = 1e-6
-"""s"""
-_EARLY: Final = 0.25
-"""of a control step; by which a state may come before its tick and still be it, as stamps of real robots jitter"""
+"""Tolerance of rounding errors, s."""
+_EARLY_TOLERANCE: Final = 0.25
+"""Fraction of a control step by which a state may precede its tick: timestamps of real robots jitter."""
 
 
 @dataclass(frozen=True)
 class Safety:
-    """When the controller moves the robot, and when it stops."""
+    """Conditions under which the controller starts and stops moving the robot."""
 
     fresh_states: int = 20
-    """in a row, of an upright robot at rest, before it is moved"""
-    rest_way: float = 0.03
-    """rad that a joint may move meanwhile"""
-    sinks_after: float = 1.0
-    """s of fresh states of an upright robot, after which it need not be at rest: limp, it may sink for 10 s"""
-    sinks_way: float = 0.15
-    """rad that a joint may move meanwhile then"""
+    """Consecutive fresh states of an upright robot at rest that are needed before it is moved."""
+    rest_tolerance: float = 0.03
+    """Maximum motion of a joint during these states, rad."""
+    sinking_after: float = 1.0
+    """Time upright, with fresh states, after which `sinking_tolerance` applies: a limp robot may sink for 10 s, s."""
+    sinking_tolerance: float = 0.15
+    """Maximum motion of a joint during the fresh states of a robot that sinks, rad."""
     hold_after: float = 0.2
-    """s without a state"""
+    """Time without a state after which the robot holds its joint targets, s."""
     limp_after: float = 1.0
-    """s without a state"""
-    command_lasts: float = 0.5
-    """s that a velocity command is followed"""
+    """Time without a state after which the robot goes limp, s."""
+    command_timeout: float = 0.5
+    """Time after which a velocity command expires, s."""
     ramp_speed: float = 1.5
-    """rad/s; mean speed of the joint that has the longest way"""
-    ramp_least: float = 1.0
-    """s; the shortest ramp from one pose to the next"""
+    """Mean speed of the joint that moves farthest on a ramp, rad/s."""
+    min_ramp_time: float = 1.0
+    """Minimum duration of a ramp from one pose to the next, s."""
     settle: float = 0.5
-    """s in the stance before walking"""
+    """Time in the stance before walking, s."""
     max_tilt: float = 1.0
-    """rad between the base's up axis and the world's, beyond which the robot counts as fallen"""
+    """Angle between the base's up axis and the world's above which the robot counts as fallen, rad."""
 
 
 class Mode(Enum):
-    """What the controller is about."""
+    """State of the live controller."""
 
     WAITING = "waiting for fresh states"
     RAMPING = "going to the stance"
@@ -81,25 +81,25 @@ class Mode(Enum):
 
 
 class Measurement(NamedTuple):
-    """What the robot measured at one time, in this robot's order of joints."""
+    """Sensor readings of the robot at one time, with joints in this robot's order."""
 
     stamp: int
-    """ns"""
+    """Timestamp, ns."""
     positions: NDArray[np.float64]
-    """rad (8,)"""
+    """Joint positions (8,), rad."""
     velocities: NDArray[np.float64]
-    """rad/s (8,)"""
+    """Joint velocities (8,), rad/s."""
     orientation: NDArray[np.float64]
-    """Unit quaternion wxyz (4,)"""
+    """Unit quaternion wxyz of the base (4,)."""
     angular_velocity: NDArray[np.float64]
-    """rad/s in the base's axes (3,)"""
+    """Angular velocity in the base frame (3,), rad/s."""
 
 
-class Answer(NamedTuple):
-    """A command to the robot."""
+class JointCommand(NamedTuple):
+    """Joint targets for the robot, or `LIMP`."""
 
     stamp: int
-    """ns of the state that it answers"""
+    """Timestamp of the state from which it was computed, ns."""
     target: Target
 
 
@@ -108,10 +108,10 @@ class LiveController:
 
     Args:
         controller: computes the joint targets while walking.
-        config: time step, clock and commands; None takes a policy's own, and the defaults for other controllers.
-        safety: when to stop.
-        say: called with every change of mode, in words.
-        robot: that is driven.
+        config: time step, clock and commands. None: those of the policy, or the defaults for other controllers.
+        safety: conditions for moving and stopping. None: the defaults.
+        say: called with a line of text at every change of mode.
+        robot: the robot that is driven.
 
     Raises:
         QuadrupedError: if the controller's policy observes something that the robot does not measure.
@@ -139,15 +139,15 @@ class LiveController:
         self._ranges = [entry.range for entry in config.commands[:VELOCITY]]
         self._defaults = np.array([entry.default for entry in config.commands])
         self.period = config.timestep
-        """s between commands"""
+        """Time between commands, s."""
         self._step = round(self.period * NS_PER_SECOND)
-        self._timestamps = TimestampFilter("/joint_states", self._relearned)
+        self._timestamps = TimestampFilter("/joint_states", self._on_lag_changed)
         self._fresh = 0
         self._rest = robot.stance
         self._fallen = False
-        """Whether it was let go limp because it had fallen"""
+        """True if the robot went limp because it had fallen."""
         self._upright_since: int | None = None
-        """ns; stamp from which on all states were fresh, and the robot upright"""
+        """Timestamp since which all states have been fresh and the robot upright, ns."""
         self._heard = -math.inf
         self._stamp = 0
         self._due: int | None = None
@@ -155,41 +155,51 @@ class LiveController:
         self._command = np.zeros(2)
         self._command_at = -math.inf
         self._last = robot.stance.copy()
-        self._rise = StandUp.plan(robot.stance, self.safety.ramp_speed, self.safety.ramp_least)
-        self._risen = 0.0
-        """s of the rise that are done"""
-        self._rise_at = 0, 0.0
-        """Stamp in ns and time in s of the state that it last answered"""
+        self._stand_up = StandUp.plan(robot.stance, self.safety.ramp_speed, self.safety.min_ramp_time)
+        self._stand_up_time = 0.0
+        """Elapsed time on the stand-up trajectory, s."""
+        self._stand_up_state = 0, 0.0
+        """Timestamp in ns and time of receipt in s of the state that the trajectory last advanced with."""
 
     def command(self, forward_velocity: float, yaw_rate: float, now: float) -> None:
-        """Take a velocity command, m/s and rad/s, within what the controller was made for.
+        """Set the velocity command, clipped to the controller's ranges.
+
+        Args:
+            forward_velocity: m/s.
+            yaw_rate: rad/s.
+            now: time of receipt, s.
 
         Raises:
-            QuadrupedError: if it is not finite; the one before goes on, for as long as it lasts.
+            QuadrupedError: if it is not finite; the previous command stays in effect until it expires.
         """
-        asked = np.array([forward_velocity, yaw_rate])
-        if not np.isfinite(asked).all():
-            raise QuadrupedError(f"/cmd_vel: {asked.tolist()} is not finite; send finite numbers")
-        self._command = np.array([min(max(v, low), high) for v, (low, high) in zip(asked, self._ranges, strict=True)])
+        requested = np.array([forward_velocity, yaw_rate])
+        if not np.isfinite(requested).all():
+            raise QuadrupedError(f"/cmd_vel: {requested.tolist()} is not finite; send finite numbers")
+        self._command = np.array(
+            [min(max(v, low), high) for v, (low, high) in zip(requested, self._ranges, strict=True)]
+        )
         self._command_at = now
 
     def moving(self, now: float) -> bool:
-        """Whether a velocity command is in force."""
-        return now - self._command_at <= self.safety.command_lasts
+        """True if a velocity command is in effect at a time in s."""
+        return now - self._command_at <= self.safety.command_timeout
 
-    def measured(self, measurement: Measurement, now: float) -> Answer | None:
-        """Take a measurement; the command that it calls for, if one is due.
+    def measured(self, measurement: Measurement, now: float) -> JointCommand | None:
+        """Process a measurement.
 
         Args:
-            measurement: what came.
-            now: when it was taken, s.
+            measurement: sensor readings of the robot.
+            now: time of receipt, s.
+
+        Returns:
+            Command to send, or None if none is due.
 
         Raises:
-            QuadrupedError: if the measurement is not fit to act on, saying why; it counts as none.
+            QuadrupedError: if the measurement is rejected, with the reason; it is then ignored.
         """
         if self._moving and now - self._heard > self.safety.limp_after:
-            # This process was held up for so long that the robot's own watchdog has let the motors go.
-            return self._let_go()
+            # This process was blocked for so long that the robot's own watchdog has disabled the motors.
+            return self._time_out()
         refusal = self._timestamps.refusal(measurement.stamp, now, self._moving)
         if refusal:
             raise QuadrupedError(refusal)
@@ -202,39 +212,39 @@ class LiveController:
         if not self._upright:
             self._go_limp("the robot has fallen; put it on its feet")
             self._fallen = True
-            return Answer(measurement.stamp, LIMP)
+            return JointCommand(measurement.stamp, LIMP)
         if self._due is None or self._stamp > self._due + self._step:
-            # The first one, or so many were missed that the grid begins anew here.
+            # The first state, or so many were missed that the control ticks restart here.
             self._due = self._stamp
-        if self._stamp < self._due - _EARLY * self._step:
+        if self._stamp < self._due - _EARLY_TOLERANCE * self._step:
             return None
         self._due += self._step
         return self._act(now)
 
-    def silent(self, now: float) -> Answer | None:
-        """What to command when no measurement comes; to be called often."""
+    def silent(self, now: float) -> JointCommand | None:
+        """Command to send when no measurement has arrived, or None; call it at every pass of the loop."""
         silence = now - self._heard
         if self.mode is Mode.WAITING:
             if silence > self.safety.limp_after:
-                self._begin_anew()
+                self._reset_qualification()
             return None
         if self.mode is Mode.LIMP:
             if silence > self.safety.limp_after:
-                self._begin_anew()
+                self._reset_qualification()
                 self._enter(Mode.WAITING, "")
             return None
         if silence <= self.safety.hold_after:
             return None
         if silence > self.safety.limp_after:
-            return self._let_go()
+            return self._time_out()
         if self.mode is not Mode.HOLDING:
             self._enter(Mode.HOLDING, f"no state for {self.safety.hold_after:g} s")
-            self._count_anew()
+            self._reset_count()
             self._silent_due = now
         if now < self._silent_due:
             return None
         self._silent_due += self.period
-        return Answer(self._stamp, self._last)
+        return JointCommand(self._stamp, self._last)
 
     def _qualify(self, measurement: Measurement, now: float) -> None:
         if self._fresh == 0:
@@ -245,23 +255,23 @@ class LiveController:
             return
         if self._upright_since is None:
             self._upright_since = measurement.stamp
-        # A robot that fell is being put on its feet by somebody, and left alone until its legs are at rest.
+        # After a fall a person puts the robot back on its feet: do not move it before its legs are at rest.
         upright_for = (measurement.stamp - self._upright_since) / NS_PER_SECOND
-        sinks = not self._fallen and upright_for > self.safety.sinks_after
-        way = self.safety.sinks_way if sinks else self.safety.rest_way
-        if np.abs(measurement.positions - self._rest).max() > way:
+        sinking = not self._fallen and upright_for > self.safety.sinking_after
+        tolerance = self.safety.sinking_tolerance if sinking else self.safety.rest_tolerance
+        if np.abs(measurement.positions - self._rest).max() > tolerance:
             self._fresh = 0
         if self._fresh < self.safety.fresh_states:
             return
-        # From beyond the range the way would have no bound.
+        # Clipped, because the duration of a ramp from far outside the joints' ranges would be unbounded.
         self._last = np.clip(measurement.positions, self._robot.joint_position_low, self._robot.joint_position_high)
-        self._rise = StandUp.plan(self._last, self.safety.ramp_speed, self.safety.ramp_least)
-        self._risen, self._rise_at = 0.0, (measurement.stamp, now)
+        self._stand_up = StandUp.plan(self._last, self.safety.ramp_speed, self.safety.min_ramp_time)
+        self._stand_up_time, self._stand_up_state = 0.0, (measurement.stamp, now)
         self._due = None
         self._fallen = False
-        self._enter(Mode.RAMPING, f"{self._rise.duration:.1f} s")
+        self._enter(Mode.RAMPING, f"{self._stand_up.duration:.1f} s")
 
-    def _act(self, now: float) -> Answer:
+    def _act(self, now: float) -> JointCommand:
         if self.mode is Mode.RAMPING:
             target = self._ramp(now)
         else:
@@ -270,13 +280,13 @@ class LiveController:
             self._control.advance()
             target = self._controller.act(observation, self._control)[0]
         self._last = limited(target, self._last, self.period)
-        return Answer(self._stamp, self._last)
+        return JointCommand(self._stamp, self._last)
 
     def _follow(self, velocity: NDArray[np.float64]) -> None:
-        """Command a velocity (2,), in m/s and rad/s, where it is another than before."""
+        """Set a velocity command (2,), in m/s and rad/s, if it has changed."""
         command = np.concatenate([velocity, self._defaults[VELOCITY:]])
         if not np.array_equal(command, self._control.commands[0]):
-            self._control.set_command(_ROW, command[None])
+            self._control.set_command(_ENV_IDS, command[None])
 
     def _take_in(self, measurement: Measurement) -> None:
         readings = self._readings
@@ -300,41 +310,41 @@ class LiveController:
                 )
 
     def _ramp(self, now: float) -> NDArray[np.float64]:
-        stamp, then = self._rise_at
-        # After a delay the robot is not hurried to where it would have been, nor by a clock that is set ahead.
-        self._risen += min((self._stamp - stamp) / NS_PER_SECOND, now - then, _LONGEST_STEP * self.period)
-        self._rise_at = self._stamp, now
-        if self._risen >= self._rise.duration + self.safety.settle - _ROUNDING:
-            self._control.reset(_ROW)
+        stamp, then = self._stand_up_state
+        # Bounded, so that neither a delay nor a clock that is set forward makes the robot catch up with the trajectory.
+        self._stand_up_time += min((self._stamp - stamp) / NS_PER_SECOND, now - then, _MAX_RAMP_STEPS * self.period)
+        self._stand_up_state = self._stamp, now
+        if self._stand_up_time >= self._stand_up.duration + self.safety.settle - _ROUNDING:
+            self._control.reset(_ENV_IDS)
             self._follow(np.zeros(VELOCITY))
             self._enter(Mode.WALKING, "")
-        return self._rise.positions(self._risen)
+        return self._stand_up.positions(self._stand_up_time)
 
     @property
     def _moving(self) -> bool:
-        """Whether the robot is commanded to anywhere."""
+        """True if joint targets are being sent."""
         return self.mode in (Mode.RAMPING, Mode.WALKING, Mode.HOLDING)
 
-    def _let_go(self) -> Answer:
+    def _time_out(self) -> JointCommand:
         self._go_limp(f"no state for {self.safety.limp_after:g} s")
-        return Answer(self._stamp, LIMP)
+        return JointCommand(self._stamp, LIMP)
 
-    def _relearned(self, change: float) -> None:
-        """What was learned of the states' lag was wrong: those that came before count no more."""
-        self._count_anew()
+    def _on_lag_changed(self, change: float) -> None:
+        """The expected lag of the states changed: earlier states no longer count."""
+        self._reset_count()
         if change > 0.0:
-            self._say(f"all states come {change:.2f} s later than before; that is taken as normal from here on")
+            self._say(f"all states arrive {change:.2f} s later than before; this lag is now taken as normal")
 
     def _go_limp(self, why: str) -> None:
         self._enter(Mode.LIMP, why)
-        self._begin_anew()
+        self._reset_qualification()
 
-    def _begin_anew(self) -> None:
+    def _reset_qualification(self) -> None:
         self._timestamps.reset()
-        self._count_anew()
+        self._reset_count()
 
-    def _count_anew(self) -> None:
-        """States that came before say no more whether the robot may be moved."""
+    def _reset_count(self) -> None:
+        """Discard the count of fresh states: earlier states no longer tell whether the robot may be moved."""
         self._fresh, self._upright_since = 0, None
 
     def _enter(self, mode: Mode, why: str) -> None:

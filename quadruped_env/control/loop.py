@@ -1,4 +1,4 @@
-"""A recording that is played over and over."""
+"""Playback of a recording in a loop."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +8,9 @@ from quadruped_env.control.interface import ControlInterface
 
 
 class LoopController(TrajectoryController):
-    """Plays a recording again from its beginning when it ends."""
+    """Plays a recording from its beginning again when it ends."""
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> NDArray[np.float64]:
         """See `Controller.act`."""
-        # One more step lies between the last row and the first.
+        # One control step lies between the last sample and the first.
         return self.trajectory.positions_at(control.time % (self.trajectory.duration + control.config.timestep))

@@ -1,4 +1,4 @@
-"""Arrays that live as long as an episode: zero after a reset, and part of what `get_state` saves."""
+"""Arrays with the lifetime of an episode: zero after a reset, and part of the state that `get_state` returns."""
 
 from typing import Any
 
@@ -7,7 +7,7 @@ from numpy.typing import DTypeLike, NDArray
 
 
 class EpisodeMemory:
-    """The episode arrays of N envs, each registered under a name when it is made."""
+    """The episode arrays of N envs, each registered under a name when it is created."""
 
     def __init__(self, num_envs: int) -> None:
         self.num_envs = num_envs
@@ -34,6 +34,6 @@ class EpisodeMemory:
         return {name: array[env_id].copy() for name, array in self._arrays.items()}
 
     def set_state(self, env_id: int, state: dict[str, Any]) -> None:
-        """Restore what `get_state` returned."""
+        """Restore a state from `get_state`."""
         for name, array in self._arrays.items():
             array[env_id] = state[name]

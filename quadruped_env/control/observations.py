@@ -1,4 +1,4 @@
-"""What a policy sees: a list of fields, each with its reader, scale, bounds, noise and mirror rule."""
+"""Observations of a policy: a list of fields, each with its reader, scale, bounds, noise and mirror rule."""
 
 import importlib
 from collections.abc import Callable, Sequence
@@ -20,11 +20,11 @@ class ControlState(Protocol):
 
     robot: Robot
     stance: Floats
-    """rad (1, J)"""
+    """Joint positions of the stance (1, J), rad."""
     action: Floats
-    """Latest action in [-1, 1], (N, J)"""
+    """Latest action in [-1, 1], (N, J)."""
     command: Floats
-    """Forward velocity in m/s and yaw rate in rad/s, (N, 2)"""
+    """Forward velocity in m/s and yaw rate in rad/s, (N, 2)."""
 
     @property
     def clock(self) -> Floats:
@@ -32,13 +32,13 @@ class ControlState(Protocol):
         ...
 
     def command_of(self, name: str) -> Floats:
-        """One number of the command by name, (N,)."""
+        """One component of the command by name, (N,)."""
         ...
 
 
 Reader = Callable[[Readings, ControlState], Floats]
 PerRobot = float | Callable[[Robot], float]
-"""A number, or a function that computes it from the robot"""
+"""Number, or function that computes it from the robot."""
 MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
 
 
@@ -46,26 +46,26 @@ MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
 class ObservationField:
     """A group of columns: observation = clip((reading + noise) * scale, low, high).
 
-    Made by the decorator `observation`. What it reads has to be measurable on a real robot if the policy is to run
-    on one.
+    The decorator `observation` creates it. If the policy is to run on a real robot, the robot must measure all readings
+    that the field uses.
     """
 
     name: str
     read: Reader
-    """(readings, control interface) -> reading (N, width) in `unit`"""
+    """Function (readings, control interface) -> reading (N, width) in `unit`."""
     unit: str
     mirror: MirrorRule
-    """How the reading changes when the robot is mirrored in its middle plane: one column per joint or per foot, which
-    swap sides, or one sign per column"""
+    """Effect of the left/right mirror on the reading: `joints` or `feet` if its columns, one per joint or foot, swap
+    sides; else one sign per column."""
     scale: PerRobot
     bound: PerRobot
-    """The scaled value is clipped to +-bound"""
+    """Bound to which the scaled value is clipped, +-bound."""
     noise: float
-    """Amplitude of uniform noise on the reading, in its unit, at `randomization.observation_noise` 1"""
+    """Amplitude of uniform noise on the reading if `randomization.observation_noise` is 1, in the reading's unit."""
     description: str
 
     def __reduce__(self) -> Any:
-        # By name, as functions are pickled: a field of a user's file may hold a lambda.
+        # Pickled by name, like functions: a field of a user's file may hold a lambda.
         return _named, (self.read.__module__, self.name)
 
     def width(self, robot: Robot) -> int:
@@ -83,7 +83,7 @@ def observation(
     """Decorator: a function (readings, control) -> (N, width) becomes an `ObservationField` of the same name.
 
     Args:
-        unit: of the reading.
+        unit: unit of the reading.
         mirror: `"joints"` or `"feet"` for one column per joint or foot; else one sign per column.
         scale: factor from the reading to the observation.
         bound: the scaled value is clipped to +-bound.
@@ -121,46 +121,46 @@ def _largest_joint_offset(robot: Robot) -> float:
 
 @observation(unit="1", mirror=(1.0, -1.0, 1.0), noise=0.02)
 def projected_gravity(readings: Readings, control: ControlState) -> Floats:
-    """Down, seen from the base."""
+    """Unit vector of gravity in the base frame."""
     return -readings.up_b
 
 
-# An axial vector: mirroring turns the other two signs.
+# Mirroring flips the x and z components of an axial vector.
 @observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=0.25, bound=4.0, noise=0.1)
 def angular_velocity(readings: Readings, control: ControlState) -> Floats:
-    """Gyroscope."""
+    """Angular velocity in the base frame (gyroscope)."""
     return readings.angular_velocity_b
 
 
 @observation(unit="rad", mirror="joints", bound=_largest_joint_offset, noise=0.01)
 def joint_position(readings: Readings, control: ControlState) -> Floats:
-    """Relative to the stance."""
+    """Joint positions relative to the stance."""
     return readings.joint_position - control.stance
 
 
-# Impacts can drive a joint faster than its motor can.
+# Impacts can move a joint faster than its motor can, hence the bound of 3.
 @observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit, bound=3.0, noise=0.3)
 def joint_velocity(readings: Readings, control: ControlState) -> Floats:
-    """Joint speeds."""
+    """Joint velocities."""
     return readings.joint_velocity
 
 
 @observation(unit="1", mirror="joints")
 def last_action(readings: Readings, control: ControlState) -> Floats:
-    """As clipped."""
+    """Previous action, clipped to [-1, 1]."""
     return control.action
 
 
 @observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
 def command(readings: Readings, control: ControlState) -> Floats:
-    """Forward velocity, yaw rate."""
+    """Commanded forward velocity and yaw rate."""
     return control.command
 
 
-# In a trot the left fore leg swings with the right hind leg, so the mirror image is half a cycle away.
+# In a trot the left fore leg swings with the right hind leg, so the mirrored clock is shifted by half a cycle.
 @observation(unit="1", mirror=(-1.0, -1.0))
 def gait_clock(readings: Readings, control: ControlState) -> Floats:
-    """Sine and cosine of the phase; 0 when the command is zero."""
+    """Sine and cosine of the gait phase; 0 when the command is zero."""
     return control.clock
 
 
@@ -173,36 +173,36 @@ OBSERVATIONS: Final = (
     command,
     gait_clock,
 )
-"""The built-in fields, in the order of their columns."""
+"""Built-in fields, in the order of their columns."""
 
 
 @dataclass(frozen=True, eq=False)
 class ObservationLayout:
-    """The columns of an observation of one robot, computed from a list of fields.
+    """Columns of the observation of one robot, computed from a list of fields.
 
     Raises:
-        QuadrupedError: if two fields have the same name, or there is none.
+        QuadrupedError: if the list is empty or two fields have the same name.
     """
 
     robot: Robot
     fields: tuple[ObservationField, ...] = OBSERVATIONS
     width: int = field(init=False)
     slices: dict[str, slice] = field(init=False)
-    """Name of a field -> its columns"""
+    """Columns of each field, by name."""
     scale: Floats = field(init=False)
-    """(width,), as the others"""
+    """Factor per column, (width,); `low`, `high` and `noise` have the same shape."""
     low: Floats = field(init=False)
     high: Floats = field(init=False)
     noise: Floats = field(init=False)
     mirror_order: NDArray[np.intp] = field(init=False)
-    """Column that a column of the mirrored observation comes from"""
+    """Source column of each column of the mirrored observation, (width,)."""
     mirror_sign: NDArray[np.float32] = field(init=False)
-    """And its sign"""
+    """Sign of each column of the mirrored observation, (width,)."""
 
     def __post_init__(self) -> None:
         names = [entry.name for entry in self.fields]
         if not names or len(set(names)) < len(names):
-            raise QuadrupedError(f"observations: expected fields with names of their own; found {names}")
+            raise QuadrupedError(f"observations: expected one or more fields with unique names; found {names}")
         widths = [entry.width(self.robot) for entry in self.fields]
         starts = [sum(widths[:i]) for i in range(len(widths))]
         order, signs = [], []
@@ -232,7 +232,7 @@ class ObservationLayout:
         return float(value(self.robot) if callable(value) else value)
 
     def document(self) -> list[dict[str, Any]]:
-        """The layout as plain values: what a policy's file says about the observations that it was trained on."""
+        """The layout as plain values, as stored in a policy's file."""
         return [
             {
                 "name": entry.name,

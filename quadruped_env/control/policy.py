@@ -1,4 +1,4 @@
-"""A trained policy as data: tensors and JSON, run on NumPy alone."""
+"""Trained policies as data (tensors and JSON), evaluated with NumPy alone."""
 
 import hashlib
 import json
@@ -44,17 +44,17 @@ ACTIVATIONS: Final[dict[str, _Activation]] = {"tanh": np.tanh, "elu": _elu, "rel
 
 @dataclass(frozen=True)
 class Policy:
-    """A deterministic policy: a small multilayer perceptron, and what its observations and actions mean.
+    """A deterministic policy: a small multilayer perceptron with the meaning of its observations and actions.
 
     Args:
         weights: one matrix per layer (in, out), float32.
         biases: one vector per layer (out,), float32.
-        activation: between layers: a key of `ACTIVATIONS`.
+        activation: activation function between layers, a key of `ACTIVATIONS`.
         control: time step, clock, action mode and commands that it was trained with.
-        fields: of its observations.
-        task: plain values of the config of the task that it was trained for.
-        card: how it was made: command, seed, steps, versions, metrics.
-        robot: that it was trained on.
+        fields: fields of its observations.
+        task: config of the task that it was trained for, as plain values.
+        card: provenance: command, seed, steps, versions, metrics.
+        robot: robot that it was trained on.
     """
 
     weights: tuple[NDArray[np.float32], ...]
@@ -66,7 +66,7 @@ class Policy:
     card: dict[str, Any]
     robot: Robot = MINI_QUADRUPED
     source: str = CARD_FILE
-    """Name of its file in errors"""
+    """Name of the policy's file in error messages."""
 
     @property
     def action_mode(self) -> str:
@@ -77,7 +77,7 @@ class Policy:
         """Actions (..., 8) in [-1, 1] for observations (..., obs).
 
         Raises:
-            QuadrupedError: if the last axis is not an observation's.
+            QuadrupedError: if the last axis has another length than an observation.
         """
         x = np.asarray(observation, dtype=np.float32)
         if x.shape[-1:] != self.weights[0].shape[:1]:
@@ -91,10 +91,10 @@ class Policy:
         return np.minimum(np.maximum(x, -1.0), 1.0)
 
     def check_control(self, control: ControlConfig) -> None:
-        """Make sure that actions mean in a task what they meant in training.
+        """Check that actions have the same meaning in a task as in training.
 
         Raises:
-            QuadrupedError: if the action mode or scale, control rate or gait clock is another than the policy's.
+            QuadrupedError: if the action mode, action scale, control rate or gait clock differs from the policy's.
         """
         own = self.control
         for name, expected, found in (
@@ -113,12 +113,12 @@ class Policy:
         """Write the policy's two files into a directory.
 
         Raises:
-            QuadrupedError: if a weight is not finite, or the files cannot be written; then none is.
+            QuadrupedError: if a weight is not finite, or the files cannot be written; in both cases no file is written.
         """
         write_whole({directory / name: content for name, content in self.files().items()})
 
     def files(self) -> dict[str, bytes]:
-        """What `save` writes: name -> content, the card last.
+        """Contents of the files that `save` writes, by name; the card is last.
 
         Raises:
             QuadrupedError: if a weight is not finite.
@@ -149,12 +149,12 @@ class Policy:
 
 
 def _config_hash(config: Any) -> str:
-    """SHA-256 of a task's config, however its JSON is laid out."""
+    """SHA-256 of a task's config, independent of the layout of the JSON."""
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
 def _gait_document(action_mode: str) -> dict[str, Any] | None:
-    """The gait under a residual policy, as JSON has it: lists for tuples."""
+    """Scripted gait of a residual policy as JSON values (lists for tuples); None for other policies."""
     return json.loads(json.dumps(asdict(CommandedGait.tuned()))) if action_mode == "residual" else None
 
 
@@ -164,15 +164,15 @@ def training_advice() -> str:
 
 
 def shipped_directory(name: str) -> Path:
-    """Where the package keeps one of its own policies."""
+    """Directory of a shipped policy."""
     return _SHIPPED_DIRECTORY / name
 
 
 def finished_directory(run: Path) -> Path:
-    """The directory of a run's policy: its own, or that of its last checkpoint if it was killed or still trains.
+    """Directory of a run's policy: that of the run, or that of its last checkpoint if it was killed or still trains.
 
     Warns:
-        QuadrupedWarning: if it is a checkpoint's.
+        QuadrupedWarning: if a checkpoint is used.
     """
     # Not Path's methods, which raise for names that are too long and for directories without rights.
     if os.path.exists(run / CARD_FILE) or not os.path.isdir(run / CHECKPOINTS):
@@ -180,7 +180,7 @@ def finished_directory(run: Path) -> Path:
     checkpoints = [path for path in (run / CHECKPOINTS).iterdir() if (path / CARD_FILE).is_file()]
     if not checkpoints:
         return run
-    # Their names are seconds, which may have a digit more in the end.
+    # Checkpoints are named by seconds, and later names may have more digits.
     last = max(checkpoints, key=lambda path: (len(path.name), path.name))
     warnings.warn(
         f"{run}: the training was killed or is still running; its last checkpoint is used: {last.relative_to(run)}",
@@ -192,16 +192,16 @@ def finished_directory(run: Path) -> Path:
 
 @dataclass(frozen=True)
 class Terms:
-    """What a policy's file leaves to code: readers of observations, and what is commanded."""
+    """Terms of a policy that are code and not stored in its file: fields of the observation and commands."""
 
     observations: tuple[ObservationField, ...] = OBSERVATIONS
     commands: tuple[Command, ...] = COMMANDS
     file: TaskFile | None = None
-    """Where those come from that are not built in"""
+    """File that defines the terms that are not built in."""
 
 
 def load_terms(path: str | os.PathLike[str]) -> Terms:
-    """The built-in observations and commands, with those of a user's file added or put in their place.
+    """The built-in observations and commands, with those of a user's file added to them or replacing them.
 
     Raises:
         QuadrupedError: as `execute`.
@@ -216,22 +216,22 @@ def load_terms(path: str | os.PathLike[str]) -> Terms:
 
 
 def load_policy(source: str | Path, terms: Terms | None = None, robot: Robot = MINI_QUADRUPED) -> Policy:
-    """A shipped policy by name (`flat`), or the policy of a training run's directory.
+    """Load a shipped policy by name (`flat`), or the policy in the directory of a training run.
 
-    Of a run that was killed, it is that of the last checkpoint. Nothing is unpickled and neither torch nor
-    stable-baselines3 is needed. No file of terms that a run names is executed: `terms` has to be given for one.
+    For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
+    stable-baselines3 is needed. A file of terms that a run names is not executed; pass its terms in `terms`.
 
     Args:
-        source: the name or directory.
-        terms: of a user's file, for a policy that was trained with one.
-        robot: that the policy moves.
+        source: name or directory.
+        terms: terms of a user's file, for a policy that was trained with one.
+        robot: robot that the policy was trained for.
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
-            observation layout or scripted gait; the message names the file and the cure.
+            observation layout or scripted gait; the message names the file and the fix.
 
     Warns:
-        QuadrupedWarning: if the policy is a checkpoint's, though the run was named.
+        QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
     """
     directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
@@ -255,7 +255,7 @@ def load_policy(source: str | Path, terms: Terms | None = None, robot: Robot = M
     _check_hash(document, "weights_sha256", hashlib.sha256(content).hexdigest(), card_path, tensors_path)
     try:
         tensors = load(content)
-    # Types of numbers that NumPy lacks give whatever NumPy says about them.
+    # Number types that NumPy lacks raise various errors.
     except (SafetensorError, TypeError, AttributeError, ValueError) as error:
         raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
     return _from_document(document, tensors, (card_path, tensors_path), terms or Terms(), robot)
@@ -296,7 +296,7 @@ def _from_document(
     layout = ObservationLayout(robot, terms.observations)
     if document["observation_layout"] != layout.document():
         raise QuadrupedError(
-            f"{card_path}: observation_layout differs from this version's, so the policy would see other columns than "
+            f"{card_path}: observation_layout differs from this version's, so the policy would get other columns than "
             f"it was trained on; train again, or install the version that made it"
         )
     if document["activation"] not in tuple(ACTIVATIONS):

@@ -1,7 +1,7 @@
-"""The robot's left/right symmetry, as a policy meets it.
+"""Left/right symmetry of the robot, for observations and actions.
 
-Mirrored in the plane between its left and right legs, the robot is the same robot: a mirrored observation calls for the
-mirrored action.
+The robot is symmetric about the plane between its left and right legs, so the right action for a mirrored observation
+is the mirrored action.
 """
 
 from dataclasses import dataclass
@@ -14,15 +14,15 @@ from quadruped_env.control.observations import ObservationLayout
 
 
 @dataclass(frozen=True, eq=False)
-class Mirror:
-    """How observations and actions change when the robot is mirrored."""
+class MirrorMap:
+    """Permutation and signs of observations and actions under the left/right mirror."""
 
     observation_order: NDArray[np.intp]
-    """Column that a column of the mirrored observation comes from (width,)"""
+    """Source column of each column of the mirrored observation, (width,)."""
     observation_sign: NDArray[np.float32]
-    """And its sign (width,)"""
+    """Sign of each column of the mirrored observation, (width,)."""
     action_order: NDArray[np.intp]
-    """Joint that a joint of the mirrored robot comes from (J,); all turn about the y axis, so their signs stay"""
+    """Source joint of each joint of the mirrored robot, (J,); all joints turn about the y axis, so no sign changes."""
 
     @classmethod
     def of(cls, layout: ObservationLayout) -> Self:
@@ -30,9 +30,9 @@ class Mirror:
         return cls(layout.mirror_order, layout.mirror_sign, np.array(layout.robot.joint_mirror))
 
     def observation(self, observation: NDArray[np.floating]) -> NDArray[np.floating]:
-        """The observation (..., width) that the mirror image would have."""
+        """Mirrored observation (..., width)."""
         return observation[..., self.observation_order] * self.observation_sign
 
     def action(self, action: NDArray[np.floating]) -> NDArray[np.floating]:
-        """The action (..., J) that moves the mirror image in the same way."""
+        """Mirrored action (..., J)."""
         return action[..., self.action_order]

@@ -1,4 +1,4 @@
-"""A user's own Python file of terms: read, compared, and executed only when a person names it."""
+"""A user's Python file of terms: read, verified, and executed only if the user names it."""
 
 import dataclasses
 import hashlib
@@ -25,20 +25,20 @@ class TaskFile:
     sha256: str
 
     def to_dict(self) -> dict[str, str]:
-        """As a run's config holds it."""
+        """Plain values, as stored in a run's config."""
         return dataclasses.asdict(self)
 
 
 TASK_FILE: Final = "task_file"
-"""Field of a config's plain values that names the file of a user's terms."""
+"""Field of a config's plain values that names the user's file of terms."""
 
 
 def check_task_file(recorded: Any, file: TaskFile | None) -> None:
-    """Make sure that a config is read with the terms that it was made with.
+    """Check that a config is loaded with the terms that it was created with.
 
     Args:
-        recorded: what the config says of its file of terms: None, or a dict with `name` and `sha256`.
-        file: the file of terms that it is to be read with; None for the built-in terms.
+        recorded: file of terms according to the config: None, or a dict with `name` and `sha256`.
+        file: file of terms to load the config with; None for the built-in terms.
 
     Raises:
         QuadrupedError: if they are not the same.
@@ -50,7 +50,7 @@ def check_task_file(recorded: Any, file: TaskFile | None) -> None:
     name, sha256 = short(str(recorded["name"])), str(recorded["sha256"])
     if file is None:
         raise QuadrupedError(
-            f"this task has terms from {name}, which is not executed by itself: look at the file, then name it with "
+            f"this task has terms from {name}, which is not executed automatically: check the file, then name it with "
             f"--task FILE, or task_file=... in Python"
         )
     if file.sha256 != sha256:
@@ -61,15 +61,15 @@ def check_task_file(recorded: Any, file: TaskFile | None) -> None:
 
 
 def names_of(term: Any) -> tuple[str, ...]:
-    """A term's names; most have one."""
+    """Names of a term; most terms have one."""
     return tuple(term.names) if hasattr(term, "names") else (term.name,)
 
 
 def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
-    """The built-in terms, and a user's behind them; one of the same name takes the other's place.
+    """The built-in terms followed by a user's terms; a user's term replaces a built-in one of the same name.
 
     Raises:
-        QuadrupedError: if a term would replace a part of others that are computed together.
+        QuadrupedError: if a term would replace only a part of a group of terms that are computed together.
     """
     terms = list(built_in)
     for term in own:
@@ -93,11 +93,11 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
     """Execute a file of terms, once per process and content.
 
     Args:
-        path: of the file.
-        expected: what the file has to be; compared before anything is executed.
+        path: path of the file.
+        expected: expected name and hash; verified before anything is executed.
 
     Raises:
-        QuadrupedError: if the file cannot be read, is not the one that is expected, or fails.
+        QuadrupedError: if the file cannot be read, differs from the expected one, or raises an error.
     """
     file = Path(path)
     try:
@@ -123,10 +123,10 @@ def _executed(file: Path, content: bytes, found: TaskFile) -> ModuleType:
     assert spec is not None
     module = importlib.util.module_from_spec(spec)
     module.__file__ = str(file)
-    # Instances of the file's classes are looked up by their module when an env is unpickled.
+    # Registered, because unpickling an env looks up the file's classes by their module.
     sys.modules[name] = module
     try:
-        # The very bytes that were hashed.
+        # Compiled from the bytes that were hashed.
         exec(compile(content, str(file), "exec"), vars(module))  # noqa: S102
     except Exception as error:
         del sys.modules[name]

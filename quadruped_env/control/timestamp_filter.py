@@ -1,4 +1,4 @@
-"""Which measurements are fit to act on: new ones, in order, and not late."""
+"""Filter for measurements by timestamp: it accepts those that are new, in order and not late."""
 
 import math
 from collections.abc import Callable
@@ -7,82 +7,83 @@ from typing import Final
 from quadruped_env.timestamps import NS_PER_SECOND
 
 MAX_AGE: Final = 0.2
-"""s"""
-RELEARN: Final = 0.5
-"""s for which all states must be late, while the robot is not moved, before their lag becomes the normal one"""
-_ANOTHER_CLOCK: Final = 10.0
-"""s; stamps that are further from those before a silence are of another clock, as of a simulator that was restarted"""
+"""Maximum lag above the minimum lag, s."""
+RELEARN_AFTER: Final = 0.5
+"""Time that all states must be late, while the robot is not moved, before their lag becomes the new minimum, s."""
+_NEW_CLOCK_STEP: Final = 10.0
+"""Change of the lag over a silence above which the clock is a different one, as of a restarted simulator, s."""
 _CLOCK_DRIFT: Final = 1e-3
-"""s/s by which the clocks of robot and controller may drift apart"""
+"""Maximum drift between the clocks of robot and controller, s/s."""
 
 
 class TimestampFilter:
-    """Judges the stamps of one stream.
+    """Checks the timestamps of one stream.
 
-    The robot's clock need not be this machine's: what is late is known from how far stamps lag behind the time of their
-    coming, measured against the least lag that was seen. While the robot is moved that measure only falls. While it is
-    not, the measure begins again where it proves wrong: at once when states come with less lag; after `RELEARN` if all
-    of them are late, as after a step of either clock, or when the first one was timed too early.
+    The robot's clock may differ from this machine's. A measurement is late if its lag, the time of receipt minus the
+    timestamp, exceeds the minimum lag seen so far by more than `MAX_AGE`. While the robot is moved, the minimum can
+    only decrease. While it is not moved, the minimum is learned again when it proves wrong: immediately if states
+    arrive with less lag; after `RELEARN_AFTER` if all of them are late, as after a step of either clock, or if the time
+    of the first one was taken too early.
 
     Args:
-        what: for the reasons it gives.
-        relearned: is called with the change in s when the measure begins again.
+        name: name of the stream, for the reasons.
+        on_lag_changed: called with the change in s when the minimum lag is learned again.
     """
 
-    def __init__(self, what: str, relearned: Callable[[float], None] = lambda change: None) -> None:
-        self._what = what
-        self._relearned = relearned
+    def __init__(self, name: str, on_lag_changed: Callable[[float], None] = lambda change: None) -> None:
+        self._name = name
+        self._on_lag_changed = on_lag_changed
         self._last: int | None = None
         self._lag = math.inf
         self._seen = 0.0
         self._late_since: float | None = None
         self._late_lag = math.inf
-        """Least lag since then"""
+        """Minimum lag since then, s."""
 
     def refusal(self, stamp: int, now: float, moving: bool = True) -> str:
-        """Why not to act on a measurement; empty if it is fit.
+        """Reason to reject a measurement; empty if it is accepted.
 
         Args:
-            stamp: ns of the robot's clock.
-            now: s of this machine's, steady; when the measurement was taken.
-            moving: whether the robot is being moved.
+            stamp: timestamp by the robot's clock, ns.
+            now: time of receipt by this machine's monotonic clock, s.
+            moving: True while the robot is being moved.
         """
         lag = now - stamp / NS_PER_SECOND
         least = self._lag + _CLOCK_DRIFT * (now - self._seen)
         if lag > least + MAX_AGE and self._always_late(lag, now) and not moving:
             self._begin(self._late_lag, now)
-            self._relearned(self._lag - least)
+            self._on_lag_changed(self._lag - least)
             least = self._lag
-        if self._last is None and (lag < least or abs(lag - least) > _ANOTHER_CLOCK):
+        if self._last is None and (lag < least or abs(lag - least) > _NEW_CLOCK_STEP):
             self._accept(stamp, lag, now)
             return ""
         if self._last is not None and stamp <= self._last:
-            return f"{self._what}: a stamp that is not later than the one before; such messages are left out"
+            return f"{self._name}: the timestamp is not later than the one before; such messages are dropped"
         if lag > least + MAX_AGE:
-            return f"{self._what}: stale by more than {MAX_AGE:g} s; check the network, or the clock of what sends it"
+            return f"{self._name}: late by more than {MAX_AGE:g} s; check the network and the clock of the publisher"
         if lag < least - MAX_AGE:
             if not moving:
                 self._begin(lag, now)
-                self._relearned(lag - least)
+                self._on_lag_changed(lag - least)
             return (
-                f"{self._what}: its clock leapt ahead by more than {MAX_AGE:g} s, or what came before was late; "
-                f"begins anew {'after a silence' if moving else 'with what comes next'}"
+                f"{self._name}: its clock jumped ahead by more than {MAX_AGE:g} s, or earlier messages were late; "
+                f"restarts {'after a silence' if moving else 'with the next message'}"
             )
         self._accept(stamp, min(lag, least), now)
         return ""
 
     def reset(self) -> None:
-        """Begin anew: what comes next may be of another clock, but what was late still is."""
+        """Accept another clock from the next measurement on; a measurement that is late for this clock stays late."""
         self._last = None
 
     def _always_late(self, lag: float, now: float) -> bool:
-        """Whether all measurements have been late for `RELEARN`, this late one included."""
-        if self._late_since is None or (now - self._late_since >= RELEARN and lag > self._late_lag + MAX_AGE):
-            # The first one, or one that is late even for these.
+        """True if all measurements have been late for `RELEARN_AFTER`, this late one included."""
+        if self._late_since is None or (now - self._late_since >= RELEARN_AFTER and lag > self._late_lag + MAX_AGE):
+            # The first late one, or one that is late even compared with the other late ones.
             self._late_since, self._late_lag = now, lag
             return False
         self._late_lag = min(self._late_lag, lag)
-        return now - self._late_since >= RELEARN
+        return now - self._late_since >= RELEARN_AFTER
 
     def _begin(self, lag: float, now: float) -> None:
         self._last, self._lag, self._seen = None, lag, now

@@ -1,4 +1,4 @@
-"""The velocity command: forward velocity in m/s and yaw rate in rad/s, and whatever else a task commands."""
+"""Commands: forward velocity in m/s, yaw rate in rad/s, and any further components of a task."""
 
 from collections.abc import Sequence
 from typing import Any, Final
@@ -10,19 +10,19 @@ from quadruped_env.control.config import Command
 from quadruped_env.errors import QuadrupedError
 
 VELOCITY: Final = 2
-"""The first two numbers of every command: forward velocity and yaw rate."""
+"""Number of components of the velocity command, which come first in every command."""
 
 MOVING_THRESHOLD: Final = 0.02
-"""A velocity command below this in both m/s and rad/s asks the robot to stand."""
+"""Threshold below which a velocity command means standing, in both m/s and rad/s."""
 
 
 def check_command(command: Sequence[float] | NDArray[np.float64], commands: Sequence[Command]) -> NDArray[np.float64]:
-    """A command that a user fixed, as an array (C,).
+    """Convert a fixed command to an array (C,).
 
     Args:
-        command: forward velocity and yaw rate, or one number per entry of `commands`; the others take their
-            defaults.
-        commands: what is commanded (C,), the velocities first.
+        command: forward velocity and yaw rate, or one number per entry of `commands`. Components that are left out have
+            their defaults.
+        commands: components of the command (C,), the velocities first.
 
     Raises:
         QuadrupedError: if it is not two (or C) finite numbers within the ranges.

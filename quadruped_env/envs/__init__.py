@@ -1,4 +1,4 @@
-"""How a learner sees the task: a Gymnasium environment, its native vectorized form, and Stable-Baselines3's."""
+"""Gymnasium environment, native vector environment, and `VecEnv` for Stable-Baselines3."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -16,11 +16,11 @@ __all__ = ["ENV_ID", "MiniQuadrupedEnv", "MiniQuadrupedVectorEnv", "make_sb3_vec
 ENV_ID = "MiniQuadruped-v0"
 EPISODE_SECONDS = 20.0
 MAX_EPISODE_STEPS = 1000
-"""`EPISODE_SECONDS` at 50 Hz."""
+"""Number of control steps in `EPISODE_SECONDS` at 50 Hz."""
 
 
 def register() -> None:
-    """Make `gymnasium.make("MiniQuadruped-v0")` and `make_vec` work; `import quadruped_env` calls it."""
+    """Register `MiniQuadruped-v0` for `gymnasium.make` and `make_vec`; `import quadruped_env` calls this."""
     if ENV_ID not in gymnasium.registry:
         gymnasium.register(
             id=ENV_ID,
@@ -33,17 +33,17 @@ def register() -> None:
 def make_sb3_vec_env(
     num_envs: int, seed: int | None = None, max_episode_steps: int = MAX_EPISODE_STEPS, **env_kwargs: Any
 ) -> "MiniQuadrupedSB3VecEnv":
-    """A Stable-Baselines3 `VecEnv` straight over the native vector environment.
+    """Create a Stable-Baselines3 `VecEnv` on the native vector environment.
 
     Args:
         num_envs: number of robots.
-        seed: seed of row 0; row i gets seed + i.
+        seed: seed of env 0; env i has seed + i.
         max_episode_steps: control steps after which an episode is truncated.
-        env_kwargs: as for `gymnasium.make_vec("MiniQuadruped-v0", ...)`.
+        env_kwargs: arguments of `gymnasium.make_vec("MiniQuadruped-v0", ...)`.
 
     Raises:
         MissingExtraError: if stable-baselines3 is not installed.
-        QuadrupedError: if an argument is not valid, with what is.
+        QuadrupedError: if an argument is not valid; the message says what is valid.
     """
     from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 

@@ -1,4 +1,4 @@
-"""Checks of what the environments are called with: one place for the single, the vector and Stable-Baselines3's."""
+"""Validation of arguments, shared by the single, the vector and the Stable-Baselines3 environment."""
 
 import dataclasses
 import os
@@ -28,9 +28,9 @@ def task_config(
     """The task's config from an environment's arguments.
 
     Args:
-        action_mode: as in the config; None leaves it.
-        config: changes to the defaults; None changes nothing.
-        task_file: a user's file of terms, which is executed; None has the built-in terms, or those of a TaskConfig.
+        action_mode: action mode that replaces that of the config; None keeps it.
+        config: changes to the default config, or a complete one; None: the defaults.
+        task_file: user's file of terms, which is executed; None: the built-in terms, or those of a given TaskConfig.
 
     Raises:
         QuadrupedError: if the mode, the file or a field of the config is not valid.
@@ -52,12 +52,12 @@ def check_render_mode(render_mode: str | None) -> None:
     """Raise a QuadrupedError if there is no such render mode."""
     if render_mode is not None and render_mode not in RENDER_MODES:
         raise QuadrupedError(
-            f"render_mode: {render_mode!r} is unknown; valid modes are None, {', '.join(RENDER_MODES)}"
+            f"render_mode: {render_mode!r} is unknown; valid modes: None, {', '.join(RENDER_MODES)}"
         )
 
 
 def frame_size(width: int, height: int) -> tuple[int, int]:
-    """Width and height of a picture, in pixels.
+    """Width and height of an image, pixels.
 
     Raises:
         QuadrupedError: if one of them is not a whole number, 1 or more.
@@ -66,7 +66,7 @@ def frame_size(width: int, height: int) -> tuple[int, int]:
 
 
 def autoreset_mode(mode: AutoresetMode | str) -> AutoresetMode:
-    """Gymnasium's autoreset mode from the mode itself, its value or its name.
+    """Gymnasium's autoreset mode from an `AutoresetMode`, its value or its name.
 
     Raises:
         QuadrupedError: if there is no such mode.
@@ -88,10 +88,10 @@ def seed(value: int | None, name: str = "seed") -> int | None:
 
 
 def seeds(value: int | Sequence[int | None] | NDArray[np.integer] | None, num_envs: int) -> list[int | None]:
-    """One seed per environment: of one number, number + i for environment i.
+    """One seed per env; from a single number, env i has number + i.
 
     Raises:
-        QuadrupedError: if it is neither None, a whole number, nor `num_envs` of these.
+        QuadrupedError: if it is not None, a whole number, or a sequence of `num_envs` of these.
     """
     if value is None:
         return [None] * num_envs
@@ -106,16 +106,16 @@ def seeds(value: int | Sequence[int | None] | NDArray[np.integer] | None, num_en
 def reset_options(
     options: dict[str, Any] | None, config: TaskConfig, num_envs: int | None = None
 ) -> tuple[NDArray[np.float64] | None, NDArray[np.bool_] | None]:
-    """What `reset(options=...)` asks for.
+    """Command and mask from `reset(options=...)`.
 
     Args:
-        options: `command`, and in a vector environment `reset_mask`.
-        config: the task.
-        num_envs: number of environments; None for a single one, which takes no mask.
+        options: options with `command` and, in a vector environment, `reset_mask`.
+        config: config of the task.
+        num_envs: number of envs; None for the single environment, which has no mask.
 
     Returns:
-        The command (C,), in m/s and rad/s first, that stays fixed for the episode, or None; and the environments
-        (num_envs,) to reset, or None for all.
+        Command (C,) that stays fixed for the episode, the velocities in m/s and rad/s first, or None; and mask
+        (num_envs,) of the envs to reset, or None for all.
 
     Raises:
         QuadrupedError: if there is an unknown option, or a value is not valid.

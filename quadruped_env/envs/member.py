@@ -1,4 +1,4 @@
-"""One of the environments in a native vector environment, as `call`, `get_attr` and `set_attr` see it."""
+"""View of one env in a native vector environment, for `call`, `get_attr` and `set_attr`."""
 
 from typing import TYPE_CHECKING, Any, Final
 
@@ -17,13 +17,13 @@ _OWN: Final = ("_env", "_index")
 
 
 class UnknownAttributeError(QuadrupedError, AttributeError):
-    """The environments of a native vector environment have no such attribute."""
+    """Raised if the envs of a native vector environment have no such attribute."""
 
 
 class MemberEnv:
-    """The attributes that a single environment has too, for environment `index` of a native vector environment.
+    """Attributes of env `index` of a native vector environment, named as in the single environment.
 
-    Other names give the vector environment's own attribute, which all its environments share.
+    Other names refer to attributes of the vector environment, which all its envs share.
     """
 
     def __init__(self, env: "MiniQuadrupedVectorEnv", index: int) -> None:
@@ -32,17 +32,17 @@ class MemberEnv:
 
     @property
     def action_space(self) -> gymnasium.Space[NDArray[np.float32]]:
-        """Of one environment."""
+        """Space of one env."""
         return self._env.single_action_space
 
     @property
     def observation_space(self) -> gymnasium.Space[NDArray[np.float32]]:
-        """Of one environment."""
+        """Space of one env."""
         return self._env.single_observation_space
 
     @property
     def spec(self) -> EnvSpec | None:
-        """The vector environment's."""
+        """Specification of the vector environment."""
         return self._env.spec
 
     @property
@@ -52,17 +52,17 @@ class MemberEnv:
 
     @property
     def model(self) -> mujoco.MjModel:
-        """MuJoCo's model; shared, without the values that differ from environment to environment."""
+        """MuJoCo model that all envs share, without the values that differ between envs."""
         return self._env.task.simulation.model
 
     @property
     def data(self) -> mujoco.MjData:
-        """A copy of the environment's MuJoCo data."""
+        """Copy of the env's MuJoCo data."""
         return self._env.env_data(self._index)
 
     @property
     def np_random(self) -> np.random.Generator:
-        """The environment's random generator."""
+        """Random generator of the env."""
         return self._env.task.generators[self._index]
 
     @np_random.setter
@@ -74,15 +74,15 @@ class MemberEnv:
 
     @property
     def np_random_seed(self) -> int:
-        """The generator's seed; -1 for a generator that was put in from outside."""
+        """Seed of the generator; -1 for a generator that the user assigned."""
         return self._env.task.seeds[self._index]
 
     def render(self) -> NDArray[np.uint8] | None:
-        """A picture (height, width, 3), or None without a render mode."""
+        """Image (height, width, 3), or None without a render mode."""
         return None if self._env.render_mode is None else self._env.render_one(self._index)
 
     def get_state(self) -> dict[str, Any]:
-        """Everything that the environment's future depends on."""
+        """Complete state of the env."""
         return self._env.task.get_state(self._index)
 
     def __getattr__(self, name: str) -> Any:

@@ -1,4 +1,4 @@
-"""Pictures of the robot: off screen, or in a window."""
+"""Rendering of the robot, offscreen or in a window."""
 
 import os
 import sys
@@ -18,25 +18,25 @@ NO_OPENGL: Final = (
 )
 _CAMERA: Final = "track"
 _PROBE_SIZE: Final = 8
-"""Pixels; a picture that is small enough wherever OpenGL works at all"""
+"""Width and height of an image that any working OpenGL can render, pixels."""
 _OFF: Final = ("disable", "disabled", "off", "false", "0")
-"""Values of MUJOCO_GL with which MuJoCo renders nothing"""
+"""Values of MUJOCO_GL that disable rendering in MuJoCo."""
 _SETTINGS: Final = ("PYOPENGL_PLATFORM", "MUJOCO_EGL_DEVICE_ID")
-"""Environment variables that MuJoCo's own errors explain"""
+"""Environment variables that MuJoCo's error messages explain."""
 
 
 class SceneRenderer:
     """Renders one model in one mode.
 
     Args:
-        model: the scene; its offscreen buffer grows to the picture's size.
-        data: what a window in `human` mode shows.
+        model: model of the scene; its offscreen buffer is enlarged to the size of the image if necessary.
+        data: MuJoCo data that a window in `human` mode shows.
         render_mode: `rgb_array` or `human`.
-        width, height: of a picture, in pixels.
+        width, height: size of the image, pixels.
 
     Raises:
-        QuadrupedError: if OpenGL cannot make a picture of this size, or there is no OpenGL, or no display to open a
-            window on; with the cause and its fix.
+        QuadrupedError: if OpenGL is missing or cannot render an image of this size, or there is no display for a
+            window; the message names the cause and the fix.
     """
 
     def __init__(
@@ -53,7 +53,7 @@ class SceneRenderer:
             self._renderer = _make_renderer(model, width, height)
 
     def render(self, data: mujoco.MjData, camera: str | mujoco.MjvCamera = _CAMERA) -> NDArray[np.uint8] | None:
-        """A picture (height, width, 3), or None where a window was updated; a window has a camera of its own."""
+        """Image (height, width, 3), or None if a window was updated; the window controls its own camera."""
         if self._window is not None:
             self._window.sync()
             return None
@@ -75,13 +75,13 @@ def _make_renderer(model: mujoco.MjModel, width: int, height: int) -> mujoco.Ren
     buffer.offwidth, buffer.offheight = max(before[0], width), max(before[1], height)
     try:
         return mujoco.Renderer(model, height, width)
-    except Exception as error:  # every backend fails in its own way, down to AttributeError from a missing library
+    except Exception as error:  # backends raise various errors, even AttributeError for a missing library
         buffer.offwidth, buffer.offheight = before
         raise QuadrupedError(f"{_cause(model, width, height, error)} ({type(error).__name__}: {error})") from error
 
 
 def _cause(model: mujoco.MjModel, width: int, height: int, error: Exception) -> str:
-    """Why there is no picture, and what helps."""
+    """Message with the cause of a rendering failure and the fix."""
     chosen = os.environ.get("MUJOCO_GL", "").lower().strip()
     if chosen in _OFF:
         return f"rendering is switched off: MUJOCO_GL is {chosen!r}; unset it"
@@ -93,11 +93,11 @@ def _cause(model: mujoco.MjModel, width: int, height: int, error: Exception) -> 
         if chosen in ("glfw", "glx") and not has_display():
             return f"MUJOCO_GL is {chosen!r}, which needs a display, and there is none; unset it, or set it to 'egl'"
         return NO_OPENGL
-    return f"OpenGL works here, but not for pictures of {width} x {height} pixels; ask for a smaller width or height"
+    return f"OpenGL works here, but not for images of {width} x {height} pixels; use a smaller width or height"
 
 
 def _check_display() -> None:
-    """Raise a QuadrupedError if no window can be opened: MuJoCo's window library would end the whole process."""
+    """Raise a QuadrupedError if no window can be opened, because MuJoCo's window library would exit the process."""
     if not has_display():
         raise QuadrupedError("render_mode 'human' needs a display, and there is none; use 'rgb_array'")
     if sys.platform.startswith("linux"):

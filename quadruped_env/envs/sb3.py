@@ -1,4 +1,4 @@
-"""Stable-Baselines3's `VecEnv` over the native vector environment, without a loop over rows."""
+"""Stable-Baselines3's `VecEnv` on the native vector environment, without a loop over envs."""
 
 import time
 from collections.abc import Sequence
@@ -21,15 +21,16 @@ except ImportError as error:  # pragma: no cover
 
 
 class MiniQuadrupedSB3VecEnv(VecEnv):
-    """The native vector environment as Stable-Baselines3 wants it.
+    """The native vector environment with the interface of Stable-Baselines3.
 
-    `infos` is empty but for rows that finished: their `terminal_observation`, whether the time limit ended them
-    (`TimeLimit.truncated`, from which PPO bootstraps), and `episode` with return `r`, length `l`, seconds since this
-    object was made `t` and the summed reward terms, as SB3's Monitor reports; `env_is_wrapped(Monitor)` says so. What
-    an algorithm needs of the others is in the arrays of `self.task`. It supports pickling and `copy.deepcopy`.
+    `infos` has entries only for envs whose episode has ended: `terminal_observation`; `TimeLimit.truncated`, which is
+    true if the time limit ended the episode, so that PPO bootstraps; and `episode` in the format of SB3's Monitor, with
+    return `r`, length `l`, time since this object was created `t` in s, and the summed reward terms. Therefore
+    `env_is_wrapped(Monitor)` is true. The data of all envs is in the arrays of `self.task`. Supports pickling and
+    `copy.deepcopy`.
 
     Raises:
-        QuadrupedError: if the environment's autoreset mode is another than `SAME_STEP`.
+        QuadrupedError: if the environment's autoreset mode is not `SAME_STEP`.
     """
 
     def __init__(self, env: MiniQuadrupedVectorEnv) -> None:
@@ -49,11 +50,11 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self._start_time = time.time()
 
     def reset(self) -> NDArray[np.float32]:
-        """Begin new episodes everywhere, once with what was given to `seed` and `set_options` before."""
+        """Begin new episodes in all envs, with the seeds and options from `seed` and `set_options`."""
         options = self._options[0]
         if any(other != options for other in self._options):
             raise NotImplementedError(
-                f"set_options: the rows reset together, with the same options; found {self._options}"
+                f"set_options: all envs are reset together, with the same options; found {self._options}"
             )
         observations, _ = self.env.reset(seed=self._seeds, options=options)
         self._episode_terms[:] = 0.0
@@ -62,11 +63,11 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         return observations
 
     def step_async(self, actions: NDArray[np.float32]) -> None:
-        """Remember the actions for `step_wait`."""
+        """Store the actions for `step_wait`."""
         self._actions = actions
 
     def step_wait(self) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
-        """Advance every row, and reset those that finished."""
+        """Advance every env by one control step, and reset those whose episode has ended."""
         transition = self.task.step(self._actions)
         self.last_terms = transition.terms
         self._episode_terms += transition.terms
@@ -75,49 +76,49 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         # New dicts at every step: a wrapper may write into them.
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         if done.any():
-            rows = np.flatnonzero(done)
+            env_ids = np.flatnonzero(done)
             elapsed = round(time.time() - self._start_time, 6)
-            for row in rows:
-                terms = self._episode_terms[row]
-                infos[row] = {
-                    "terminal_observation": observations[row],
-                    "TimeLimit.truncated": bool(transition.truncated[row] and not transition.terminated[row]),
+            for env_id in env_ids:
+                terms = self._episode_terms[env_id]
+                infos[env_id] = {
+                    "terminal_observation": observations[env_id],
+                    "TimeLimit.truncated": bool(transition.truncated[env_id] and not transition.terminated[env_id]),
                     "episode": {
                         "r": float(np.add.accumulate(terms)[-1]),
-                        "l": int(self.task.steps[row]),
+                        "l": int(self.task.steps[env_id]),
                         "t": elapsed,
                         "terms": terms.copy(),
                     },
                 }
-            self._episode_terms[rows] = 0.0
-            self.task.reset(rows)
+            self._episode_terms[env_ids] = 0.0
+            self.task.reset(env_ids)
             observations = self.task.observe()
         return observations, transition.reward.astype(np.float32), done, infos
 
     def close(self) -> None:
-        """Free what the environment holds."""
+        """Free the resources of the environment."""
         self.env.close()
 
     def get_images(self) -> Sequence[NDArray[np.uint8] | None]:
-        """One picture a row."""
+        """One image per env."""
         return self.env.render() or [None] * self.num_envs
 
     def get_attr(self, attr_name: str, indices: VecEnvIndices = None) -> list[Any]:
-        """An attribute of each environment, or of the vector environment, which all share."""
+        """An attribute of each env, or of the vector environment, which all envs share."""
         return [getattr(MemberEnv(self.env, index), attr_name) for index in self._get_indices(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: VecEnvIndices = None) -> None:
-        """Refused: rows are not environments of their own."""
+        """Not supported: the envs are not separate objects."""
         raise NotImplementedError(
-            f"set_attr({attr_name!r}): the rows of a native vector environment share their attributes"
+            f"set_attr({attr_name!r}): the envs of a native vector environment share their attributes"
         )
 
     def env_method(self, method_name: str, *args: Any, indices: VecEnvIndices = None, **kwargs: Any) -> list[Any]:
-        """Refused: rows are not environments of their own."""
+        """Not supported: the envs are not separate objects."""
         raise NotImplementedError(
-            f"env_method({method_name!r}): the rows of a native vector environment have no methods"
+            f"env_method({method_name!r}): the envs of a native vector environment have no methods"
         )
 
     def env_is_wrapped(self, wrapper_class: type[Any], indices: VecEnvIndices = None) -> list[bool]:
-        """Whether a Monitor reports the episodes, which this object does in its place; nothing else wraps it."""
+        """True for Monitor, because this object reports episodes like a Monitor; False for all other wrappers."""
         return [wrapper_class is Monitor] * len(list(self._get_indices(indices)))

@@ -16,7 +16,7 @@ from quadruped_env.robot import load_model
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
 
-_ROW = np.zeros(1, dtype=np.intp)
+_ENV_IDS = np.zeros(1, dtype=np.intp)
 
 
 @with_tables()
@@ -25,11 +25,11 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     ## Description
     The robot of a ROS 2 tutorial: a 0.30 m long base on four legs, each with a hip and a knee that turn about the y
-    axis. It weighs 4 kg; its motors give at most 10 N m and 5 rad/s. No leg can move sideways, so the robot is asked
-    for a forward velocity and a yaw rate, and turns by longer strides on one side.
+    axis. It weighs 4 kg; its motors are limited to 10 N m and 5 rad/s. No leg can move sideways, so the command is a
+    forward velocity and a yaw rate, and the robot turns by longer strides on one side.
 
     ## Action space
-    `Box(-1, 1, (8,), float32)`, one joint-position target a joint, 50 times a second:
+    `Box(-1, 1, (8,), float32)`, one joint target per joint, at 50 Hz:
 
     | index | joint | range of the target |
     |---|---|---|
@@ -44,27 +44,27 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
 
     ## Observation space
-    `Box((34,), float32)` with finite bounds; only what a robot can measure. Value = reading * scale, clipped to
-    the bounds:
+    `Box((34,), float32)` with finite bounds, of readings that a real robot can measure. Value = reading * scale,
+    clipped to the bounds:
 
     {observations}
 
     ## Command
-    Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; a tenth of the commands are
-    exactly zero, four tenths go straight ahead. A new one comes every 3 to 6 s. `reset(options={"command": (vx, wz)})`
-    fixes it for the episode.
+    Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; 10 % of the commands are
+    zero, another 40 % have zero yaw rate. A new command is drawn every 3 to 6 s.
+    `reset(options={"command": (vx, wz)})` fixes it for the episode.
 
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
-    each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are the base's, in its own
-    frame; v~ and w~ are averaged over about a gait cycle (first order, 0.2 s).
+    each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are those of the base in the
+    body frame; v~ and w~ are averaged over about one gait cycle (first-order low-pass filter, 0.2 s).
 
     {rewards}
 
     ## Starting state
-    The stance, 1 cm over the ground: joints +-0.1 rad and +-0.5 rad/s, base +-0.2 m/s and +-0.2 rad/s on each axis,
-    roll and pitch +-0.05 rad, any heading; uniform. Every random number follows from the seed, the episode and its
-    purpose alone.
+    The stance, 1 cm above the ground, with uniform offsets: joints +-0.1 rad and +-0.5 rad/s, base +-0.2 m/s and
+    +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. Every random number depends only on the seed, the
+    episode, the step and its purpose.
 
     ## Episode end
     Terminated when MuJoCo reports that the simulation diverged (`info["diverged"]`), or as a fall:
@@ -76,23 +76,23 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ## Information
     `command`, `base_position`, `base_linear_velocity` and `base_angular_velocity` (body frame), `joint_position`,
     `joint_velocity`, `joint_torque`, `foot_force`, `foot_contact`; after a step also `diverged` and the reward terms.
-    Every value is NumPy's, with a shape and a dtype that do not change. Torques and forces are those of the step's last
-    physics substep.
+    Every value is a NumPy array or scalar with constant shape and dtype. Torques and forces are those of the step's
+    last physics substep.
 
     ## Arguments
     | argument | default | meaning |
     |---|---|---|
     | `action_mode` | `"position"` | `"position"` or `"residual"` |
     | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested values; `motor` for other motors |
-    | `task_file` | `None` | a Python file with terms of your own (docs/make-it-yours.md); it is executed |
+    | `task_file` | `None` | Python file with your own terms (docs/make-it-yours.md); it is executed |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
-    | `width`, `height` | 640, 480 | of a picture, in pixels, as large as OpenGL can |
+    | `width`, `height` | 640, 480 | size of the image in pixels, limited by OpenGL |
 
     ## Version history
-    * v0: the first version.
+    * v0: initial version.
     """
 
-    # gymnasium.make looks at the class for render modes; an instance has its own frame rate.
+    # gymnasium.make reads the render modes from the class; an instance has its own frame rate.
     metadata = spaces.metadata(TaskConfig())
 
     def __init__(
@@ -119,12 +119,12 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     @property
     def model(self) -> mujoco.MjModel:
-        """MuJoCo's model."""
+        """MuJoCo model."""
         return self._simulation.model
 
     @property
     def data(self) -> mujoco.MjData:
-        """MuJoCo's data: the state of the robot."""
+        """MuJoCo data, the state of the robot."""
         return self._simulation.data
 
     @property
@@ -135,17 +135,17 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
-        """Begin an episode; see the class for `options`."""
+        """Begin an episode; `options` is described in the class."""
         command, _ = arguments.reset_options(options, self.task.config)
         super().reset(seed=arguments.seed(seed))
         self.task.generators[0], self.task.seeds[0] = self.np_random, self.np_random_seed
-        self.task.reset(_ROW, command=command)
+        self.task.reset(_ENV_IDS, command=command)
         if self.render_mode == "human":
             self.render()
         return self.task.observe()[0], spaces.readings(self.task, 0)
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
-        """Advance by one control step; see the class."""
+        """Advance by one control step."""
         action = np.asarray(action)
         if action.shape != self.action_space.shape:
             raise QuadrupedError(
@@ -153,7 +153,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
             )
         transition = self.task.step(action[None])
         info: dict[str, Any] = spaces.readings(self.task, 0)
-        # An array of no axes: of a NumPy bool Gymnasium's vector environments would make an array of objects.
+        # A 0-d array: from a NumPy bool, Gymnasium's vector environments would create an array of objects.
         info["diverged"] = transition.diverged.reshape(())
         info.update(zip(self.task.reward_keys, transition.terms[0], strict=True))
         if self.render_mode == "human":
@@ -162,7 +162,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         return transition.observation[0], float(transition.reward[0]), terminated, False, info
 
     def render(self) -> NDArray[np.uint8] | None:
-        """A picture (height, width, 3) in `rgb_array` mode; updates the window in `human` mode."""
+        """Image (height, width, 3) in `rgb_array` mode; updates the window in `human` mode."""
         if self.render_mode is None:
             gymnasium.logger.warn(
                 "render() was called without a render mode; use gymnasium.make(..., render_mode='rgb_array')"
@@ -177,12 +177,12 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         return SceneRenderer(self.model, self.data, self.render_mode, *self._frame_size)
 
     def get_state(self) -> dict[str, Any]:
-        """Everything that the future of the episode depends on, the random generator included."""
+        """Complete state of the environment, including the random generator."""
         return self.task.get_state(0)
 
     def set_state(self, state: dict[str, Any]) -> None:
-        """Go on from what `get_state` gave."""
-        self.task.generators[0] = self.np_random  # the next reset goes on with it
+        """Restore a state from `get_state`."""
+        self.task.generators[0] = self.np_random  # used by the next reset
         self.task.set_state(0, state)
         self._np_random_seed = self.task.seeds[0]
 
@@ -193,5 +193,5 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
             self._renderer = None
 
     def __getstate__(self) -> dict[str, Any]:
-        # A renderer holds OpenGL contexts: the copy makes its own.
+        # A renderer holds OpenGL contexts, so a copy creates its own.
         return {**self.__dict__, "_renderer": None}

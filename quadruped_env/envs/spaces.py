@@ -1,4 +1,4 @@
-"""What the single and the vectorized environment share: spaces, metadata, specification, and the contents of `info`."""
+"""Spaces, metadata, specification and contents of `info`, shared by the single and the vector environment."""
 
 import copy
 import os
@@ -17,28 +17,28 @@ from quadruped_env.task import Task, TaskConfig, Transition
 
 
 def action_space(robot: Robot) -> gymnasium.Space[NDArray[np.float32]]:
-    """Joint-position targets, one per joint, in [-1, 1]."""
+    """Action space: one joint target per joint, in [-1, 1]."""
     return gymnasium.spaces.Box(-1.0, 1.0, (robot.num_joints,), np.float32)
 
 
 def observation_space(layout: ObservationLayout) -> gymnasium.Space[NDArray[np.float32]]:
-    """The bounds of the observation layout."""
+    """Observation space with the bounds of the layout."""
     return gymnasium.spaces.Box(layout.low.astype(np.float32), layout.high.astype(np.float32))
 
 
 def metadata(config: TaskConfig) -> dict[str, Any]:
-    """An environment's metadata for its own control rate."""
+    """Metadata of an environment; the frame rate is its control rate."""
     return {"render_modes": list(RENDER_MODES), "render_fps": round(1.0 / config.control_timestep)}
 
 
 class PlainSpec:
-    """Base of envs whose specification goes through JSON: NumPy values, paths, enums and `TaskConfig` become plain."""
+    """Base of envs whose specification supports JSON: NumPy values, paths, enums and `TaskConfig` become plain."""
 
     _spec: EnvSpec | None = None
 
     @property
     def spec(self) -> EnvSpec | None:
-        """The specification that makes this environment again, with plain arguments."""
+        """Specification for creating this environment again, with plain arguments."""
         return self._spec
 
     @spec.setter
@@ -55,13 +55,13 @@ def _plain_argument(value: Any) -> Any:
 
 
 def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any]]:
-    """The part of `info` that describes the current state, copied.
+    """Entries of `info` that describe the current state, as copies.
 
     Args:
-        task: the episodes of N environments.
-        at: the index of one, whose readings have no leading axis, or the slice of all, shape (N, ...) each.
+        task: task with N envs.
+        at: index of one env, whose entries have no env axis, or a slice of all envs, with entries (N, ...).
     """
-    # One copy, of which every reading is a view, is cheaper than a copy of each.
+    # One copy, with a view per reading, is cheaper than a copy per reading.
     columns = task.simulation.sensor_columns
     values = task.simulation.sensordata[at].copy()
     foot_force = values[..., columns["foot_force"]]
@@ -79,5 +79,5 @@ def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any
 
 
 def step_results(task: Task, transition: Transition) -> dict[str, NDArray[Any]]:
-    """The part of `info` that only a step has, shape (N,) each: `diverged` and the weighted reward terms."""
+    """Entries of `info` that only a step has, (N,) each: `diverged` and the weighted reward terms."""
     return {"diverged": transition.diverged, **dict(zip(task.reward_keys, transition.terms.T, strict=True))}

@@ -1,4 +1,4 @@
-"""Tables of the environment's docstring, made from the terms that they describe."""
+"""Tables in the environment's docstring, generated from the terms that they describe."""
 
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
@@ -11,15 +11,15 @@ Class = TypeVar("Class", bound=type)
 
 
 def with_tables(indent: int = 4) -> Callable[[Class], Class]:
-    """Decorator: puts the tables in place of `{observations}`, `{rewards}` and `{terminations}` in a docstring.
+    """Decorator that inserts the tables in place of `{observations}`, `{rewards}` and `{terminations}` in a docstring.
 
     Args:
-        indent: spaces before each line.
+        indent: number of spaces before each line.
     """
     tables = {"observations": observation_table(), "rewards": reward_table(), "terminations": termination_list()}
 
     def decorate(cls: Class) -> Class:
-        if cls.__doc__ is not None:  # with -OO there is none
+        if cls.__doc__ is not None:  # None with python -OO
             for name, lines in tables.items():
                 cls.__doc__ = cls.__doc__.replace(f"{{{name}}}", f"\n{' ' * indent}".join(lines))
         return cls

@@ -1,4 +1,4 @@
-"""The native vectorized environment: many robots, no loop over them."""
+"""Native vector environment: many robots without a loop over them."""
 
 import os
 from collections.abc import Sequence
@@ -24,23 +24,23 @@ from quadruped_env.task import Task, TaskConfig
 class MiniQuadrupedVectorEnv(
     spaces.PlainSpec, gymnasium.vector.VectorEnv[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]
 ):
-    """`MiniQuadrupedEnv` many times over, bit for bit, on a thread pool.
+    """N copies of `MiniQuadrupedEnv`, simulated on a thread pool, with bit-identical results.
 
-    `gymnasium.make_vec("MiniQuadruped-v0", num_envs=N)` makes it. It supports pickling and `copy.deepcopy`, also within
+    Created by `gymnasium.make_vec("MiniQuadruped-v0", num_envs=N)`. Supports pickling and `copy.deepcopy`, also within
     episodes.
 
     Args:
         num_envs: number of robots.
-        action_mode, config, task_file, render_mode, width, height: as for `MiniQuadrupedEnv`.
+        action_mode, config, task_file, render_mode, width, height: as in `MiniQuadrupedEnv`.
         max_episode_steps: control steps after which an episode is truncated; None never truncates.
-        num_threads: threads for the physics; 0 takes every core. The numbers do not depend on it.
-        autoreset_mode: when finished environments are reset, one of Gymnasium's `AutoresetMode` or its value, as in
-            `SyncVectorEnv`. `"SameStep"`: within the step; `final_obs` and `final_info` hold how they ended.
-            `"NextStep"`: the next step resets them instead of moving them, with reward 0. `"Disabled"`: the caller does
-            it, with `reset(options={"reset_mask": mask})`.
+        num_threads: number of threads for the physics; 0 uses every core. The results do not depend on it.
+        autoreset_mode: time at which envs whose episode has ended are reset: one of Gymnasium's `AutoresetMode` or its
+            value, as in `SyncVectorEnv`. `"SameStep"`: within the step; `final_obs` and `final_info` hold the last
+            observation and info of the episode. `"NextStep"`: the next step resets them instead of moving them, with
+            reward 0. `"Disabled"`: the caller resets them with `reset(options={"reset_mask": mask})`.
 
     Raises:
-        QuadrupedError: if an argument is not valid, with what is.
+        QuadrupedError: if an argument is not valid; the message says what is valid.
     """
 
     def __init__(
@@ -74,17 +74,17 @@ class MiniQuadrupedVectorEnv(
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
 
-    # The class's, so that an env whose arguments were refused can be closed, as Gymnasium 1.2 does.
+    # A class attribute, because Gymnasium 1.2 closes an env even if `__init__` raised an error.
     _renderer: SceneRenderer | None = None
 
-    @property  # type: ignore[misc]  # read-only, and one for each environment, as in SyncVectorEnv
+    @property  # type: ignore[misc]  # read-only, and one per env, as in SyncVectorEnv
     def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
-        """The random generator of every environment (N,)."""
+        """Random generator of every env (N,)."""
         return tuple(self.task.generators)
 
     @property
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
-        """The seed of every environment's generator (N,); -1 for a generator that was put in from outside."""
+        """Seed of every env's generator (N,); -1 for a generator that the user assigned."""
         return tuple(self.task.seeds)
 
     def reset(
@@ -93,19 +93,19 @@ class MiniQuadrupedVectorEnv(
         seed: int | list[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
-        """Begin new episodes in every row, or where `options["reset_mask"]` (N,) is true."""
+        """Begin new episodes in every env, or in those where `options["reset_mask"]` (N,) is true."""
         command, mask = arguments.reset_options(options, self.task.config, self.num_envs)
         seeds = arguments.seeds(seed, self.num_envs)
         if mask is None:
             mask = np.ones(self.num_envs, dtype=np.bool_)
-        rows = np.flatnonzero(mask)
-        self.task.reset(rows, [seeds[row] for row in rows], command)
+        env_ids = np.flatnonzero(mask)
+        self.task.reset(env_ids, [seeds[env_id] for env_id in env_ids], command)
         return self.task.observe(), _masked(spaces.readings(self.task), mask)
 
     def step(
         self, actions: NDArray[np.float32]
     ) -> tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
-        """Advance every row by one control step, and reset those that finished as `autoreset_mode` says."""
+        """Advance every env by one control step, and reset finished ones according to `autoreset_mode`."""
         restart = None
         if self.autoreset_mode is not AutoresetMode.SAME_STEP and self.task.finished.any():
             if self.autoreset_mode is AutoresetMode.DISABLED:
@@ -130,12 +130,12 @@ class MiniQuadrupedVectorEnv(
         self, last: NDArray[np.float32], info: dict[str, NDArray[Any]]
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         done = self.task.finished.copy()
-        rows = np.flatnonzero(done)
+        env_ids = np.flatnonzero(done)
         final_obs = np.full(self.num_envs, None, dtype=object)
-        for row in rows:
-            final_obs[row] = last[row]
-        self.task.reset(rows)
-        # The finished rows' info is that of their reset, as in SyncVectorEnv, and their last step's is in final_info.
+        for env_id in env_ids:
+            final_obs[env_id] = last[env_id]
+        self.task.reset(env_ids)
+        # The info of a finished env is that of its reset, as in SyncVectorEnv; that of its last step is in final_info.
         merged = {} if done.all() else _masked(info, ~done)
         merged.update(_masked(spaces.readings(self.task), np.ones(self.num_envs, dtype=np.bool_)))
         merged["final_obs"], merged["_final_obs"] = final_obs, done
@@ -143,17 +143,17 @@ class MiniQuadrupedVectorEnv(
         return self.task.observe(), merged
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
-        """One picture (height, width, 3) a row."""
+        """One image (height, width, 3) per env."""
         if self.render_mode is None:
             return None
-        return tuple(self.render_one(row) for row in range(self.num_envs))
+        return tuple(self.render_one(env_id) for env_id in range(self.num_envs))
 
     def env_data(self, index: int) -> mujoco.MjData:
-        """A copy of one environment's MuJoCo data."""
+        """Copy of the MuJoCo data of one env."""
         return self._simulation.copy_data(index)
 
     def render_one(self, index: int) -> NDArray[np.uint8]:
-        """A picture (height, width, 3) of one environment; the render mode has to be `rgb_array`."""
+        """Image (height, width, 3) of one env; the render mode must be `rgb_array`."""
         assert self.render_mode is not None
         data = self.env_data(index)
         if self._renderer is None:
@@ -163,16 +163,16 @@ class MiniQuadrupedVectorEnv(
         return frame
 
     def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
-        """An attribute of every environment (N,), or what a method of theirs returns, as `SyncVectorEnv` gives it.
+        """An attribute of every env (N,), or the results of calling a method of every env, as in `SyncVectorEnv`.
 
         Raises:
-            QuadrupedError: if they have no such attribute; it is an AttributeError too.
+            QuadrupedError: if the envs have no such attribute; it is also an AttributeError.
         """
         values = (getattr(MemberEnv(self, index), name) for index in range(self.num_envs))
         return tuple(value(*args, **kwargs) if callable(value) else value for value in values)
 
     def get_attr(self, name: str) -> tuple[Any, ...]:
-        """An attribute of every environment (N,).
+        """An attribute of every env (N,).
 
         Raises:
             QuadrupedError: as `call`.
@@ -180,10 +180,10 @@ class MiniQuadrupedVectorEnv(
         return self.call(name)
 
     def set_attr(self, name: str, values: Sequence[Any] | Any) -> None:
-        """Set an attribute, with one value for all environments or one each, in a list or tuple.
+        """Set an attribute, with one value for all envs, or a list or tuple of one value per env.
 
         Raises:
-            QuadrupedError: if it is not each environment's own; it is an AttributeError too.
+            QuadrupedError: if the envs share the attribute; it is also an AttributeError.
         """
         listed = list(values) if isinstance(values, (list, tuple)) else [values] * self.num_envs
         if len(listed) != self.num_envs:
@@ -194,13 +194,13 @@ class MiniQuadrupedVectorEnv(
             setattr(MemberEnv(self, index), name, value)
 
     def get_state(self) -> list[dict[str, Any]]:
-        """Everything that the future depends on, a dict a row."""
-        return [self.task.get_state(row) for row in range(self.num_envs)]
+        """Complete state of the environment, one dict per env."""
+        return [self.task.get_state(env_id) for env_id in range(self.num_envs)]
 
     def set_state(self, state: list[dict[str, Any]]) -> None:
-        """Go on from what `get_state` gave."""
-        for row, values in enumerate(state):
-            self.task.set_state(row, values)
+        """Restore a state from `get_state`."""
+        for env_id, values in enumerate(state):
+            self.task.set_state(env_id, values)
 
     def close_extras(self, **kwargs: Any) -> None:
         """Free the renderer, if there is one."""
@@ -209,12 +209,12 @@ class MiniQuadrupedVectorEnv(
             self._renderer = None
 
     def __getstate__(self) -> dict[str, Any]:
-        # A renderer holds OpenGL contexts: the copy makes its own.
+        # A renderer holds OpenGL contexts, so a copy creates its own.
         return {**self.__dict__, "_renderer": None}
 
 
 def _masked(info: dict[str, NDArray[Any]], mask: NDArray[np.bool_]) -> dict[str, Any]:
-    """Info in Gymnasium's vector form: zero where the mask is false, and the mask beside it under `_name`."""
+    """Info in Gymnasium's vector format: zero where the mask is false, with the mask under `_name`."""
     if mask.all():
         return {**info, **{f"_{name}": mask for name in info}}
     masked: dict[str, Any] = {}

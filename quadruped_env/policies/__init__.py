@@ -1,4 +1,4 @@
-"""Trained policies together with their tasks, and the controllers that need none."""
+"""Trained policies together with their tasks, and controllers that need no policy."""
 
 from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import (

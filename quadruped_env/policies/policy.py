@@ -25,9 +25,9 @@ class Policy(control_policy.Policy):
     Args:
         weights: one matrix per layer (in, out), float32.
         biases: one vector per layer (out,), float32.
-        activation: between layers: a key of `ACTIVATIONS`.
-        config: the task that it was trained for.
-        card: how it was made: command, seed, steps, versions, metrics.
+        activation: activation function between layers, a key of `ACTIVATIONS`.
+        config: task that it was trained for.
+        card: provenance: command, seed, steps, versions, metrics.
     """
 
     def __init__(
@@ -60,7 +60,7 @@ class Policy(control_policy.Policy):
         """The environment that the policy was trained for: its task, action mode and control rate.
 
         Args:
-            **kwargs: of `gymnasium.make`, such as `render_mode`.
+            **kwargs: arguments of `gymnasium.make`, such as `render_mode`.
 
         Raises:
             QuadrupedError: if `kwargs` name another task than the policy's.
@@ -68,11 +68,11 @@ class Policy(control_policy.Policy):
         return gymnasium.make(ENV_ID, **self._task_arguments(kwargs), **kwargs)
 
     def make_vec_env(self, num_envs: int, **kwargs: Any) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
-        """Many of the environments that the policy was trained for, vectorized natively.
+        """A native vector environment of the task that the policy was trained for.
 
         Args:
             num_envs: number of robots.
-            **kwargs: of `gymnasium.make_vec`, such as `max_episode_steps`.
+            **kwargs: arguments of `gymnasium.make_vec`, such as `max_episode_steps`.
 
         Raises:
             QuadrupedError: if `kwargs` name another task than the policy's.
@@ -80,24 +80,26 @@ class Policy(control_policy.Policy):
         return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **self._task_arguments(kwargs), **kwargs)
 
     def check_env(self, env: Any) -> None:
-        """Make sure that actions mean in an environment what they meant in training.
+        """Check that actions have the same meaning in an environment as in training.
 
         Args:
-            env: any of this package's environments, in wrappers or not.
+            env: an environment of this package, with or without wrappers.
 
         Raises:
-            QuadrupedError: if its action mode or scale, control rate or gait clock is another than the policy's.
+            QuadrupedError: if its action mode, action scale, control rate or gait clock differs from the policy's.
         """
         task = getattr(getattr(env, "unwrapped", env), "task", None)
         if not isinstance(task, Task):
-            raise QuadrupedError(f"policy: {env!r} is no environment of this package; make one with policy.make_env()")
+            raise QuadrupedError(
+                f"policy: {env!r} is not an environment of this package; make one with policy.make_env()"
+            )
         self.check_task(task.config)
 
     def check_task(self, config: TaskConfig) -> None:
-        """As `check_env`, for the config of a task. What does not change an action's meaning may differ.
+        """As `check_env`, for the config of a task. Fields that do not change the meaning of an action may differ.
 
         Raises:
-            QuadrupedError: if the action mode or scale, control rate or gait clock is another than the policy's.
+            QuadrupedError: if the action mode, action scale, control rate or gait clock differs from the policy's.
         """
         self.check_control(config.control)
 
@@ -105,35 +107,35 @@ class Policy(control_policy.Policy):
         for name in ("action_mode", "config", "task_file"):
             if name in kwargs:
                 raise QuadrupedError(
-                    f"policy.make_env: {name} is the policy's own; for another task: gymnasium.make({ENV_ID!r}, ...)"
+                    f"policy.make_env: {name} is given by the policy; for another task: gymnasium.make({ENV_ID!r}, ...)"
                 )
         return {"config": self.config.to_dict(), "task_file": self.config.definition.path}
 
 
 def load_policy(source: str | Path, task_file: str | Path | None = None) -> Policy:
-    """A shipped policy by name (`flat`), or the policy of a training run's directory.
+    """Load a shipped policy by name (`flat`), or the policy in the directory of a training run.
 
-    Of a run that was killed, it is that of the last checkpoint. Nothing is unpickled, and neither torch nor
+    For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed.
 
     Args:
-        source: the name or directory.
-        task_file: the user's file of terms that the policy was trained with; it is executed. A run never makes this
-            function execute one by itself.
+        source: name or directory.
+        task_file: the user's file of terms that the policy was trained with; it is executed. A file that only the run
+            names is never executed.
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another observation
             layout, scripted gait or file of terms; the message names the file and the fix.
 
     Warns:
-        QuadrupedWarning: if the policy is a checkpoint's, though the run was named.
+        QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
     """
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     return with_task(control_policy.load_policy(source, _terms(definition)), definition)
 
 
 def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_IN) -> Policy:
-    """A policy that was read, with its task.
+    """A loaded policy together with its task.
 
     Raises:
         QuadrupedError: if the task's config is not valid.
@@ -152,14 +154,14 @@ def find_controller(text: str, task_file: str | Path | None = None) -> Controlle
 
 
 def find_controllers(
-    asked: Sequence[str] = (), runs: Path = by_name.RUNS, task_file: str | Path | None = None
+    names: Sequence[str] = (), runs: Path = by_name.RUNS, task_file: str | Path | None = None
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """As `quadruped_env.control.by_name.find_controllers`, for policies with their task."""
-    return by_name.find_controllers(asked, runs, functools.partial(load_policy, task_file=task_file))
+    return by_name.find_controllers(names, runs, functools.partial(load_policy, task_file=task_file))
 
 
 def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> TaskConfig:
-    """The task that a controller runs on: a policy's own, and the default for the others.
+    """Task for a controller: that of its policy, or the default task for other controllers.
 
     Raises:
         QuadrupedError: as `with_task`.

@@ -1,4 +1,4 @@
-"""The model files, and the model compiled from them."""
+"""Model files, and the model compiled from them."""
 
 import copy
 import functools
@@ -16,9 +16,9 @@ MAPS = ("dyna1.toml",)
 
 @functools.cache
 def _asset_directory() -> Path:
-    """The directory of the assets: inside an installed package, next to it in a checkout."""
+    """Directory of the assets: inside an installed package, or next to it in a checkout."""
     # An editable install maps the package `quadruped_env.assets` to the checkout's folder, and a wheel holds a
-    # copy inside the package: both answer to find_spec. A bare checkout on sys.path has only the folder.
+    # copy inside the package: find_spec finds both. A checkout on sys.path has only the folder.
     spec = importlib.util.find_spec("quadruped_env.assets")
     if spec is not None and spec.submodule_search_locations:
         return Path(next(iter(spec.submodule_search_locations)))
@@ -26,7 +26,7 @@ def _asset_directory() -> Path:
 
 
 def asset_path(name: str) -> Path:
-    """The path of one of the robot's files (its URDF, its MJCF, the MJCF scene around it), or of a map of a recording.
+    """Path of a file of the robot (URDF, MJCF, MJCF scene), or of a map for recordings.
 
     Raises:
         QuadrupedError: if there is no such asset.
@@ -37,14 +37,14 @@ def asset_path(name: str) -> Path:
 
 
 def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
-    """The compiled model of the robot on flat ground: a copy that the caller owns.
+    """Compiled model of the robot on flat ground; every call returns a new copy.
 
     Args:
-        timestep: physics step in s, or None for the model file's.
-        motors: motors that replace the model file's.
+        timestep: physics time step, s. None: that of the model file.
+        motors: motors that replace those of the model file.
     """
     files = tuple(asset_path(name) for name in ("scene.xml", "mini_quadruped.xml"))
-    # Compiling costs thirty times as much as copying, so every process compiles each variant once.
+    # Compiling takes thirty times as long as copying, so every process compiles each variant once.
     return copy.copy(_compiled(timestep, motors, files, tuple(file.stat().st_mtime_ns for file in files)))
 
 

@@ -15,15 +15,15 @@ from quadruped_env.robot.facts import JOINT_NAMES, LINK_NAMES
 Pose = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 MAX_VALUE: Final = mujoco.mjMAXVAL
-"""Maximum coordinate, rad or m: MuJoCo treats larger ones as a diverged simulation."""
+"""Maximum coordinate, above which MuJoCo treats a simulation as diverged, rad or m."""
 
 _BLOCK: Final = 4096
-"""Poses per batch: enough that Python's share of a call is negligible, few enough to stay in the processor's cache."""
+"""Poses per batch: enough to make Python's overhead negligible, few enough to fit in the processor's cache."""
 
 
 @cache
 def skeleton() -> mujoco.MjModel:
-    """The robot's bodies and joints alone: what kinematics needs, and a third of the cost of the whole model."""
+    """Model with only the robot's bodies and joints, for kinematics at a third of the cost of the full model."""
     spec = mujoco.MjSpec.from_file(str(asset_path("mini_quadruped.xml")))
     for elements in (spec.sensors, spec.actuators, spec.pairs, spec.keys, spec.sites, spec.geoms, spec.cameras):
         for element in list(elements):
@@ -32,7 +32,7 @@ def skeleton() -> mujoco.MjModel:
 
 
 def forward_kinematics(positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-    """The pose of every link, from MuJoCo's own kinematics.
+    """Pose of every link, computed with MuJoCo's kinematics.
 
     Args:
         positions: joint positions in rad, shape (..., 8), in the order of `JOINT_NAMES`.
@@ -40,7 +40,7 @@ def forward_kinematics(positions: ArrayLike, base_pose: ArrayLike | None = None)
             poses are in the frame of `base_link`. Leading axes of both arguments broadcast.
 
     Returns:
-        Link name -> (position in m (..., 3), quaternion wxyz (..., 4)), in the order of `LINK_NAMES`.
+        Position (..., 3) in m and quaternion wxyz (..., 4) of each link by name, in the order of `LINK_NAMES`.
 
     Raises:
         QuadrupedError: if the last axis is not 8 (or 7), the other axes do not broadcast, a value is not finite, or
@@ -66,7 +66,7 @@ def forward_kinematics(positions: ArrayLike, base_pose: ArrayLike | None = None)
     joints = np.broadcast_to(joints, (*batch, len(JOINT_NAMES))).reshape(-1, len(JOINT_NAMES))
     base = np.broadcast_to(base, (*batch, 7)).reshape(-1, 7)
     for values in (joints, base):
-        # The extremes of an array with a NaN are NaN, which no comparison holds for.
+        # The minimum and maximum of an array with NaN are NaN, and comparisons with NaN are false.
         if values.size and not (values.min() >= -MAX_VALUE and values.max() <= MAX_VALUE):
             raise QuadrupedError(
                 f"forward_kinematics: positions and base_pose must be finite and within {MAX_VALUE:g}; "

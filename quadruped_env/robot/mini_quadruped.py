@@ -27,4 +27,4 @@ MINI_QUADRUPED: Final = Robot(
     joint_mirror=_mirror(facts.JOINT_NAMES),
     foot_mirror=_mirror(facts.LEG_NAMES),
 )
-"""The 8-joint quadruped of the ROS 2 tutorial; its masses are derived in assets/mini_quadruped/README.md."""
+"""8-joint quadruped of the ROS 2 tutorial; assets/mini_quadruped/README.md derives its masses."""

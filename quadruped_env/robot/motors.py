@@ -16,7 +16,7 @@ VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
 
 MAX_DELAY: Final = 0.5
-"""s"""
+"""Maximum delay, s."""
 
 JOINT_KINDS: Final = ("hip", "knee")
 
@@ -70,11 +70,11 @@ class MotorConfig(PlainFields):
         return self.hip if "hip" in name else self.knee
 
     def write(self, spec: mujoco.MjSpec, max_delay: float | None = None) -> None:
-        """Put these motors into a robot's specification.
+        """Set these motors in a robot's specification.
 
         Args:
-            spec: what `load_model` compiles; its time step has to be set already.
-            max_delay: s; longest delay to allocate a buffer for. None: the delay itself.
+            spec: specification that `load_model` compiles; its time step must already be set.
+            max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
         """
         longest = self.delay if max_delay is None else max_delay
         for name in JOINT_NAMES:
@@ -103,12 +103,12 @@ def fill_command_history(
     Args:
         model: the robot.
         history: MuJoCo's history buffers (N, model.nhistory), written in place.
-        joint_target: rad (N, 8).
+        joint_target: joint targets (N, 8), rad.
     """
     for actuator in range(model.nu):
         start, samples = model.actuator_historyadr[actuator], model.actuator_history[actuator, 0]
         if start >= 0:
-            # MuJoCo keeps two numbers of its own, then the times, then the values.
+            # A buffer has two internal numbers of MuJoCo, then the times, then the values.
             values = slice(start + 2 + samples, start + 2 + 2 * samples)
             history[:, values] = joint_target[:, actuator, None]
 

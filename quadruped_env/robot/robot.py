@@ -1,4 +1,4 @@
-"""A robot as a value: what the packages above need to know about it, passed down to them."""
+"""Description of a robot, which other packages receive as an argument."""
 
 from dataclasses import dataclass
 
@@ -15,27 +15,27 @@ class Robot:
     joint_names: tuple[str, ...]
     link_names: tuple[str, ...]
     joint_position_low: NDArray[np.float64]
-    """rad (J,)"""
+    """Lower limits of the joint positions (J,), rad."""
     joint_position_high: NDArray[np.float64]
-    """rad (J,)"""
+    """Upper limits of the joint positions (J,), rad."""
     velocity_limit: float
-    """Joint speed without load, rad/s"""
+    """Maximum joint speed without load, rad/s."""
     effort_limit: float
-    """Joint torque at rest, N m"""
+    """Maximum joint torque at rest, N m."""
     stance: NDArray[np.float64]
-    """Joint positions with each foot under its hip, rad (J,)"""
+    """Joint positions with each foot under its hip (J,), rad."""
     stance_height: float
-    """Height of the base's centre in the stance, with the soles on the ground, m"""
+    """Height of the base's centre in the stance, with the feet on the ground, m."""
     foot_radius: float
-    """m; each foot is a ball"""
+    """Radius of the feet, which are balls, m."""
     joint_mirror: tuple[int, ...]
-    """For each joint the joint on the other side; every joint turns about the y axis, so its sign stays"""
+    """Index of each joint's counterpart on the other side; all joints turn about the y axis, so no sign changes."""
     foot_mirror: tuple[int, ...]
-    """For each foot the foot on the other side"""
+    """Index of each foot's counterpart on the other side."""
 
     @property
     def base_name(self) -> str:
-        """The link that carries the legs."""
+        """Name of the link that carries the legs."""
         return self.link_names[0]
 
     @property

@@ -12,7 +12,7 @@ from quadruped_env.robot.kinematics import skeleton
 from quadruped_env.rotations import from_axis_angle, multiply
 
 ODOMETRY_FRAME: Final = "odom"
-"""Parent of `base_link` if the base's pose is known; named by REP 105."""
+"""Parent frame of `base_link` if the pose of the base is known; the name is from REP 105."""
 
 
 @dataclass(frozen=True)
@@ -22,9 +22,9 @@ class Transform:
     parent: str
     child: str
     translation: NDArray[np.float64]
-    """m (..., 3)"""
+    """Translation (..., 3), m."""
     rotation: NDArray[np.float64]
-    """Quaternion wxyz (..., 4); a ROS message has the order xyzw"""
+    """Quaternion wxyz (..., 4); ROS messages use the order xyzw."""
 
 
 def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
@@ -33,7 +33,7 @@ def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -
     Args:
         positions: joint positions in rad, shape (..., 8), in the order of `JOINT_NAMES`.
         base_pose: position in m and quaternion wxyz of `base_link` in the world, shape (..., 7). With it the first
-            transform is that of `base_link` in `ODOMETRY_FRAME`, which the publisher leaves to others.
+            transform is that of `base_link` in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
 
     Returns:
         Transforms with leading axes (...), in the order of `JOINT_NAMES`.

@@ -1,4 +1,4 @@
-"""How the robot moves: one interface, and two drivers that give the same numbers to the last bit."""
+"""Simulation of the robot: one interface, and two drivers with bit-identical results."""
 
 from quadruped_env.simulation.batch import BatchSimulation
 from quadruped_env.simulation.interface import Simulation

@@ -1,4 +1,4 @@
-"""Many robots at once, on `mujoco.batch.Batch` and its thread pool."""
+"""Simulation of many robots, on `mujoco.batch.Batch` and its thread pool."""
 
 from typing import Any
 
@@ -20,11 +20,11 @@ class BatchSimulation:
     """`Simulation` with many envs.
 
     Args:
-        model: the robot on its ground.
-        num_envs: how many of them.
-        num_threads: threads that step them, the caller's included; 0 takes every core. The numbers do not depend
-            on it.
-        robot: that the model is of.
+        model: model of the robot on its ground.
+        num_envs: number of envs, N.
+        num_threads: number of threads that step the envs, the calling thread included; 0 uses every core. The results
+            do not depend on it.
+        robot: robot that the model describes.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class BatchSimulation:
         self.robot = robot
         self.num_envs = num_envs
         self._num_threads = num_threads
-        # Persistent: the next step goes on from the stages that the last one ended with, and they cost nothing.
+        # Persistent: the next step reuses the stages that the last one has computed.
         self.batch = Batch(model, num_envs, num_threads, persistent=True)
         self.sensordata = self.batch.bind("sensordata")
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
@@ -71,11 +71,11 @@ class BatchSimulation:
             history = self._history[env_ids]
             fill_command_history(self.model, history, qpos[:, 7:])
             self._history[env_ids] = history
-        self.batch.forward(env_ids, stage=SETTLED)  # checks the start for numbers that are none; the next line does not
+        self.batch.forward(env_ids, stage=SETTLED)  # checks the start for NaN; the next line does not
         self.batch.forward(env_ids)
 
     def _clear(self, env_ids: NDArray[np.intp]) -> None:
-        """Back to the model's defaults, with the constants that follow from its fields; no divergence on record."""
+        """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
         if self._varied_fields:
             self.batch.set_const(env_ids)
         self.batch.reset(env_ids, stage=mujoco.mjtStage.mjSTAGE_NONE)
@@ -90,7 +90,7 @@ class BatchSimulation:
         self._qvel[env_ids, :3] += velocity
         before = self.sensordata[env_ids]
         self.batch.forward(env_ids, stage=SETTLED)
-        # For an env whose state was just set, the batch still remembers the forces of another past.
+        # For an env whose state was just set, the batch still holds the forces of the state before.
         self._write_readings(env_ids, np.where(self._force_columns, before, self.sensordata[env_ids]))
 
     def model_field(self, name: str) -> NDArray[np.float64]:
@@ -127,13 +127,13 @@ class BatchSimulation:
         self._failed[env_ids] = diverged
 
     def _write_readings(self, env_ids: NDArray[np.intp], readings: NDArray[np.float64]) -> None:
-        # The batch hands its outputs out read-only because the next call overwrites them: until then, these are due.
+        # The batch makes its outputs read-only, as the next call overwrites them; these values are valid until then.
         self.sensordata.flags.writeable = True
         self.sensordata[env_ids] = readings
         self.sensordata.flags.writeable = False
 
     def __getstate__(self) -> dict[str, Any]:
-        # A batch and its threads do not pickle: a copy makes its own, and goes on from the state of every env.
+        # A batch and its threads do not support pickling: a copy creates its own and restores the state of every env.
         return {
             "model": self.model,
             "num_envs": self.num_envs,
@@ -156,5 +156,5 @@ class BatchSimulation:
         )
 
     def copy_data(self, env_id: int) -> mujoco.MjData:
-        """A copy of one env, to render it."""
+        """A copy of the MuJoCo data of one env, for rendering."""
         return self.batch.get_data(env_id)

@@ -1,4 +1,4 @@
-"""One robot, on `MjData`: it can be pickled, copied, rendered and taken apart."""
+"""Simulation of one robot, on `MjData`; it supports pickling, copying and rendering."""
 
 from typing import Any
 
@@ -41,7 +41,7 @@ class SingleSimulation:
         self._ctrl[:] = joint_target[0]
         model, data = self.model, self.data
         try:
-            # The last call left off after the first half of a step (mj_step1), so only the second half is due.
+            # The last call ended after the first half of a step (mj_step1), so the second half comes first.
             mujoco.mj_step2(model, data)
             if substeps > 1:
                 mujoco.mj_step(model, data, substeps - 1)
@@ -65,7 +65,7 @@ class SingleSimulation:
         mujoco.mj_forward(self.model, data)
 
     def _clear(self) -> None:
-        """Back to the model's defaults, with the constants that follow from its fields; no divergence on record."""
+        """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
         if self._varied_fields:
             mujoco.mj_setConst(self.model, self.data)
         mujoco.mj_resetData(self.model, self.data)
@@ -82,7 +82,7 @@ class SingleSimulation:
         forces = self.data.sensordata[self._force_columns]
         self.data.qvel[:3] += velocity[0]
         mujoco.mj_step1(self.model, self.data)
-        # A velocity that makes the env diverge clears them.
+        # Restored, because a velocity that makes the env diverge clears them.
         self.data.sensordata[self._force_columns] = forces
 
     def model_field(self, name: str) -> NDArray[np.float64]:
@@ -108,7 +108,7 @@ class SingleSimulation:
         self._failed = state.diverged
 
     def __getstate__(self) -> dict[str, Any]:
-        # The readings are views of the data: they are made anew, or they would come back as copies.
+        # The readings are views of the data, and unpickling would turn them into copies: `_bind` creates them again.
         attributes = self.__dict__.copy()
         del attributes["readings"], attributes["sensordata"], attributes["_ctrl"], attributes["_warnings"]
         return attributes
@@ -116,5 +116,5 @@ class SingleSimulation:
     def __setstate__(self, attributes: dict[str, Any]) -> None:
         self.__dict__.update(attributes)
         self._bind()
-        # What the first half of a step leaves in the engine's own memory does not travel with the data.
+        # Pickling does not include the intermediate results of the first half of a step.
         mujoco.mj_step1(self.model, self.data)

@@ -1,4 +1,4 @@
-"""How commands are drawn."""
+"""Random sampling of commands."""
 
 from collections.abc import Sequence
 
@@ -14,11 +14,11 @@ Floats = NDArray[np.float64]
 
 
 class CommandSampler:
-    """Draws commands.
+    """Samples commands.
 
     Args:
-        commands: the velocity command first (C,).
-        config: their ranges, the shares of standing and straight commands, and the time between commands.
+        commands: components of the command (C,), the velocities first.
+        config: ranges, fractions of standing and straight commands, and time between commands.
     """
 
     def __init__(self, commands: Sequence[Command], config: Section) -> None:
@@ -29,7 +29,7 @@ class CommandSampler:
         self._low, self._high = ranges[:, 0], ranges[:, 1]
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
-        """Commands (R, C), and seconds (R,) until the next one, from uniform draws (R, 2 + C) in [0, 1)."""
+        """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
         kind, config = draws[:, 0], self._config
         command = self._low + (self._high - self._low) * draws[:, 1:-1]
         np.copyto(command[:, 1], 0.0, where=kind < config.standing_fraction + config.straight_fraction)

@@ -1,7 +1,7 @@
-"""The task in numbers: frozen, validated, printable, saved with every run.
+"""Config of the task: frozen, validated, printable, and saved with every run.
 
-The sections `command`, `reward`, `termination` and `randomization` have the fields that the task's terms give them, so
-they follow from the task's definition (`quadruped_env.task.definition`); the others are dataclasses.
+The fields of the sections `command`, `reward`, `termination` and `randomization` are the parameters of the task's
+terms, so they depend on the task's definition (`quadruped_env.task.definition`). The other sections are dataclasses.
 """
 
 import dataclasses
@@ -34,7 +34,7 @@ _POSITIVE_SECONDS: Final = Parameter.positive("s")
 
 @functools.cache
 def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
-    """The fields of the sections that follow from a definition."""
+    """Fields of the sections that depend on the task's definition."""
     command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands} | {
         "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "straight_fraction": parameter_entry(Parameter(low=0.0), 0.4),
@@ -81,7 +81,7 @@ def _remade(name: str, definition: TaskDefinition, values: dict[str, Any]) -> Se
     return _section(name, values, definition)
 
 
-def CommandConfig(**values: Any) -> Section:  # noqa: N802  a section of the config, made like the other sections
+def CommandConfig(**values: Any) -> Section:  # noqa: N802  named like the class of a section
     """Distribution of the velocity commands, with the built-in task's fields."""
     return _section("command", values, BUILT_IN)
 
@@ -97,29 +97,29 @@ def TerminationConfig(**values: Any) -> Section:  # noqa: N802
 
 
 def RandomizationConfig(**values: Any) -> Section:  # noqa: N802
-    """What is drawn for every episode, with the built-in task's fields."""
+    """Randomization of episodes, with the built-in task's fields."""
     return _section("randomization", values, BUILT_IN)
 
 
 @dataclass(frozen=True)
 class TaskConfig(PlainFields):
-    """Everything that defines the task."""
+    """Complete config of a task."""
 
     decimation: int = 4
     """Physics steps per control step."""
     physics_timestep: float = 0.005
-    """s"""
+    """Physics time step, s."""
     clock_frequency: float = 2.2
-    """Gait cycles per second, of the clock in the observation and of the scripted gait in residual mode"""
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, cycles per second."""
     action: ActionConfig = field(default_factory=ActionConfig)
     command: Section = field(default_factory=CommandConfig)
     reward: Section = field(default_factory=RewardConfig)
     termination: Section = field(default_factory=TerminationConfig)
     randomization: Section = field(default_factory=RandomizationConfig)
     motor: MotorConfig = field(default_factory=MotorConfig)
-    """The robot's own, or those that `evaluate/identify.py` found on another"""
+    """Motors of the model file, or motors identified by `evaluate/identify.py`."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)
-    """The terms; those of a user's file come from `load_task_file`"""
+    """Terms of the task; `load_task_file` adds those of a user's file."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -140,7 +140,7 @@ class TaskConfig(PlainFields):
 
     @property
     def control(self) -> ControlConfig:
-        """What training and a robot share."""
+        """Part of the config that training and a real robot share."""
         return ControlConfig(
             timestep=self.control_timestep,
             clock_frequency=self.clock_frequency,
@@ -150,11 +150,11 @@ class TaskConfig(PlainFields):
 
     @property
     def commands(self) -> tuple[Command, ...]:
-        """What may be commanded, the velocity command first."""
+        """Components of the command, the velocities first."""
         return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain nested values, as `from_dict` and JSON take them; the file of a user's terms by name and SHA-256."""
+        """Nested plain values for `from_dict` and JSON; a user's file of terms is given by name and SHA-256."""
         values: dict[str, Any] = {}
         for entry in dataclasses.fields(self):
             value = getattr(self, entry.name)
@@ -171,15 +171,15 @@ class TaskConfig(PlainFields):
 
     @classmethod
     def from_dict(cls, values: dict[str, Any], definition: TaskDefinition = BUILT_IN) -> Self:
-        """A config from nested values, NumPy's included; what is left out keeps its default.
+        """Create a config from nested values, which may be NumPy's; missing fields have their defaults.
 
         Args:
-            values: as `to_dict` gives them.
-            definition: the terms, if some of them come from a user's file (`load_task_file`).
+            values: nested values in the form of `to_dict`.
+            definition: terms of the task, if some of them come from a user's file (`load_task_file`).
 
         Raises:
-            QuadrupedError: if a field is unknown or a value of the wrong kind, saying which and what is valid; or if
-                the values name another file of terms than the definition's.
+            QuadrupedError: if a field is unknown or a value has the wrong type (the message names the field and what
+                is valid), or if the values name another file of terms than the definition.
         """
         values = plain(values)
         if isinstance(values, dict):

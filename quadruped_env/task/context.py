@@ -1,4 +1,4 @@
-"""What reward terms and terminations may know."""
+"""Input of reward terms and terminations."""
 
 import math
 from typing import Any
@@ -15,17 +15,17 @@ Floats = NDArray[np.float64]
 
 
 class TaskContext:
-    """Readings, actions, commands and the episode's memory of N envs, as terms see them after a control step.
+    """Readings, actions, commands and episode memory of N envs after a control step.
 
-    Terms read everything from the context that they are called with: its arrays are overwritten at every step, and may
-    be replaced when an env is copied.
+    A term must read from the context that it is called with and keep no reference to its arrays: they are overwritten
+    at every step, and may be replaced when an env is copied.
 
     Args:
-        readings: of the simulation.
-        control: clock, command and actions.
-        velocity_time_constant: s; of `smooth_velocity`.
-        contact_threshold: N; a foot that presses harder is in contact.
-        xp: the arrays' functions.
+        readings: readings of the simulation.
+        control: gait clock, commands and actions.
+        velocity_time_constant: time constant of `smooth_velocity`, s.
+        contact_threshold: normal force above which a foot is in contact, N.
+        xp: array functions.
     """
 
     def __init__(
@@ -39,39 +39,39 @@ class TaskContext:
         self.xp = xp
         self.robot = control.robot
         self.memory = EpisodeMemory(control.num_envs)
-        """Arrays of the terms: zero after a reset, saved with the env"""
+        """Arrays of the terms: zero after a reset, and saved with the env."""
         self.timestep = control.config.timestep
-        """s between actions"""
+        """Time between actions, s."""
         self.velocity: Floats = np.zeros((control.num_envs, 2))
-        """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)"""
+        """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)."""
         self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", 2)
-        """`velocity`, averaged over about a gait cycle, (N, 2)"""
+        """Average of `velocity` over about one gait cycle, (N, 2)."""
         self.tracking_error: Floats = np.zeros((control.num_envs, 2))
-        """`smooth_velocity` minus the command that was in force in this step, (N, 2)"""
+        """`smooth_velocity` minus the command in force during the step, (N, 2)."""
         self.fallen: Floats = np.zeros(control.num_envs)
-        """1.0 where the episode ends in a fall in this step, else 0.0, (N,)"""
+        """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
         self.contact_threshold = xp.constant(contact_threshold)
-        """N"""
+        """Normal force above which a foot is in contact, N."""
         self._foot_radius = xp.constant(control.robot.foot_radius)
         self._smoothing = np.array(1.0 - math.exp(-self.timestep / velocity_time_constant))
         self.bind(readings, control)
 
     def bind(self, readings: Readings, control: ControlInterface) -> None:
-        """Read from these from now on."""
+        """Replace the readings and the control interface."""
         self.readings = readings
-        """What the simulation reads, see `Readings`"""
+        """Readings of the simulation; see `Readings`."""
         self.control = control
         self.action = control.action
-        """(N, J)"""
+        """Latest action in [-1, 1], (N, J)."""
         self.previous_action = control.previous_action
-        """(N, J)"""
+        """Action of the step before, (N, J)."""
         self.command = control.command
-        """Forward velocity (m/s) and yaw rate (rad/s), (N, 2)"""
+        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
         self.moving = control.moving
-        """1.0 where a motion is commanded, (N,)"""
+        """1.0 where a motion is commanded, else 0.0, (N,)."""
 
     def update(self) -> None:
-        """Take in the readings after a control step."""
+        """Update the velocities from the readings after a control step."""
         self.velocity[:, 0] = self.readings.linear_velocity_b[:, 0]
         self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
         change = self.velocity - self.smooth_velocity
@@ -80,17 +80,17 @@ class TaskContext:
 
     @property
     def joint_offset(self) -> Any:
-        """Joint positions relative to the stance, rad (N, J)."""
+        """Joint positions relative to the stance (N, J), rad."""
         return self.readings.joint_position - self.control.stance
 
     @property
     def base_height(self) -> Any:
-        """Height of the base's centre over the ground, m (N,)."""
+        """Height of the base's centre above the ground (N,), m."""
         return self.readings.base_position[:, 2]
 
     @property
     def sole_height(self) -> Any:
-        """Height of each foot's lowest point over the ground, m (N, L)."""
+        """Height of each foot's lowest point above the ground (N, L), m."""
         return self.readings.foot_position[..., 2] - self._foot_radius
 
     @property
@@ -99,5 +99,5 @@ class TaskContext:
         return self.xp.number(self.readings.foot_force > self.contact_threshold)
 
     def command_of(self, name: str) -> Floats:
-        """One number of the command by name, (N,)."""
+        """One component of the command by name, (N,)."""
         return self.control.command_of(name)

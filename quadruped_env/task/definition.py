@@ -1,4 +1,4 @@
-"""What a task is made of: lists of terms, the built-in ones and those of a user's own file."""
+"""Definition of a task: lists of terms, built-in or from a user's file."""
 
 import dataclasses
 import os
@@ -19,7 +19,7 @@ from quadruped_env.task.terms import RewardTerm, Termination
 
 @dataclass(frozen=True, eq=False)
 class TaskDefinition:
-    """Rewards, observations, terminations, randomizations and commands, each in order.
+    """Ordered lists of rewards, observations, terminations, randomizations and commands.
 
     Two definitions are equal if they come from files with the same content.
     """
@@ -30,7 +30,7 @@ class TaskDefinition:
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
     commands: tuple[Command, ...] = COMMANDS
     file: TaskFile | None = None
-    """Where terms come from that are not built in"""
+    """File that defines the terms that are not built in."""
     path: str | None = None
 
     @property
@@ -49,17 +49,17 @@ class TaskDefinition:
         return None if self.file is None else self.file.sha256
 
     def __reduce__(self) -> Any:
-        # Functions of a user's file do not pickle: the other process reads the file again.
+        # Functions of a user's file do not support pickling: unpickling loads the file again.
         return _again, (self.path, self.file)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self
 
     def extended(self, terms: Iterable[Any], file: TaskFile, path: str) -> Self:
-        """With a user's terms added to the lists, in their order; one of the same name takes the place of the other.
+        """A copy with a user's terms appended to the lists, in order; a term replaces a built-in one of the same name.
 
         Raises:
-            QuadrupedError: if two terms cannot be told apart.
+            QuadrupedError: if a term would replace only a part of a group of terms that are computed together.
         """
         terms = list(terms)
         try:
@@ -87,15 +87,14 @@ BUILT_IN: Final = TaskDefinition()
 def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
     """The built-in task, extended by the terms that a Python file defines at its top level.
 
-    The file's code is executed: load no file that you would not run.
+    The file's code is executed, so load only files that you trust.
 
     Args:
-        path: of the file.
-        expected: what the file has to be; compared before anything is executed.
+        path: path of the file.
+        expected: expected name and hash; verified before anything is executed.
 
     Raises:
-        QuadrupedError: if the file cannot be read, is not the one that is expected, fails when it is executed, or
-            defines no term.
+        QuadrupedError: if the file cannot be read, differs from the expected one, raises an error, or defines no term.
     """
     file, module = execute(path, expected)
     built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
@@ -113,7 +112,7 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
 
 
 def _again(path: str | None, file: TaskFile | None) -> TaskDefinition:
-    """The definition that was pickled."""
+    """Definition from the arguments that were pickled."""
     if path is None or file is None:
         return BUILT_IN
     return load_task_file(path, file)

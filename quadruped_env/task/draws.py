@@ -1,7 +1,7 @@
-"""Random numbers by counting: each is a hash of an env's key, its episode, the step, a purpose and a column.
+"""Counter-based random numbers: each is a hash of an env's key, its episode, the step, a purpose and a column.
 
-All envs draw at once, a draw that is added shifts no other, and what has to be kept between draws is two integers per
-env. The hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10.1145/2660193.2660195).
+All envs are drawn in one call, an added draw does not change the others, and the state is two integers per env. The
+hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10.1145/2660193.2660195).
 """
 
 import hashlib
@@ -25,10 +25,10 @@ _ONE_STEP: Final = 2.0**-53
 
 
 class Purposes:
-    """Groups of columns that are drawn together, each for a purpose of its own.
+    """Groups of columns that are drawn together, one group per purpose.
 
     Args:
-        widths: numbers per purpose.
+        widths: number of columns per purpose.
     """
 
     def __init__(self, widths: Mapping[str, int]) -> None:
@@ -53,21 +53,21 @@ def _constant(purpose: str, column: int) -> int:
 
 
 class Draws:
-    """Uniform numbers for N envs.
+    """Uniform random numbers for N envs.
 
     Args:
-        num_envs: N.
+        num_envs: number of envs, N.
     """
 
     def __init__(self, num_envs: int) -> None:
-        # Not cleared at a reset, as it says which episode this is.
+        # Not cleared at a reset, because it holds the number of the episode.
         self._memory = EpisodeMemory(num_envs)
         self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
         self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
         self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
 
     def set_key(self, env_id: int, generator: np.random.Generator) -> None:
-        """Take an env's key from a generator; its episodes count from 0 again."""
+        """Set an env's key from a generator, and restart its episode count at 0."""
         self._key[env_id] = generator.integers(0, 2**64, dtype=np.uint64)
         self._episode[env_id] = 0
 
@@ -80,24 +80,24 @@ class Draws:
         """Numbers in [0, 1) for some envs at a step of their episodes.
 
         Args:
-            purposes: what to draw.
+            purposes: purposes to draw for.
             env_ids: indices (R,), or a slice.
-            step: of each of these envs (R,); the same step gives the same numbers again.
+            step: control step of each of these envs (R,); the same step always gives the same numbers.
 
         Returns:
-            (R, columns of the purposes).
+            Numbers (R, number of columns).
         """
         at_step = _mix(self._episode_key[env_ids] + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN)
         mixed = _mix(at_step[:, None] ^ purposes.constants)
-        # The top 53 bits, as NumPy's own generators make a double.
+        # A double from the top 53 bits, as in NumPy's generators.
         return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
 
     def get_state(self, env_id: int) -> dict[str, Any]:
-        """What the future draws of an env depend on."""
+        """State from which the future draws of an env follow."""
         return self._memory.get_state(env_id)
 
     def set_state(self, env_id: int, state: dict[str, Any]) -> None:
-        """Restore what `get_state` returned."""
+        """Restore a state from `get_state`."""
         self._memory.set_state(env_id, state)
 
 

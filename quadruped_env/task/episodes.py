@@ -1,4 +1,4 @@
-"""What is drawn at random in episodes: starts, models, commands, pushes, and the noise of the sensors."""
+"""Random quantities of episodes: initial states, model parameters, commands, pushes and sensor noise."""
 
 import math
 from dataclasses import dataclass
@@ -20,14 +20,14 @@ Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
 
 _START_CLEARANCE: Final = 0.01
-"""m between the ground and the stance at the start, so that bent legs do not begin inside the ground."""
+"""Height of the stance above the ground at the start, so that randomized legs do not penetrate it, m."""
 
 _NO_STATE: Final = np.zeros((0, 0))
 
 
 @dataclass(frozen=True, slots=True)
 class _Active:
-    """A randomization that draws something."""
+    """A randomization whose setting is not zero or None."""
 
     randomization: Randomization
     apply: Any
@@ -39,12 +39,12 @@ class _Active:
 
 
 class Randomizer:
-    """Draws what a task's config and definition leave to chance.
+    """Applies the randomizations of a task, and samples its commands and observation noise.
 
     Args:
-        simulation: N robots.
-        control: their clocks and commands.
-        draws: where the numbers come from.
+        simulation: simulation of N robots.
+        control: gait clocks and commands of the robots.
+        draws: source of random numbers.
         config: ranges and terms.
     """
 
@@ -66,7 +66,7 @@ class Randomizer:
         self._events = []
         self.memory = EpisodeMemory(control.num_envs)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
-        """Control step of the episode at which the next command is drawn, (N,)"""
+        """Control step of the episode at which the next command is drawn, (N,)."""
         for r in recurring:
             purposes = Purposes({r.name: r.draws(robot), f"{r.name}/interval": 1})
             due = self.memory.zeros(f"{r.name}_due", dtype=np.int64)
@@ -86,7 +86,7 @@ class Randomizer:
         )
 
     def begin_episodes(self, env_ids: EnvIds) -> Floats:
-        """Put some envs (R,) at a start; their commands (R, C)."""
+        """Set some envs (R,) to random initial states, and return their commands (R, C)."""
         draws = self._draws.uniform(self._at_start, env_ids, np.zeros(len(env_ids), dtype=np.int64))
         control, robot = self._control, self._control.robot
         event = Event(
@@ -113,14 +113,14 @@ class Randomizer:
         return command
 
     def next_command(self, env_ids: EnvIds) -> Floats:
-        """New commands (R, C) for some envs (R,) within their episodes."""
+        """New commands (R, C) for some envs (R,) in the middle of their episodes."""
         steps = self._control.steps[env_ids]
         command, seconds = self._commands.sample(self._draws.uniform(self._commands.purposes, env_ids, steps))
         self.command_due[env_ids] = steps + self._in_steps(seconds)
         return command
 
     def within_episodes(self, running: EnvIds | None) -> None:
-        """Carry out what is due at this control step, in all envs or some (R,)."""
+        """Apply the randomizations that are due at this control step, in all envs or some (R,)."""
         for active, purposes, interval, due in self._events:
             env_ids = np.flatnonzero(self._control.steps >= due)
             if running is not None:
@@ -132,7 +132,7 @@ class Randomizer:
                 active.carry_out(event, draws)
 
     def observation_noise(self) -> Floats:
-        """Noise on the unscaled readings (N, width); the same for the same step."""
+        """Noise on the unscaled readings (N, width); identical if called again at the same step."""
         uniform = self._draws.uniform(self._noise, slice(None), self._control.steps)
         return self._noise_amplitude * (2.0 * uniform - 1.0)
 

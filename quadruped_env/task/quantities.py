@@ -1,6 +1,6 @@
 """Quantities that rewards and metrics share: pure functions of arrays (N, ...).
 
-Reductions run along the last axis only, so that an env's value does not depend on how many envs there are.
+Reductions run along the last axis only, so that the value of an env does not depend on the number of envs.
 """
 
 import math
@@ -12,82 +12,83 @@ from numpy.typing import NDArray
 from quadruped_env.arrays import NUMPY, Namespace
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
-"""m/s and rad/s below which `progress` no longer pays in full."""
+"""Command below which `progress` is reduced in proportion, m/s and rad/s."""
 
 
 def tracking_kernel(error: Any, std: Any, xp: Namespace = NUMPY) -> Any:
-    """Score in (0, 1] of a tracking error: 1 without one, 1/e at an error of std. Elementwise, (N, 2)."""
+    """Score in (0, 1] of a tracking error: exp(-(error / std)^2). Elementwise, (N, 2)."""
     share = error / std
     return xp.exp(-(share * share))
 
 
 def progress_scale(command: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Share of the command per velocity, and the share that is the whole command, for commands (N, 2).
+    """Scale from velocity to share of the command, and the share that equals the whole command, for commands (N, 2).
 
-    The whole is 1, and less below `_SMALLEST_COMMAND`, where a command counts in proportion.
+    The whole is 1. Below `_SMALLEST_COMMAND` it is smaller, in proportion to the command.
     """
     size = np.maximum(np.abs(command), _SMALLEST_COMMAND)
     return np.sign(command) / size, np.abs(command) / size
 
 
 def progress(share: Any, whole: Any, overshoot: Any, xp: Namespace = NUMPY) -> Any:
-    """Share of a commanded velocity that is reached, in [-1, 1]; 0 where none is commanded. Elementwise, (N, 2).
+    """Share of a commanded velocity that is reached, in [-1, 1]; 0 for a zero command. Elementwise, (N, 2).
 
-    Linear, so it shows the way from standing, where a tracking kernel is flat. `overshoot` is the slope of the penalty
-    beyond the whole, relative to the slope below: 1 stays at the whole, 2 makes the penalty as steep as the reward.
+    It is linear, so it has a gradient at standstill, where a tracking kernel is flat. `overshoot` is the slope of the
+    penalty above the commanded velocity, relative to the slope below it: with 1 the value stays constant, with 2 it
+    decreases as steeply as it increased.
     """
     return xp.maximum(share - overshoot * xp.positive(share - whole), xp.minus_one)
 
 
 def clock_agreement(lift: Any, clock_sine: Any, xp: Namespace = NUMPY) -> Any:
-    """Agreement of the feet with the gait clock, in [-1, 1], shape (N,).
+    """Agreement between foot heights and the gait clock (N,), in [-1, 1].
 
     Args:
-        lift: 1 for a foot in the air, -1 on the ground, or anything between (N, L).
+        lift: 1 for a foot in the air, -1 on the ground, or a value between (N, L).
         clock_sine: positive while the foot should swing (N, L).
-        xp: the arrays' functions.
+        xp: array functions.
     """
     return xp.dot(clock_sine, lift) * (1.0 / clock_sine.shape[-1])
 
 
 class FootLift:
-    """Height of each sole over the ground: -1 on the ground to 1 at a full lift and above, shape (N, L).
+    """Lift of each foot (N, L): -1 on the ground, 1 at the full height and above, 1 - 2 (1 - height / full)^2 between.
 
-    Smooth where contact is a switch, so that a little more lift already pays; and bent, 1 - 2 (1 - height / full)^2, so
-    that the first millimetres pay most and no foot is left dragging for the sake of the others.
+    Unlike contact it is continuous, so a small increase in height already increases the reward. The slope is largest
+    at the ground, so it does not pay to drag one foot and lift the others higher.
 
     Args:
-        full: m.
-        xp: the arrays' functions.
+        full: height of a full lift, m.
+        xp: array functions.
     """
 
     def __init__(self, full: float, xp: Namespace = NUMPY) -> None:
-        # Such that the square of what is missing is 2 on the ground.
+        # Scaled so that the square of the missing height is 2 on the ground.
         self._top, self._scale = xp.constant(math.sqrt(2.0)), xp.constant(math.sqrt(2.0) / full)
         self._one = xp.constant(1.0)
         self._xp = xp
 
     def __call__(self, sole_height: Any) -> Any:
-        """For heights (N, L) in m."""
+        """Lift (N, L) for heights (N, L) in m."""
         missing = self._xp.positive(self._top - sole_height * self._scale)
         return self._one - missing * missing
 
 
 def mechanical_power(torque: Any, velocity: Any, xp: Namespace = NUMPY) -> Any:
-    """Power that the motors put in, W, shape (N,); braking gives nothing back."""
+    """Mechanical power of the motors (N,), W; negative power counts as zero."""
     return xp.sum(xp.positive(torque * velocity))
 
 
 def sliding_squared(foot_velocity: Any, foot_angular_velocity: Any, sole: Any, xp: Namespace = NUMPY) -> Any:
-    """Squared horizontal velocity of each foot's lowest point, m^2/s^2, shape (N, L).
+    """Squared horizontal velocity of each foot's lowest point (N, L), m^2/s^2.
 
     The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r).
 
     Args:
-        foot_velocity: of the ball's centre, m/s (N, L, 3).
-        foot_angular_velocity: rad/s (N, L, 3).
-        sole: (-r, r) in m, which turns angular velocity about (y, x) into velocity along (x, y).
-        xp: the arrays' functions.
+        foot_velocity: velocity of the ball's centre (N, L, 3), m/s.
+        foot_angular_velocity: angular velocity of the foot (N, L, 3), rad/s.
+        sole: (-r, r), the factors from angular velocity about (y, x) to velocity along (x, y), m.
+        xp: array functions.
     """
     sliding = foot_velocity[..., :2] + xp.reverse(foot_angular_velocity[..., :2]) * sole
     return xp.dot(sliding, sliding)

@@ -1,4 +1,4 @@
-"""What differs from episode to episode, and within one: a list of `Randomization`s, the built-in ones at the end."""
+"""Randomization of initial states, model parameters and pushes; the built-in randomizations are at the end."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -20,22 +20,22 @@ Law = Literal["uniform", "log_uniform", "normal"]
 
 @dataclass(slots=True)
 class Event:
-    """Some envs (R,) at the start of their episodes, or in the middle of one: what a randomization may change."""
+    """Envs to which a randomization is applied, at the start of their episodes or within them."""
 
     simulation: Simulation
     robot: Robot
     env_ids: NDArray[np.intp]
-    """(R,)"""
+    """Indices of the envs (R,)."""
     qpos: Floats
-    """The start: base pose and joint positions as MuJoCo has them, (R, 7 + J); empty within an episode"""
+    """Initial base pose and joint positions in MuJoCo's order, (R, 7 + J); empty within an episode."""
     qvel: Floats
-    """(R, 6 + J)"""
+    """Initial base and joint velocities in MuJoCo's order, (R, 6 + J)."""
     tilt: Floats
-    """Roll, pitch and heading of the base at the start, rad (R, 3)"""
+    """Initial roll, pitch and heading of the base (R, 3), rad."""
 
 
 class Apply(Protocol):
-    """Carries out a randomization."""
+    """Function that applies a randomization."""
 
     def __call__(self, event: Event, values: Floats) -> None:
         """Apply values (R, width)."""
@@ -44,33 +44,33 @@ class Apply(Protocol):
 
 @dataclass(frozen=True)
 class Randomization:
-    """One quantity that is drawn anew, at every reset or at intervals within an episode."""
+    """A quantity that is drawn at every reset, or at intervals within an episode."""
 
     name: str
-    """Also its field in `config["randomization"]`"""
+    """Name of the randomization, and of its field in `config["randomization"]`."""
     apply: "Apply | ModelField"
-    """(event, values (R, width)); or a `ModelField`"""
+    """Function (event, values (R, width)), or a `ModelField`."""
     default: Range | float | None
-    """The range to draw from: a number stands for -number to number; None or 0 draws nothing"""
+    """Range to draw from; a number x stands for (-x, x), and None or 0 disables the randomization."""
     unit: str = "1"
     width: int | Literal["joints", "feet"] = 1
-    """Numbers per env"""
+    """Number of values per env."""
     law: Law = "uniform"
-    """`uniform`; `log_uniform`; or `normal`, around the middle of the range with a quarter of its width as standard
-    deviation, clipped to it"""
+    """Distribution: `uniform`, `log_uniform` or `normal`. The normal one has its mean at the middle of the range and a
+    quarter of the width as standard deviation, and is clipped to the range."""
     valid: Parameter = field(default_factory=Parameter)
-    """What a range may hold"""
+    """Constraint on both ends of the range."""
     interval: tuple[str, Range] | None = None
-    """For one that comes again within an episode: the config's field for the seconds between, and its default"""
+    """For a randomization that repeats within an episode: the config's field for the interval in s, and its default."""
 
     def columns(self, robot: Robot) -> int:
-        """Numbers per env."""
+        """Number of values per env."""
         if self.width == "joints":
             return robot.num_joints
         return robot.num_legs if self.width == "feet" else self.width
 
     def draws(self, robot: Robot) -> int:
-        """Uniform numbers per env."""
+        """Number of uniform draws per env."""
         return self.columns(robot) * (2 if self.law == "normal" else 1)
 
     def values(self, draws: Floats, setting: Range | float) -> Floats:
@@ -87,27 +87,27 @@ class Randomization:
 
 
 def is_active(setting: Range | float | None) -> bool:
-    """Whether a setting of a randomization draws anything."""
+    """True if a setting enables its randomization."""
     return setting is not None and setting not in (0.0, (0.0, 0.0))
 
 
 def between(bounds: Range, draw: Floats) -> Floats:
-    """Uniform draws in [0, 1) stretched to [low, high)."""
+    """Uniform draws in [0, 1), scaled to [low, high)."""
     low, high = bounds
     return low + (high - low) * draw
 
 
 @dataclass(frozen=True)
 class ModelField:
-    """Changes a field of each env's own MuJoCo model.
+    """Randomizes a field of the MuJoCo model, with one value per env.
 
-    A mass is changed together with its inertia, in proportion, as for a body of the same size.
+    If the field is a mass, the inertia is scaled in proportion, as for a body of the same size.
 
     Args:
-        field: of `MjModel`, such as `geom_friction` or `body_mass`.
-        names: bodies, geoms, joints or whatever the field has rows for; None takes all.
-        column: of a field with columns; None takes all.
-        mode: `set`, or `scale` or `add` to what the model file says.
+        field: field of `MjModel`, such as `geom_friction` or `body_mass`.
+        names: names of the bodies, geoms, joints or other elements to change; None selects all.
+        column: index along the second axis of the field; None selects all.
+        mode: `set` replaces the value of the model file, `scale` multiplies it, `add` is added to it.
     """
 
     field: str
@@ -119,12 +119,14 @@ class ModelField:
         """Look the names up in a model.
 
         Raises:
-            QuadrupedError: if the field or a name is not the model's.
+            QuadrupedError: if the model has no such field or element.
         """
         model = simulation.model
         kind = self.field.partition("_")[0]
         if not isinstance(getattr(model, self.field, None), np.ndarray):
-            raise QuadrupedError(f"ModelField: {self.field!r} is no array of MuJoCo's model; see the docs of MjModel")
+            raise QuadrupedError(
+                f"ModelField: {self.field!r} is not an array of MuJoCo's model; see the docs of MjModel"
+            )
         before = getattr(model, self.field).copy()
         try:
             rows: Any = slice(None) if self.names is None else [getattr(model, kind)(name).id for name in self.names]
@@ -136,17 +138,17 @@ class ModelField:
 
 @dataclass(frozen=True, eq=False)
 class _BoundField:
-    """A `ModelField` in a simulation."""
+    """A `ModelField` of a simulation."""
 
     model_field: ModelField
     simulation: Simulation
     ids: NDArray[np.intp]
     before: Floats
-    """What the model file says"""
+    """Values of the model file."""
     inertia: Floats
 
     def __call__(self, event: Event, values: Floats) -> None:
-        """Write values (R, 1), or (R, rows) for one per row."""
+        """Write values (R, 1), or (R, E) for E elements."""
         field, simulation = self.model_field, self.simulation
         column = field.column if self.before.ndim > 1 else None
         where: tuple[Any, ...] = (event.env_ids[:, None], self.ids[None, :])
@@ -190,7 +192,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     Randomization("start_base_velocity", _base_velocity, 0.2, "m/s, rad/s", 6),
     Randomization("start_tilt", _tilt, 0.05, "rad", 2),
     Randomization("start_heading", _heading, math.pi, "rad"),
-    # A contact takes the larger friction of its two geoms, so that all are set.
+    # MuJoCo uses the larger friction of the two geoms in contact, so all geoms are set.
     Randomization("friction", ModelField("geom_friction", column=0, mode="set"), None, valid=Parameter.positive()),
     Randomization(
         "payload",
@@ -201,10 +203,10 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization("push_velocity", _push, 0.0, "m/s", 2, interval=("push_interval", (4.0, 8.0))),
 )
-"""Start offsets around the stance at rest, friction of foot and ground, mass on the base, and pushes."""
+"""Built-in randomizations: offsets from the stance at rest, friction, payload on the base, and pushes."""
 
 
 def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:
-    """What carries a randomization out in a simulation."""
+    """Function that applies a randomization in a simulation."""
     apply = randomization.apply
     return apply.bind(simulation) if isinstance(apply, ModelField) else apply

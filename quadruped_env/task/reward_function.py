@@ -1,4 +1,4 @@
-"""The reward terms of a task, computed in one pass."""
+"""Computation of the reward terms and terminations of a task."""
 
 import functools
 import inspect
@@ -17,12 +17,12 @@ Floats = NDArray[np.float64]
 
 
 class RewardFunction:
-    """Every reward term of a list, weighted, one row per term.
+    """Weighted reward terms of a task.
 
     Args:
-        terms: in the order in which they are added.
-        config: their weights and parameters.
-        context: what they read.
+        terms: terms in the order in which they are added.
+        config: weights and parameters of the terms.
+        context: input of the terms.
     """
 
     def __init__(self, terms: Sequence[RewardTerm], config: Section, context: TaskContext) -> None:
@@ -31,51 +31,51 @@ class RewardFunction:
         self._single: list[tuple[int, Callable[[TaskContext], Any]]] = []
         self._joint: list[tuple[slice, Callable[[TaskContext], Any]]] = []
         self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = []
-        row = 0
+        index = 0
         for term in terms:
             function = _with_parameters(term, config, context)
             if hasattr(function, "command_changed"):
                 self._listeners.append(function.command_changed)
             if len(term.names) == 1:
-                self._single.append((row, function))
+                self._single.append((index, function))
             else:
-                self._joint.append((slice(row, row + len(term.names)), function))
-            row += len(term.names)
+                self._joint.append((slice(index, index + len(term.names)), function))
+            index += len(term.names)
 
     def command_changed(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
-        """Let the terms that keep something per command know of new velocity commands (R, 2) of some envs (R,)."""
+        """Notify the terms with a method `command_changed` of new velocity commands (R, 2) of some envs (R,)."""
         for listener in self._listeners:
             listener(env_ids, velocity)
 
     def __call__(self, context: TaskContext) -> Floats:
-        """Weighted terms (T, N), a new array."""
+        """Weighted terms (T, N) in a new array."""
         values = np.empty((len(self.names), len(context.velocity)))
-        for rows, function in self._joint:
-            values[rows] = function(context).T
-        for row, function in self._single:
-            values[row] = function(context)
+        for indices, function in self._joint:
+            values[indices] = function(context).T
+        for index, function in self._single:
+            values[index] = function(context)
         values *= self._weights
         return values
 
     def check(self, context: TaskContext) -> None:
-        """Compute every term once, to see that it fits.
+        """Compute every term once, to check its result.
 
         Raises:
-            QuadrupedError: if a term fails or returns something of another shape than (N,), or (N, K) for K names.
+            QuadrupedError: if a term raises an error or its result does not have shape (N,), or (N, K) for K names.
         """
         n = len(context.velocity)
-        for row, function in self._single:
-            checked(f"reward {self.names[row]}", (n,), functools.partial(function, context))
-        for rows, function in self._joint:
-            names = self.names[rows]
+        for index, function in self._single:
+            checked(f"reward {self.names[index]}", (n,), functools.partial(function, context))
+        for indices, function in self._joint:
+            names = self.names[indices]
             checked(f"reward {' and '.join(names)}", (n, len(names)), functools.partial(function, context))
 
 
 def checked(what: str, shape: tuple[int, ...], call: Callable[[], Any]) -> None:
-    """See that a function of a user's returns an array of a shape.
+    """Check that a user's function returns an array of a given shape.
 
     Raises:
-        QuadrupedError: if it fails, or returns something else.
+        QuadrupedError: if it raises an error or returns another shape.
     """
     try:
         value = call()
@@ -86,32 +86,32 @@ def checked(what: str, shape: tuple[int, ...], call: Callable[[], Any]) -> None:
 
 
 class Terminations:
-    """Every termination of a list.
+    """Terminations of a task.
 
     Args:
-        terms: the conditions.
-        config: their parameters.
-        context: what they read.
+        terms: termination conditions.
+        config: parameters of the terms.
+        context: input of the terms.
     """
 
     def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
         self._functions = [(term.name, _with_parameters(term, config, context)) for term in terms]
 
     def __call__(self, context: TaskContext, diverged: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Envs (N,) in which a condition holds, or that diverged; a new array."""
+        """Mask (N,) of the envs in which a condition holds or the simulation diverged, in a new array."""
         ended = diverged.copy()
         for _, function in self._functions:
             ended |= function(context)
         return ended
 
     def check(self, context: TaskContext) -> None:
-        """As `RewardFunction.check`."""
+        """Compute every termination once, to check its result; see `RewardFunction.check`."""
         for name, function in self._functions:
             checked(f"termination {name}", (len(context.velocity),), functools.partial(function, context))
 
 
 def _with_parameters(term: RewardTerm | Termination, config: Section, context: TaskContext) -> Any:
-    """A term's function with the config's parameters; of a class, an instance."""
+    """Function of a term with the config's parameters; for a class, an instance of it."""
     parameters = {name: config[name] for name in term.parameters}
     function: Any = term.function
     if inspect.isclass(term.function):

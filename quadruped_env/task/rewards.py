@@ -1,7 +1,7 @@
 """The built-in reward terms, in the order in which they are added.
 
-A term is a function of a `TaskContext` with a weight per second, a unit and a docstring; there is nothing else to it.
-Its arguments with a default are fields of `config["reward"]`.
+A term is a function of a `TaskContext` with a weight per second, a unit and a docstring. Its arguments with a default
+are fields of `config["reward"]`.
 """
 
 from typing import Annotated, Any, Final, cast
@@ -17,8 +17,8 @@ Positive = Parameter.positive
 
 
 @reward_group(track_forward_velocity=6.0, track_yaw_rate=3.0)
-class tracking:  # noqa: N801  a term, and named as the others are
-    """How well the velocity command is followed.
+class tracking:  # noqa: N801  named like the other terms
+    """Tracking of the velocity command.
 
     track_forward_velocity: exp(-((v~ - v_command) / 0.1 m/s)^2)
     track_yaw_rate: exp(-((w~ - w_command) / 0.25 rad/s)^2)
@@ -46,14 +46,14 @@ class progress:  # noqa: N801
     """
 
     def __init__(self, context: TaskContext) -> None:
-        # Twice for the forward velocity, because going too fast does not pay. The yaw rate sways by more than its
-        # command, and a peak there would hardly be felt.
+        # 2 for the forward velocity, so that excess speed is penalized. The yaw rate oscillates by more than its
+        # command, so a peak at the command would have little effect.
         self._overshoot = context.xp.constant([[2.0, 1.0]])
         self._scale = context.memory.zeros("progress_scale", 2)
         self._whole = context.memory.zeros("progress_whole", 2)
 
     def command_changed(self, env_ids: NDArray[np.intp], command: NDArray[np.float64]) -> None:
-        """Take in the velocity commands (R, 2) of some envs (R,)."""
+        """Update the scale for new velocity commands (R, 2) of some envs (R,)."""
         self._scale[env_ids], self._whole[env_ids] = quantities.progress_scale(command)
 
     def __call__(self, context: TaskContext) -> Any:
@@ -172,7 +172,7 @@ def fall(context: TaskContext) -> Any:
     return context.fallen
 
 
-# mypy does not see what a class decorator returns.
+# mypy ignores the return type of a class decorator.
 REWARDS: Final = cast(
     "tuple[RewardTerm, ...]",
     (
@@ -192,4 +192,4 @@ REWARDS: Final = cast(
         fall,
     ),
 )
-"""In the order in which they are added."""
+"""Built-in reward terms, in the order in which they are added."""

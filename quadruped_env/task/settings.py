@@ -1,4 +1,4 @@
-"""Sections of the config whose fields follow from a task's terms: frozen, validated, read by name."""
+"""Sections of the config whose fields depend on the task's terms: frozen, validated, with fields by name."""
 
 import sys
 from collections.abc import Callable, Iterator, Mapping
@@ -17,7 +17,7 @@ class Entry:
 
     default: Any
     convert: Callable[[Any, str], Any]
-    """(value, its path in the config) -> the value to keep; raises a QuadrupedError"""
+    """Function (value, path in the config) -> converted value; raises a QuadrupedError if the value is not valid."""
     unit: str = "1"
 
 
@@ -25,16 +25,16 @@ Schema = Mapping[str, Entry]
 
 
 class Section(Mapping[str, Any]):
-    """One section of a task's config. Fields are attributes and items; `replace` makes a changed copy.
+    """One section of a task's config. Fields are attributes and items; `replace` returns a changed copy.
 
     Args:
-        name: of the section, for errors.
-        schema: its fields.
-        values: of some fields; the others keep their defaults.
-        remake: makes the section again from plain values, when it is unpickled; None gives a plain dict then.
+        name: name of the section, for error messages.
+        schema: fields of the section.
+        values: values of some fields; the others have their defaults.
+        remake: function that creates the section from plain values when it is unpickled; None: unpickling gives a dict.
 
     Raises:
-        QuadrupedError: if a field is unknown or a value not valid, with what is.
+        QuadrupedError: if a field is unknown or a value is not valid; the message says what is valid.
     """
 
     __slots__ = ("_name", "_remake", "_schema", "_values")
@@ -59,7 +59,7 @@ class Section(Mapping[str, Any]):
         return self._values[field]
 
     def __getattr__(self, field: str) -> Any:
-        # Copying and unpickling ask for names before there are values.
+        # Copying and unpickling look up attributes before `_values` exists.
         if field.startswith("_") or field not in self._values:
             raise AttributeError(f"config.{self._name} has no field {field!r}")
         return self._values[field]
@@ -95,37 +95,37 @@ class Section(Mapping[str, Any]):
         return self
 
     def replace(self, **changes: Any) -> Self:
-        """The same section with other values of some fields."""
+        """A copy of the section with other values for some fields."""
         return type(self)(self._name, self._schema, self._values | changes, self._remake)
 
     def has(self, schema: Schema) -> bool:
-        """Whether these are the section's fields."""
+        """True if the section was created with this schema."""
         return self._schema is schema
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values, as JSON takes them."""
+        """Plain values for JSON."""
         return {field: dict(value) if isinstance(value, Mapping) else value for field, value in self._values.items()}
 
 
 def number(value: Any, path: str, whole: bool = False) -> float:
-    """A finite number.
+    """Convert a value of the config to a finite number.
 
     Raises:
-        QuadrupedError: if it is something else.
+        QuadrupedError: if it is not one.
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and not isinstance(value, int)):
         raise QuadrupedError(f"{path}: expected {'a whole number' if whole else 'a number'}; found {short(value)}")
-    # Not math.isfinite, which raises for whole numbers that no float holds.
+    # Not math.isfinite, which raises for whole numbers that are too large for a float.
     if not abs(value) <= sys.float_info.max:
         raise QuadrupedError(f"{path}: expected a finite number; found {short(value)}")
     return value if whole else float(value)
 
 
 def pair(value: Any, path: str) -> tuple[float, float]:
-    """A pair (low, high) with low <= high.
+    """Convert a value of the config to a pair (low, high) with low <= high.
 
     Raises:
-        QuadrupedError: if it is something else.
+        QuadrupedError: if it is not one.
     """
     if not isinstance(value, (list, tuple)) or len(value) != 2:
         raise QuadrupedError(f"{path}: expected a pair (low, high); found {short(value)}")
@@ -135,7 +135,7 @@ def pair(value: Any, path: str) -> tuple[float, float]:
 
 
 def parameter_entry(parameter: Parameter, default: float) -> Entry:
-    """A number that a parameter describes."""
+    """Field for a number within the limits of a parameter."""
 
     def convert(value: Any, path: str) -> float:
         converted = number(value, path)
@@ -146,13 +146,13 @@ def parameter_entry(parameter: Parameter, default: float) -> Entry:
 
 
 def weights_entry(name: str, defaults: Mapping[str, float]) -> Entry:
-    """A section of one number per name."""
+    """Field for a section with one number per name."""
     schema = {term: Entry(default, number) for term, default in defaults.items()}
     return Entry(Section(name, schema, {}), lambda value, path: Section(name, schema, value))
 
 
 def range_entry(default: tuple[float, float] | None, parameter: Parameter) -> Entry:
-    """A pair (low, high) whose numbers a parameter describes; None is valid where it is the default."""
+    """Field for a pair (low, high) within the limits of a parameter; None is valid if it is the default."""
 
     def convert(value: Any, path: str) -> tuple[float, float] | None:
         if value is None and default is None:
@@ -165,7 +165,7 @@ def range_entry(default: tuple[float, float] | None, parameter: Parameter) -> En
 
 
 def amplitude_entry(default: float, unit: str) -> Entry:
-    """A number, at least 0, that stands for the range from -number to number; or a pair (low, high)."""
+    """Field for a pair (low, high), or a number x, 0 or more, that stands for (-x, x)."""
 
     def convert(value: Any, path: str) -> float | tuple[float, float]:
         if isinstance(value, (list, tuple)):

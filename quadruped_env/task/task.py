@@ -1,7 +1,7 @@
-"""The task: from actions to observations, rewards and the ends of episodes, for any number of envs.
+"""The task: observations, rewards and ends of episodes for any number of envs.
 
-Written once, it drives the single and the vectorized environment. An env's numbers do not depend on how many envs there
-are: see the rules in CONTRIBUTING.md before changing an expression here.
+The single and the vector environment share this code. The values of an env do not depend on the number of envs: see the
+rules in CONTRIBUTING.md before changing an expression here.
 """
 
 import functools
@@ -38,27 +38,27 @@ class Transition:
     """Results of one control step, before any reset."""
 
     observation: NDArray[np.float32]
-    """(N, width)"""
+    """Observations after the step, (N, width)."""
     reward: Floats
-    """(N,): the weighted terms, added in their order"""
+    """Sum of the weighted terms, added in their order, (N,)."""
     terms: Floats
-    """Weighted reward terms (N, T), in the order of `Task.term_names`"""
+    """Weighted reward terms in the order of `Task.term_names`, (N, T)."""
     terminated: NDArray[np.bool_]
-    """(N,): fallen or diverged"""
+    """True where the robot fell or the simulation diverged, (N,)."""
     truncated: NDArray[np.bool_]
-    """(N,): out of time"""
+    """True where the time limit was reached, (N,)."""
     diverged: NDArray[np.bool_]
-    """(N,): MuJoCo gave up on the env"""
+    """True where MuJoCo reported divergence, (N,)."""
 
 
 class Task:
     """The episodes of N envs.
 
     Args:
-        simulation: N robots.
-        config: the task in numbers, and its terms.
-        max_episode_steps: control steps after which an episode is truncated; None leaves that to the caller.
-        robot: what is simulated.
+        simulation: simulation of N robots.
+        config: config and terms of the task.
+        max_episode_steps: number of control steps after which an episode is truncated; None: never.
+        robot: robot that is simulated.
     """
 
     def __init__(
@@ -71,7 +71,7 @@ class Task:
         if max_episode_steps is not None:
             max_episode_steps = whole_number("max_episode_steps", max_episode_steps, 1, or_none=True)
         definition = config.definition
-        # First, so that a user's file is known before its classes are needed when this is unpickled.
+        # First attribute, so that unpickling loads a user's file before it needs the classes in it.
         self.config = config
         self.simulation = simulation
         self.max_episode_steps = max_episode_steps
@@ -93,12 +93,12 @@ class Task:
         self._fixed: NDArray[np.bool_] = self._memory.zeros("command_is_fixed", dtype=np.bool_)
         self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
         self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
-        """Envs (N,) whose episode has ended and that have not been reset since"""
+        """Mask (N,) of the envs whose episode has ended and that have not been reset since."""
         self._all_started = False
         self.generators: list[np.random.Generator] = []
-        """One per env; gives the env's key, from which all its draws follow"""
+        """Random generator of each env, from which the key of its draws is taken."""
         self.seeds: list[int] = []
-        """Seed of each generator; -1 for one that came from elsewhere, as Gymnasium has it"""
+        """Seed of each generator; -1 for a generator that the user assigned, as in Gymnasium."""
         for _ in range(n):
             generator, seed = seeding.np_random()
             self.generators.append(generator)
@@ -109,7 +109,7 @@ class Task:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        # Views of the simulation's readings are made again with the simulation.
+        # Unpickling the simulation creates new views of its readings.
         self.context.bind(self.simulation.readings, self.control)
 
     @property
@@ -119,7 +119,7 @@ class Task:
 
     @property
     def smooth_velocity(self) -> Floats:
-        """Forward velocity (m/s) and yaw rate (rad/s) averaged over about a gait cycle, (N, 2); live."""
+        """Forward velocity (m/s) and yaw rate (rad/s), averaged over about one gait cycle, (N, 2); live."""
         return self.context.smooth_velocity
 
     @property
@@ -146,12 +146,12 @@ class Task:
         """Begin new episodes in some envs (R,); the others do not change.
 
         Args:
-            env_ids: which envs.
-            seeds: seeds of their generators (R,); None goes on with the generator and its next episode.
-            command: forward velocity and yaw rate that stay fixed for the episode; None draws them.
+            env_ids: indices of the envs.
+            seeds: seeds of their generators (R,); None: the generator is kept, and its next episode begins.
+            command: command that stays fixed for the episode, such as (forward velocity, yaw rate); None: random.
 
         Raises:
-            QuadrupedError: if the command is not one of the task's; no env has changed then.
+            QuadrupedError: if the command is not valid for the task; in that case no env has changed.
         """
         if command is not None:
             command = check_command(command, self.config.commands)
@@ -170,26 +170,26 @@ class Task:
         self._set_command(env_ids, sampled if command is None else np.tile(command, (len(env_ids), 1)))
 
     def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
-        """Give some envs (R,) another command within their episodes, which stays fixed from then on.
+        """Change the command of some envs (R,) within their episodes; it stays fixed from then on.
 
         Raises:
-            QuadrupedError: if the command is not one of the task's; no env has changed then.
+            QuadrupedError: if the command is not valid for the task; in that case no env has changed.
         """
         checked_command = check_command(command, self.config.commands)
         self._fixed[env_ids] = True
         self._set_command(env_ids, np.tile(checked_command, (len(env_ids), 1)))
 
     def step(self, action: ArrayLike, restart: NDArray[np.bool_] | None = None) -> Transition:
-        """Advance every env by one control step. Resets nothing but `restart`.
+        """Advance every env by one control step. No env is reset except those in `restart`.
 
         Args:
-            action: (N, J), clipped to [-1, 1].
-            restart: envs (N,) that begin a new episode in place of this step, whatever their action: their
-                observation is the new episode's first, their reward is zero. None restarts none.
+            action: actions (N, J), clipped to [-1, 1].
+            restart: mask (N,) of envs that begin a new episode in place of this step. Their actions are ignored, their
+                observations are the first of the new episode, and their rewards are zero. None: no env.
 
         Raises:
-            QuadrupedError: if an env was never reset, the action's shape is wrong or a value is not finite; no env has
-                moved then.
+            QuadrupedError: if an env was never reset, the action's shape is wrong or a value is not finite; in that
+                case no env has moved.
         """
         values = self._checked(action, "action", restart)
         self.control.advance()
@@ -198,7 +198,7 @@ class Task:
     def step_joint_target(self, target: ArrayLike) -> Transition:
         """Advance every env by one control step with joint targets (N, J) in rad, clipped to the joints' ranges.
 
-        The policy's last action counts as zero.
+        The last action in the observation is zero.
 
         Raises:
             QuadrupedError: as `step`.
@@ -212,7 +212,7 @@ class Task:
 
         Args:
             controller: see `quadruped_env.control.Controller`.
-            observation: of all envs (N, width).
+            observation: observations of all envs (N, width).
 
         Raises:
             QuadrupedError: as `step`.
@@ -224,7 +224,7 @@ class Task:
         return self._move(self.control.within_limits(target))
 
     def _move(self, target: Floats, restart: NDArray[np.bool_] | None = None) -> Transition:
-        """Simulate one control step, judge it, and prepare the next."""
+        """Simulate one control step, compute its results, and prepare the next step."""
         running = None if restart is None else np.flatnonzero(~restart)
         self.simulation.step(target, self.config.decimation, running)
         self.context.update()
@@ -236,7 +236,7 @@ class Task:
         else:
             truncated = self.steps >= self.max_episode_steps
         terms = self._rewards(self.context)
-        # Added one by one in declared order: a pairwise sum would depend on the shape of the array.
+        # Added one by one in the declared order: the result of a pairwise sum would depend on the shape of the array.
         reward = np.add.accumulate(terms, axis=0)[-1]
         if self._own_terms and not np.isfinite(reward).all():
             self._refuse_reward(terms)
@@ -252,12 +252,12 @@ class Task:
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def observe(self) -> NDArray[np.float32]:
-        """The observations (N, width) of all envs, a new array."""
+        """Observations (N, width) of all envs in a new array."""
         noise = self._randomizer.observation_noise() if self._noise else None
         return self.control.observe(self.simulation.readings, noise)
 
     def get_state(self, env_id: int) -> dict[str, Any]:
-        """All that the future of an env depends on: physics, episode, draws and random generator."""
+        """Complete state of an env: physics, episode, draws and random generator."""
         return {
             "simulation": self.simulation.get_state(env_id),
             "generator": self.generators[env_id].bit_generator.state,
@@ -267,7 +267,7 @@ class Task:
         }
 
     def set_state(self, env_id: int, state: dict[str, Any]) -> None:
-        """Restore what `get_state` returned: the env then goes on as it did from there."""
+        """Restore a state from `get_state`; the env then continues identically."""
         for name, part in self._parts().items():
             part.set_state(env_id, state[name])
         self.generators[env_id].bit_generator.state = state["generator"]
@@ -285,7 +285,7 @@ class Task:
         }
 
     def _checked(self, values: ArrayLike, what: str, restart: NDArray[np.bool_] | None = None) -> Floats:
-        """A copy of values (N, J)."""
+        """A validated copy of values (N, J)."""
         self._check_started()
         copied = np.array(values, dtype=np.float64)
         if restart is not None and copied.shape == self.control.action.shape:
@@ -314,7 +314,7 @@ class Task:
             )
 
     def _check_terms(self) -> None:
-        """Compute a user's terms once, so that what does not fit is said before anything is trained."""
+        """Compute a user's terms once, so that errors are raised before training starts."""
         self.control.phase[:] = 0.0
         self._rewards.check(self.context)
         self._terminations.check(self.context)

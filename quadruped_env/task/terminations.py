@@ -1,4 +1,4 @@
-"""The built-in conditions that end an episode as a fall. Their arguments are fields of `config["termination"]`."""
+"""Built-in conditions that end an episode as a fall. Their arguments are fields of `config["termination"]`."""
 
 import math
 from typing import Annotated, Final, cast
@@ -11,7 +11,7 @@ from quadruped_env.task.terms import Parameter, Termination, termination
 
 
 @termination
-class tilted:  # noqa: N801  a term, and named as the others are
+class tilted:  # noqa: N801  named like functions, as all terms
     """The base leans more than 1 rad."""
 
     def __init__(
@@ -36,5 +36,5 @@ class trunk_contact:  # noqa: N801
         return context.xp.any(context.readings.trunk_force > self._most)
 
 
-# mypy does not see what a class decorator returns.
+# mypy ignores the return type of a class decorator.
 TERMINATIONS: Final = cast("tuple[Termination, ...]", (tilted, trunk_contact))

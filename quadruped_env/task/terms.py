@@ -1,4 +1,4 @@
-"""What a reward term, a termination, a randomization and a command are, and the decorators that make them."""
+"""Reward terms, terminations and their parameters, and the decorators that create them."""
 
 import inspect
 import math
@@ -16,25 +16,25 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number in the config: its unit and what it may be. Annotate an argument of a term with it."""
+    """Unit and valid range of a number in the config, used to annotate an argument of a term."""
 
     unit: str = "1"
     low: float = -math.inf
     high: float = math.inf
     exclusive: bool = False
-    """Whether `low` itself is not valid"""
+    """True if `low` itself is not valid."""
 
     @classmethod
     def positive(cls, unit: str = "1") -> "Parameter":
-        """Any number over 0."""
+        """Parameter whose values must be greater than 0."""
         return cls(unit, 0.0, exclusive=True)
 
     def accepts(self, value: float) -> bool:
-        """Whether a number is valid."""
+        """True if a number is valid."""
         return (self.low < value if self.exclusive else self.low <= value) and value <= self.high
 
     def rule(self) -> str:
-        """What is valid, in words."""
+        """Valid values as text, for error messages."""
         unit = "" if self.unit == "1" else f" ({self.unit})"
         if self.high < math.inf:
             high = "pi" if self.high == math.pi else f"{self.high:g}"
@@ -47,13 +47,13 @@ class Parameter:
 
 
 def parameters_of(function: Callable[..., Any]) -> dict[str, tuple[Parameter, float]]:
-    """The parameters of a term's function or class: its arguments that have a number as default.
+    """Parameters of a term's function or class: its arguments that have a number as default.
 
     Raises:
-        QuadrupedError: if an argument behind the context has no default, or one that is no number.
+        QuadrupedError: if an argument after the context has no default, or a default that is not a number.
     """
     found: dict[str, tuple[Parameter, float]] = {}
-    # A class takes the context twice: when it is made and when it is called. Its parameters are those of `__init__`.
+    # A class receives the context twice, in `__init__` and in `__call__`. Its parameters are those of `__init__`.
     for argument in list(inspect.signature(function).parameters.values())[1:]:
         default = argument.default
         if isinstance(default, bool) or not isinstance(default, (int, float)):
@@ -70,35 +70,35 @@ def parameters_of(function: Callable[..., Any]) -> dict[str, tuple[Parameter, fl
 
 @dataclass(frozen=True)
 class RewardTerm:
-    """One reward term, or several that are computed together. Made by `reward` or `reward_group`."""
+    """One reward term, or several that are computed together. Created by `reward` or `reward_group`."""
 
     weights: dict[str, float]
-    """Name -> default weight, per second"""
+    """Default weight of each term by name, per second."""
     function: Callable[..., Any]
-    """(context) -> (N,), or (N, K) for K names; or a class, made with (context) and then called with it"""
+    """Function (context) -> (N,), or (N, K) for K names; or a class, created and then called with the context."""
     unit: str
     parameters: dict[str, tuple[Parameter, float]]
     description: str
 
     @property
     def names(self) -> tuple[str, ...]:
-        """In the order of the columns."""
+        """Names of the terms, in the order of the columns."""
         return tuple(self.weights)
 
     def described(self, name: str) -> str:
-        """What one of the terms is: its line `name: ...` of the docstring, or else the first line."""
+        """Description of one of the terms: its line `name: ...` in the docstring, or else the first line."""
         lines = [line.strip() for line in (self.function.__doc__ or "").splitlines()]
         own = [line.partition(": ")[2] for line in lines if line.startswith(f"{name}: ")]
         return own[0] if own else self.description
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        """Compute it."""
+        """Call the function, or create an instance of the class."""
         return self.function(*args, **kwargs)
 
 
 @dataclass(frozen=True)
 class Termination:
-    """A condition that ends an episode as a fall. Made by `termination`."""
+    """A condition that ends an episode as a fall. Created by `termination`."""
 
     name: str
     function: Callable[..., NDArray[np.bool_]]
@@ -106,20 +106,20 @@ class Termination:
     description: str
 
     def __call__(self, *args: Any, **kwargs: Any) -> NDArray[np.bool_]:
-        """Whether each env's episode ends, (N,)."""
+        """Mask (N,) of the envs whose episode ends."""
         return self.function(*args, **kwargs)
 
 
 def reward(weight: float, unit: str = "1") -> Callable[[Callable[..., Any]], RewardTerm]:
     """Decorator: a function (context) -> (N,) becomes a reward term of the same name.
 
-    Arguments with a default, behind the context, are parameters that the config can change. A class in place of a
-    function is made once per task with the context, and then called with it; what it remembers it gets from
-    `context.memory`.
+    Arguments with a default, after the context, are parameters that the config can change. A class in place of a
+    function is instantiated once per task with the context, and then called with it at every step. It must keep its
+    state in arrays of `context.memory`.
 
     Args:
         weight: default weight, per second; negative for a penalty.
-        unit: of what the function returns.
+        unit: unit of the function's result.
     """
 
     def decorate(function: Callable[..., Any]) -> RewardTerm:
@@ -132,8 +132,8 @@ def reward_group(unit: str = "1", **weights: float) -> Callable[[Callable[..., A
     """Decorator: a function (context) -> (N, K) becomes K reward terms that are computed together.
 
     Args:
-        unit: of what the function returns.
-        weights: name and default weight (per second) of each column.
+        unit: unit of the function's result.
+        weights: default weight of each column by name, per second.
     """
 
     def decorate(function: Callable[..., Any]) -> RewardTerm:
@@ -154,7 +154,7 @@ def termination(function: Callable[..., Any]) -> Termination:
 
 
 def _stay_importable(function: Callable[..., Any]) -> None:
-    """Let a function or class be pickled by name, though the term has taken its name in the module."""
+    """Make a function or class importable by name for pickling, although the term replaces it in the module."""
     function.__qualname__ = f"{function.__qualname__}.function"
 
 

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait import TURNS, CommandedGait, LegTable
+from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable
 from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, VELOCITY_LIMIT, load_model
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import TaskConfig
@@ -225,7 +225,7 @@ def tune_commanded_gait(
         start = _STANDING + _STEPPING * np.array([1.0, 1.0, direction, 1.0, 1.0] * 2)
         spread = 0.15
         for speed in speeds:
-            found = search(speed, angular_frequency, TURNS["trot"], start, spread, generations)
+            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, spread, generations)
             say(_line(f"{speed:+.2f} m/s", found))
             # Where the wanted speed is out of reach the table ends with the speed that was reached.
             short = abs(found.speed) < 0.97 * abs(speed)
@@ -268,7 +268,7 @@ def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achi
         lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
         simulation,
         gait.angular_frequency,
-        TURNS["trot"],
+        LEG_PHASES["trot"],
     )
 
 
@@ -295,7 +295,7 @@ def tune_presets(generations: int, say: Log) -> dict[str, list[float]]:
     """The candidate (10,) of each tuned preset, at the highest speed that it holds steadily."""
     tuned = {}
     for name, angular_frequency, speed in PRESET_SPEEDS:
-        found = search(speed, angular_frequency, TURNS[name], _STANDING + _STEPPING, 0.15, generations)
+        found = search(speed, angular_frequency, LEG_PHASES[name], _STANDING + _STEPPING, 0.15, generations)
         say(_line(f"{name} at {angular_frequency} rad/s", found))
         tuned[name] = np.round(found.columns, 3).tolist()
     return tuned

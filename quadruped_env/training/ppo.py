@@ -24,7 +24,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 import numpy as np
 
 from quadruped_env.control.policy import CHECKPOINTS
-from quadruped_env.control.symmetry import Mirror
+from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -141,7 +141,7 @@ def make_model(config: TrainConfig, env: Any) -> NativePPO:
         clip_range=config.clip_range,
         ent_coef=config.ent_coef,
         max_grad_norm=config.max_grad_norm,
-        policy_kwargs=({"mirror": Mirror.of(env.task.control.layout)} if config.symmetric else {})
+        policy_kwargs=({"mirror": MirrorMap.of(env.task.control.layout)} if config.symmetric else {})
         | {
             "net_arch": {"pi": list(config.hidden), "vf": list(config.hidden)},
             "activation_fn": _ACTIVATIONS[config.activation],

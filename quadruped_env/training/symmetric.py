@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import MlpExtractor
 
-from quadruped_env.control.symmetry import Mirror
+from quadruped_env.control.symmetry import MirrorMap
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
@@ -22,7 +22,7 @@ Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 class _MirroredExtractor(MlpExtractor):
     """SB3's hidden layers, run on an observation and on its mirror image."""
 
-    def __init__(self, mirror: Mirror, *args: Any, **kwargs: Any) -> None:
+    def __init__(self, mirror: MirrorMap, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self.register_buffer("order", torch.as_tensor(mirror.observation_order), persistent=False)
         self.register_buffer("sign", torch.as_tensor(mirror.observation_sign), persistent=False)
@@ -47,7 +47,7 @@ class SymmetricPolicy(ActorCriticPolicy):
         args, kwargs: of `ActorCriticPolicy`.
     """
 
-    def __init__(self, *args: Any, mirror: Mirror, **kwargs: Any) -> None:
+    def __init__(self, *args: Any, mirror: MirrorMap, **kwargs: Any) -> None:
         self._mirror = mirror
         super().__init__(*args, **kwargs)
 
@@ -71,7 +71,7 @@ class SymmetricPolicy(ActorCriticPolicy):
         )
 
 
-def symmetrized(layers: list[Layer], mirror: Mirror) -> list[Layer]:
+def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
     """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
     (first, first_bias), *inner, (last, last_bias) = layers
     half = np.float32(0.5)

@@ -19,7 +19,7 @@ from typing import Any, Final
 
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
-from quadruped_env.control.live_controller import Answer, LiveController, Measurement, Mode
+from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
 from quadruped_env.control.policy import load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.commands import CommandWriter, positions_message
@@ -147,7 +147,7 @@ class _Outbox:
         self._write = CommandWriter()
         self._stamp = 0
 
-    def send(self, answer: Answer | None) -> None:
+    def send(self, answer: JointCommand | None) -> None:
         """Send an answer, if there is one."""
         if answer is None:
             return
@@ -160,7 +160,7 @@ class _Outbox:
     def let_go(self) -> None:
         """Let the robot go limp, if it was ever commanded, and see that it hears of it."""
         if self._stamp:
-            self.send(Answer(self._stamp, LIMP))
+            self.send(JointCommand(self._stamp, LIMP))
             self._commands.wait_until_read(0.5)
 
 
