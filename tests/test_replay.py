@@ -377,7 +377,7 @@ class TestBaseline:
         baseline = run_baseline("tuned", seconds=0.1, episodes=1)
         greedy = SinusoidalGait(2.0, 0.0, 0.1, -0.5, 1.0, (0.0,) * 8)
         table = type(baseline)(**{**vars(baseline), "gait": greedy}).table()
-        assert "Asks for more than it can do:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
+        assert "Exceeds the joint limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
 
     def test_tuned_walks_and_article_hardly_moves(self):
         tuned, article = run_baseline("tuned", episodes=10), run_baseline("article", episodes=10)
