@@ -136,7 +136,7 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     assert "python evaluate/policy.py runs/<name>" in text
     assert "20260101-000000-ppo" in text
     assert re.search(r"Seeds 1000000 to 1000001", text)
-    assert "No video: it was not asked for." in text
+    assert "No video: it was switched off." in text
     assert '"physics_timestep"' in text
 
 
@@ -451,9 +451,9 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     assert run_comparison.best_at(several, names, "forwards") == ["good", "level"]
     words = run_comparison.headline(several, names)
     assert words.startswith(
-        "Good and level are closest forwards, standing, backwards and turning; bad falls more often."
+        "Good and level are most accurate forwards, standing, backwards and turning; bad falls more often."
     )
-    assert run_comparison.headline(several, ["good", "level"]).startswith("All are level forwards")
+    assert run_comparison.headline(several, ["good", "level"]).startswith("All are equally accurate forwards")
 
 
 def test_runs_are_compared_on_one_page(run_directory, tmp_path):
