@@ -291,7 +291,7 @@ class TestReplay:
         assert list(signals.recorded) == ["positions", "velocities"]
         assert "made from its positions" in signals.table()
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
-        with pytest.raises(QuadrupedError, match="compare recordings that were made on one clock"):
+        with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             replay(commands, measured=later).comparison()
 
     def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):

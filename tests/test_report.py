@@ -514,7 +514,7 @@ def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
 
 def test_an_output_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*name another place"):
+    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*choose another directory"):
         results.prepare_output(tmp_path / "file" / "out")
 
 
