@@ -125,7 +125,9 @@ NAMES = re.compile(
 )
 """Definitions of classes, functions and constants whose names do not say what they are."""
 
-ALLOWED: dict[tuple[str, str], str] = {}
+ALLOWED: dict[tuple[str, str], str] = {
+    ("quadruped_env/trajectory/maps.py", "stamp"): "a key of the column maps, in the examples of the docstring",
+}
 """(path, found text) -> why it is right there."""
 
 NOT_YET = {
@@ -135,20 +137,13 @@ NOT_YET = {
     "quadruped_env/cli": "mid-air",
     "quadruped_env/control": "way stamp none somebody anew rise what mid-air name",
     "quadruped_env/envs": "row asked none one-a beside what",
-    "quadruped_env/evaluation": (
-        "rows told asked far-off stamp none mend alike beside likewise happened article what mid-air"
-    ),
     "quadruped_env/gait.py": "name",
-    "quadruped_env/identification": "told stamp alike what mid-air",
     "quadruped_env/live": (
         "told asked stamp none is-no one-a somebody who alike beside pulls longest-wait knows-no what mid-air name"
     ),
-    "quadruped_env/replay": "told asked stamp mend beside what mid-air",
-    "quadruped_env/reporting": ("way told asked none somebody beside feels to-and-fro what mid-air name"),
     "quadruped_env/robot": "mid-air",
     "quadruped_env/simulation": "asked none anew knows-no what",
     "quadruped_env/task": "row is-no anew what mid-air",
-    "quadruped_env/trajectory": "rows asked stamp none what mid-air",
     "quadruped_env/viewer": (
         "told asked stamp is-no one-a somebody who anew alike beside longest-wait knows-no what mid-air"
     ),

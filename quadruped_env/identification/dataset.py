@@ -140,8 +140,8 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
     for name, target, motion in zip(JOINT_NAMES, commanded, moved, strict=True):
         if target > _MIN_COMMAND_RANGE and motion < _MIN_MOTION_SHARE * target:
             found.append(
-                f"{name} moved {motion:.3f} rad where {target:.3f} rad were commanded: if its motor is broken or blocked, "
-                f"leave it out (--without {name})."
+                f"{name} moved {motion:.3f} rad where {target:.3f} rad were commanded: if its motor is broken or "
+                f"blocked, leave it out (--without {name})."
             )
     return tuple(found)
 

@@ -22,7 +22,7 @@ class Saturation:
     """Times of the samples, s (T,)"""
 
     def report(self) -> dict[str, dict[str, Any]]:
-        """Joint -> fraction of time at its motor's limit, largest requested torque, and time of the first saturation."""
+        """Joint -> fraction of time at its motor's limit, largest requested torque, and time of first saturation."""
         at_limit = self.excess > 0.0
         return {
             name: {

@@ -32,7 +32,7 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
             reader = csv.DictReader(file)
             names = list(reader.fieldnames or ())
             rows = list(reader)
-            # The last line of a killed run may be incomplete; its missing cells are None.
+            # The last line of a killed run may be incomplete; the reader fills its missing cells with None.
             columns = {name: np.array([float(row[name] or math.nan) for row in rows]) for name in names}
     except (ValueError, OSError, csv.Error) as error:
         raise QuadrupedError(f"{path}: {error}; remove the file to make the report without a learning curve") from error
