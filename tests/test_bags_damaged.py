@@ -284,5 +284,7 @@ class TestStream:
         path = write_bag(tmp_path / "bag", [(0, fields(position=(90, 45)))])
         joint_map = JointMap({"x": JointRule("a", unit="deg")})
         assert JointTrajectory.load(path, joint_map=joint_map).positions.tolist() == [[np.pi / 2]]
-        with pytest.raises(QuadrupedError, match=r"\[joints\.x\] has units of its own, and degrees were asked for too"):
+        with pytest.raises(
+            QuadrupedError, match=r"\[joints\.x\] has units of its own, so --degrees would convert them twice"
+        ):
             JointTrajectory.load(path, joint_map=joint_map, degrees=True)

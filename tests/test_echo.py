@@ -180,7 +180,7 @@ class TestColumns:
         assert loaded.velocities.tolist() == [[1, 2], [3, 4]]
         for wrong in (speeds.replace("0.2", "0.3"), "".join(speeds.splitlines(True)[:2]), speeds + "1700000001,3,4\n"):
             (tmp_path / "speed.csv").write_text(wrong)
-            with pytest.raises(QuadrupedError, match=r"a\.csv: speed\.csv must have the same stamps"):
+            with pytest.raises(QuadrupedError, match=r"a\.csv: speed\.csv must have the same timestamps"):
                 load(tmp_path / "a.csv", TABLE, columns=tmp_path / "map.toml")
         (tmp_path / "speed.csv").unlink()
         with pytest.raises(QuadrupedError, match=r"speed\.csv: there is no such file"):

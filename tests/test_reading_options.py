@@ -7,8 +7,8 @@ import inspect
 import pytest
 
 from quadruped_env import JointTrajectory, QuadrupedError, trajectory
+from quadruped_env.cli.reading import add_reading_options, reading_options
 from quadruped_env.trajectory import JointMap, JointRule
-from quadruped_env.trajectory.arguments import add_reading_options, reading_options
 from quadruped_env.trajectory.options import ReadOptions
 
 FIELDS = {field.name: field for field in dataclasses.fields(ReadOptions)}

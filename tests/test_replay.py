@@ -291,7 +291,7 @@ class TestReplay:
         assert list(signals.recorded) == ["positions", "velocities"]
         assert "made from its positions" in signals.table()
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
-        with pytest.raises(QuadrupedError, match="compare recordings that were made on one clock"):
+        with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             replay(commands, measured=later).comparison()
 
     def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):
@@ -377,7 +377,7 @@ class TestBaseline:
         baseline = run_baseline("tuned", seconds=0.1, episodes=1)
         greedy = SinusoidalGait(2.0, 0.0, 0.1, -0.5, 1.0, (0.0,) * 8)
         table = type(baseline)(**{**vars(baseline), "gait": greedy}).table()
-        assert "Asks for more than it can do:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
+        assert "Exceeds the joint limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
 
     def test_tuned_walks_and_article_hardly_moves(self):
         tuned, article = run_baseline("tuned", episodes=10), run_baseline("article", episodes=10)

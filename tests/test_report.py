@@ -136,7 +136,7 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     assert "python evaluate/policy.py runs/<name>" in text
     assert "20260101-000000-ppo" in text
     assert re.search(r"Seeds 1000000 to 1000001", text)
-    assert "No video: it was not asked for." in text
+    assert "No video: it was switched off." in text
     assert '"physics_timestep"' in text
 
 
@@ -260,15 +260,15 @@ def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=
     ("numbers", "level", "headline"),
     [
         ({"velocity": 1.0}, "good", "at least as well as the tuned gait"),
-        ({"velocity": 0.95, "tuned_error": 0.0}, "fair", "less exact than the tuned gait forwards, backwards and"),
-        ({"velocity": 1.0, "yaw_rate": 0.2}, "fair", "turns at 20 % of the rate asked for"),
+        ({"velocity": 0.95, "tuned_error": 0.0}, "fair", "less accurate than the tuned gait forwards, backwards and"),
+        ({"velocity": 1.0, "yaw_rate": 0.2}, "fair", "turns at 20 % of the commanded rate"),
         ({"velocity": 1.0, "fallen": [1, 3]}, "fair", "falls in 18 % of the episodes"),
-        ({"velocity": 0.6}, "fair", "0.12 m/s off"),
+        ({"velocity": 0.6}, "fair", "forward velocity error of 0.12 m/s"),
         ({"velocity": 0.4}, "poor", "Hardly: it reaches 40 %"),
         ({"velocity": 0.0}, "poor", "does not walk."),
         ({"velocity": -1.0, "fallen": [0, 6]}, "poor", "does not walk, and it falls."),
         ({"velocity": 1.0, "fallen": range(len(COMMANDS))}, "poor", "falls before"),
-        ({"velocity": 1.0, "commands": [(0.0, 0.0)]}, "fair", "not asked to walk"),
+        ({"velocity": 1.0, "commands": [(0.0, 0.0)]}, "fair", "walking was not tested"),
     ],
 )
 def test_headline(numbers, level, headline):
@@ -280,14 +280,14 @@ def test_headline(numbers, level, headline):
 
 def test_findings_say_how_far_it_gets_and_where_it_falls():
     findings = dict(verdict(invented(0.9, fallen=[1])).findings)
-    assert "gets 9.0 m far in 20 s" in findings["Forwards"]
+    assert "travels 9.0 m in 20 s" in findings["Forwards"]
     assert findings["Falls"].startswith("3 in 33 episodes of 20 s, 9.1 % (95 % interval ")
     assert findings["Falls"].endswith("3 forwards.")
-    assert "-0.18 m/s of -0.20 m/s" in findings["Backwards"]
-    assert "reaches 90 % of what is asked for, the tuned gait 90 %" in findings["Turning"]
+    assert "-0.18 m/s of the commanded -0.20 m/s" in findings["Backwards"]
+    assert "reaches 90 % of the commanded yaw rate, the tuned gait 90 %" in findings["Turning"]
     assert "6.0 of 10 N m" in findings["Effort"]
-    assert "closer forwards (0.032 against 0.050 m/s), standing" in findings["Tuned gait"]
-    assert "closer forwards" in findings["Article's gait"]
+    assert "more accurate forwards (0.032 against 0.050 m/s), standing" in findings["Tuned gait"]
+    assert "more accurate forwards" in findings["Article's gait"]
 
 
 def test_what_was_not_asked_for_is_not_judged():
@@ -409,7 +409,7 @@ def test_without_falls_the_worst_has_the_largest_error(comparison):
     assert not any(math.isinf(failure.badness) for failure in worst)
     assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
     assert worst[0].row == int(np.nanargmax(tolerated))
-    assert "It stayed on its feet. Farthest off was its " in worst[0].story
+    assert "It stayed on its feet. Largest error: mean " in worst[0].story
     assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
 
 
@@ -420,7 +420,7 @@ def test_without_falls_the_worst_has_the_largest_error(comparison):
         ("x", 1.0, "over its right side"),
         ("y", 1.0, "forwards, over its nose"),
         ("y", -1.0, "backwards, over its tail"),
-        ("y", 0.1, "its trunk hit the ground, nearly level (6° of tilt)"),
+        ("y", 0.1, "its trunk hit the ground while nearly level (6° of tilt)"),
     ],
 )
 def test_story_says_which_way_it_fell(comparison, axis, angle, words):
@@ -451,9 +451,9 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     assert run_comparison.best_at(several, names, "forwards") == ["good", "level"]
     words = run_comparison.headline(several, names)
     assert words.startswith(
-        "Good and level are closest forwards, standing, backwards and turning; bad falls more often."
+        "Good and level are most accurate forwards, standing, backwards and turning; bad falls more often."
     )
-    assert run_comparison.headline(several, ["good", "level"]).startswith("All are level forwards")
+    assert run_comparison.headline(several, ["good", "level"]).startswith("All are equally accurate forwards")
 
 
 def test_runs_are_compared_on_one_page(run_directory, tmp_path):
@@ -479,7 +479,7 @@ def test_runs_that_cannot_be_compared_are_named(run_directory, tmp_path):
         run_comparison.find_subjects(["flat"], tmp_path)
     with pytest.raises(QuadrupedError, match="'flat' is named before"):
         run_comparison.find_subjects(["flat", "flat"], tmp_path)
-    with pytest.raises(QuadrupedError, match="'tuned' is a scripted controller's name"):
+    with pytest.raises(QuadrupedError, match="'tuned' is the name of a scripted controller"):
         compare_policies({"tuned": random_policy("position")}, 1, 2.0)
 
 
@@ -514,7 +514,7 @@ def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
 
 def test_an_output_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*name another place"):
+    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*choose another directory"):
         results.prepare_output(tmp_path / "file" / "out")
 
 

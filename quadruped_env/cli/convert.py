@@ -24,9 +24,9 @@ from pathlib import Path
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import add_output, add_overwrite
 from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.reading import add_reading_options, reading_options
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.arguments import add_reading_options, reading_options
 from quadruped_env.trajectory.convert import convert
 from quadruped_env.trajectory.options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions

@@ -31,10 +31,10 @@ from pathlib import Path
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite
 from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.reading import add_reading_options, load_with, reading_options
 from quadruped_env.files import check_free, free_path
 from quadruped_env.identification import BASES, FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.arguments import add_reading_options, load_with, reading_options
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -27,9 +27,9 @@ from pathlib import Path
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_video
 from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.reading import add_reading_options, load_with
 from quadruped_env.files import check_free, free_path
 from quadruped_env.replay.replay import MODES
-from quadruped_env.trajectory.arguments import add_reading_options, load_with
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

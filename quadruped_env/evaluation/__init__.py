@@ -1,1 +1,1 @@
-"""How good was it: rollouts, metrics, statistics, plots and reports."""
+"""Evaluation of controllers: rollouts, metrics, confidence intervals, comparisons and verdicts."""

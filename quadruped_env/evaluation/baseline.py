@@ -1,4 +1,4 @@
-"""What a scripted gait achieves: the bar that learning has to clear."""
+"""Baseline: a scripted gait, measured over random starts. A trained policy has to beat it."""
 
 import math
 from collections.abc import Sequence
@@ -33,7 +33,7 @@ SHOWN: Final = (
     "peak_torque",
     "peak_joint_speed",
 )
-"""The metrics of a gait that follows no command."""
+"""Metrics of a gait that follows no velocity command."""
 
 
 @dataclass(frozen=True)
@@ -43,14 +43,14 @@ class Baseline:
     preset: str
     gait: SinusoidalGait
     rate: float
-    """Hz of the commands"""
+    """Rate of the joint targets, Hz"""
     seeds: Sequence[int]
     commands: JointTrajectory
-    """What the gait's publisher sends"""
+    """Joint targets that the gait's publisher sends"""
     recording: Recording
-    """What one robot made of it, from a start with nothing random in it"""
+    """One robot that plays the joint targets, from a start without randomness"""
     metrics: dict[str, NDArray[np.float64]]
-    """Of random starts, one number an episode, by the names of `METRICS`"""
+    """Metric (a name in `METRICS`) -> one number per episode from a random start"""
 
     def estimate(self, name: str) -> Estimate:
         """Mean over the episodes and its 95 % confidence interval, in the metric's unit."""
@@ -58,9 +58,9 @@ class Baseline:
         return proportion(values) if name == "fall_rate" else bootstrap_mean(values)
 
     def table(self) -> str:
-        """The metrics for people."""
+        """The metrics as a plain-text table."""
         lines = [
-            f"{self.preset}: {self.rate:g} commands a second for {self.commands.duration:g} s, "
+            f"{self.preset}: {self.rate:g} commands per second for {self.commands.duration:g} s, "
             f"{len(self.seeds)} random starts",
             f"{'':<20}{'mean':>10}  {'95 % interval':<20}{'limit'}",
         ]
@@ -76,12 +76,12 @@ class Baseline:
                 f"{metric.label:<20}{metric.show(estimate.mean):>10}  {f'{interval} {metric.unit}':<20}{limit}".rstrip()
             )
         violations = self.gait.violations()
-        lines.append("Asks for no more than the joints' limits." if not violations else "Asks for more than it can do:")
+        lines.append("Within the joint limits." if not violations else "Exceeds the joint limits:")
         lines += [f"  {violation}" for violation in violations]
         return "\n".join([*lines, f"Recorded: {self.recording.outcome()}"])
 
     def report(self) -> dict[str, Any]:
-        """The baseline in numbers, as JSON takes them; no value is None."""
+        """The baseline as JSON-serializable values; NaN becomes None."""
         metrics = {}
         for name in SHOWN:
             estimate = self.estimate(name)
@@ -108,15 +108,15 @@ class Baseline:
         }
 
     def save(self, path: Path, commands: bool = False, overwrite: bool = False) -> None:
-        """Write a trajectory to a file or bag, and the report beside it, with the suffix `.json`.
+        """Write a trajectory to a file or bag, and the report next to it, with the suffix `.json`.
 
         Args:
-            path: as `JointTrajectory.save` takes it. In a bag, measured joints come with the base's pose in `odom`.
+            path: as in `JointTrajectory.save`. In a bag, measured joints come with the base's pose in `odom`.
             commands: whether to write the joint targets rather than the measured joints.
             overwrite: whether to replace files that are already there.
 
         Raises:
-            QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
+            QuadrupedError: if a file exists and `overwrite` is false, or cannot be written.
             MissingExtraError: if a bag is to be written and the libraries for it are not installed.
         """
         check_target(path, overwrite)
@@ -128,7 +128,7 @@ class Baseline:
 
 
 def report_path(path: Path) -> Path:
-    """Where `Baseline.save` writes the report for a trajectory's path."""
+    """Path of the report that `Baseline.save` writes for a trajectory's path."""
     return path.with_suffix(".json")
 
 
@@ -148,19 +148,19 @@ def run_baseline(
 ) -> Baseline:
     """Measure a preset over random starts, and record it once.
 
-    The robot hears only what the publisher says, straight lines in between: at the control rate of 50 Hz that is
-    the gait itself, at the 20 Hz of the ROS 2 tutorial it is a little less.
+    The robot receives only the published joint targets and interpolates linearly between them. At the control rate of
+    50 Hz that is the gait itself; at the 20 Hz of the ROS 2 tutorial its amplitude is slightly smaller.
 
     Args:
         preset: a name in `quadruped_env.gait.PRESETS`.
-        seconds: of every episode.
-        rate: Hz of the commands.
-        episodes: how many starts to measure.
-        seed: of the first of them; the next one has the next.
-        progress: is told how far the measurement is.
+        seconds: length of every episode, s.
+        rate: rate of the joint targets, Hz.
+        episodes: number of random starts to measure.
+        seed: seed of the first episode; each further episode uses the next one.
+        progress: called with the fraction done.
 
     Raises:
-        QuadrupedError: if there is no such preset, or a number makes no sense.
+        QuadrupedError: if the preset is unknown, or a number is out of range.
     """
     if episodes < 1:
         raise QuadrupedError(f"episodes: expected 1 or more; found {episodes}")
@@ -176,7 +176,7 @@ def run_baseline(
 
 
 def _part(progress: Progress | None, begin: float) -> Progress | None:
-    """Progress of one half of the work that begins at a share of the whole."""
+    """Progress callback for the half of the work that begins at this fraction of the whole."""
     return None if progress is None else lambda share: progress(begin + 0.5 * share)
 
 

@@ -1,4 +1,4 @@
-"""A trained policy beside the scripted gaits and the zero action, on the same commands and starts."""
+"""Comparison of a trained policy with the scripted gaits and the zero action, on the same commands and starts."""
 
 import dataclasses
 import math
@@ -46,7 +46,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
 
 NUM_SEEDS: Final = 8
 MAX_SECONDS: Final = 600.0
-"""Of an episode; every one of them is kept in memory"""
+"""Maximum length of an episode, s: all episodes are kept in memory."""
 
 MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
 
@@ -56,11 +56,11 @@ CONTROLLERS: Final = {
     "article": "Article's gait",
     "zero": "Zero action",
 }
-"""Name -> what people read, in the order of tables."""
+"""Name -> label, in the order of tables."""
 
 
 def motion_of(command: Command) -> str:
-    """Which of `MOTIONS` a command (m/s, rad/s) asks for; a curve is turning."""
+    """Motion (one of `MOTIONS`) of a command (m/s, rad/s); a curve counts as turning."""
     forward, yaw_rate = command
     if abs(yaw_rate) > MOVING_THRESHOLD:
         return "turning"
@@ -71,15 +71,15 @@ def motion_of(command: Command) -> str:
 
 @dataclass(frozen=True)
 class Comparison:
-    """What every controller did on K commands with S seeds each, measured."""
+    """Rollouts and metrics of every controller on K commands with S seeds each."""
 
     commands: tuple[Command, ...]
     seeds: tuple[int, ...]
     seconds: float
     config: TaskConfig
-    """The task of the episodes; the action mode is each controller's own"""
+    """Task of the episodes; the action mode is each controller's own"""
     rollouts: dict[str, Rollout]
-    """Controller -> K * S episodes, command by command"""
+    """Controller -> K * S episodes, grouped by command"""
     values: dict[str, dict[str, NDArray[np.float64]]]
     """Controller -> metric -> (K, S)"""
 
@@ -88,15 +88,15 @@ class Comparison:
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command))]
 
     def estimate(self, controller: str, metric: str, motion: str | None = None) -> Estimate:
-        """Mean of a metric over a motion's commands and the seeds, with its interval."""
+        """Mean of a metric over a motion's commands and the seeds, with its confidence interval."""
         return self._estimate(metric, self.values[controller][metric][self.conditions(motion)])
 
     def estimate_at(self, controller: str, metric: str, command: int) -> Estimate:
-        """Mean of a metric over the seeds of one command, by index."""
+        """Mean of a metric over the seeds of one command (its index)."""
         return self._estimate(metric, self.values[controller][metric][command])
 
     def difference(self, metric: str, controller: str, other: str, motion: str | None = None) -> Estimate:
-        """Mean of controller - other over pairs of episodes with the same command and start."""
+        """Mean of `controller` minus `other` over pairs of episodes with the same command and start."""
         rows = self.conditions(motion)
         return bootstrap_mean(self.values[controller][metric][rows] - self.values[other][metric][rows])
 
@@ -105,16 +105,16 @@ class Comparison:
         return proportion(values) if metric == "fall_rate" else bootstrap_mean(values)
 
     def rows(self, command: int) -> NDArray[np.intp]:
-        """Rows of the rollouts of one command, by index."""
+        """Indices, in the rollouts, of the episodes of one command (its index)."""
         return np.arange(len(self.seeds)) + command * len(self.seeds)
 
     def episode(self, command: int, controller: str = "policy") -> int:
-        """Row of the rollouts that stands for a command (index): the first without a fall, or the longest."""
+        """Index of the episode that represents a command (its index): the first without a fall, or the longest."""
         block = self.rows(command)
         return int(block[self.rollouts[controller].valid[:, block].sum(axis=0).argmax()])
 
     def seen_as(self, controller: str) -> Self:
-        """The same comparison with one of its controllers as `policy`, and otherwise only the scripted ones."""
+        """The same comparison with this controller as `policy`, next to the scripted controllers only."""
         names = {"policy": controller, **{name: name for name in CONTROLLERS if name != "policy"}}
         return dataclasses.replace(
             self,
@@ -123,7 +123,7 @@ class Comparison:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """All numbers as plain values that are valid JSON: no NaN, but None where there is no value."""
+        """All numbers as JSON-serializable values; NaN becomes None."""
         return {
             "metrics": {
                 name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit}
@@ -161,20 +161,20 @@ def compare(
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
 ) -> Comparison:
-    """Run a policy, the tuned gait, the article's gait and the zero action on the same episodes.
+    """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, but with the robot as modelled: the start of an episode is
-    random, and neither friction, payload, pushes nor sensor noise are. Commands may lie beyond those of the training.
+    The task is the one that the policy was trained for, without randomization of friction, payload, pushes and sensor
+    noise; only the start of an episode is random. Commands may lie outside the training ranges.
 
     Args:
         policy: the trained policy.
-        num_seeds: episodes a command.
-        seconds: length of an episode.
+        num_seeds: episodes per command.
+        seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s.
-        progress: is told how far it is.
+        progress: called with the fraction done.
 
     Raises:
-        QuadrupedError: if there is no seed, or the episodes are too short to measure anything.
+        QuadrupedError: if there is no seed, or the episodes are too short to measure.
     """
     return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress)
 
@@ -186,16 +186,16 @@ def compare_policies(
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
 ) -> Comparison:
-    """Run several policies, by name, and the scripted controllers on the same episodes: see `compare`.
+    """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
 
-    Each policy runs the task that it was trained for; the scripted ones run the first policy's.
+    Each policy runs its own training task; the scripted controllers run the first policy's.
 
     Raises:
-        QuadrupedError: as `compare`, or if a policy has a scripted controller's name.
+        QuadrupedError: as `compare`, or if a policy has the name of a scripted controller.
     """
     taken = sorted(set(policies) & (set(CONTROLLERS) - {"policy"}))
     if taken:
-        raise QuadrupedError(f"{taken[0]!r} is a scripted controller's name, and no policy's; rename its directory")
+        raise QuadrupedError(f"{taken[0]!r} is the name of a scripted controller; rename the policy's directory")
     if num_seeds < 1:
         raise QuadrupedError(f"seeds: expected 1 or more; found {num_seeds}")
     if not START_UP + WINDOW <= seconds <= MAX_SECONDS:
@@ -222,7 +222,7 @@ def compare_policies(
 
 
 def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task without randomization, with ranges that hold the commands."""
+    """A policy's task without randomization, with command ranges that include the commands."""
     ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
@@ -231,10 +231,10 @@ def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskCon
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:
-    """The smallest range that holds another one and some values."""
+    """The smallest range that includes `bounds` and the values."""
     return min(bounds[0], *values), max(bounds[1], *values)
 
 
 def _part(progress: Progress | None, index: int, parts: int) -> Progress | None:
-    """Progress of one of several equal parts of the work."""
+    """Progress callback for one of several equal parts of the work."""
     return None if progress is None else lambda share: progress((index + share) / parts)

@@ -1,6 +1,6 @@
-"""What a few episodes say about all of them: means with confidence intervals.
+"""Means over episodes, with confidence intervals.
 
-Written out in NumPy so that a report needs no SciPy; the tests hold it against `scipy.stats.bootstrap`.
+Implemented in NumPy so that a report does not need SciPy; the tests compare it with `scipy.stats.bootstrap`.
 """
 
 import math
@@ -15,7 +15,7 @@ CONFIDENCE: Final = 0.95
 RESAMPLES: Final = 10_000
 _SEED: Final = 0
 _NORMAL_QUANTILE: Final = 1.959963984540054
-"""Of the standard normal distribution at (1 + CONFIDENCE) / 2"""
+"""Quantile of the standard normal distribution at (1 + CONFIDENCE) / 2."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,17 +26,17 @@ class Estimate:
     low: float
     high: float
     count: int
-    """How many values it rests on"""
+    """Number of values that are not NaN"""
 
 
 def bootstrap_mean(values: ArrayLike) -> Estimate:
     """The mean of the values that are not NaN, with its percentile bootstrap interval.
 
-    Efron & Tibshirani 1993, An Introduction to the Bootstrap, section 13.3. Seeded, so that a report can be repeated.
+    Efron & Tibshirani 1993, An Introduction to the Bootstrap, section 13.3. Seeded, so that a report is reproducible.
 
     Args:
-        values: (S,) drawn at random, or (K, S): S drawn at random under each of K fixed conditions. Then each
-            condition is resampled on its own: which conditions there are is no matter of chance.
+        values: S random samples (S,), or S random samples under each of K fixed conditions (K, S). Each condition is
+            resampled separately, because the conditions are not random.
     """
     strata = np.atleast_2d(np.asarray(values, dtype=np.float64))
     count = int(np.isfinite(strata).sum())
@@ -45,7 +45,7 @@ def bootstrap_mean(values: ArrayLike) -> Estimate:
     finite = np.isfinite(strata).ravel()
     counts = _resample_counts(*strata.shape)
     totals, sizes = counts @ np.where(finite, strata.ravel(), 0.0), counts @ (finite * 1.0)
-    # A resample may have caught nothing but NaN.
+    # A resample may contain only NaN.
     means = totals[sizes > 0] / sizes[sizes > 0]
     low, high = np.quantile(means, [(1.0 - CONFIDENCE) / 2.0, (1.0 + CONFIDENCE) / 2.0])
     return Estimate(float(np.nanmean(strata)), float(low), float(high), count)
@@ -53,7 +53,7 @@ def bootstrap_mean(values: ArrayLike) -> Estimate:
 
 @cache
 def _resample_counts(conditions: int, size: int) -> NDArray[np.float64]:
-    """How often each value is drawn in each resample, (RESAMPLES, conditions * size)."""
+    """Number of times that each value is drawn in each resample, (RESAMPLES, conditions * size)."""
     generator = np.random.default_rng(_SEED)
     counts = generator.multinomial(size, np.full(size, 1.0 / size), (RESAMPLES, conditions))
     return counts.reshape(RESAMPLES, conditions * size).astype(np.float64)
@@ -62,8 +62,8 @@ def _resample_counts(conditions: int, size: int) -> NDArray[np.float64]:
 def proportion(events: ArrayLike) -> Estimate:
     """The share of True among events of any shape, with its Wilson score interval.
 
-    Unlike the bootstrap's, it says that no fall in 50 episodes is no proof of none in a thousand
-    (Wilson 1927, https://doi.org/10.1080/01621459.1927.10502953).
+    Unlike the bootstrap's, it has a width above 0 if no event was seen: 0 falls in 50 episodes do not prove that there
+    are 0 in 1000 (Wilson 1927, https://doi.org/10.1080/01621459.1927.10502953).
     """
     flags = np.asarray(events, dtype=np.float64)
     n = flags.size

@@ -1,8 +1,8 @@
-"""One robot's joints over time: what a scripted gait asks for, and what a controller made of it.
+"""Single-robot episodes: joint targets of a scripted gait, and the recording of a controller that runs in simulation.
 
-Every recording begins alike: the robot at rest on its feet, facing along x, and nothing in it is random. A controller
-begins in the stance, recorded joint positions in their own first row. So the motion is a function of the controller
-alone, and a replay of the same joint targets repeats it to the last bit.
+Every recording begins identically: the robot is at rest on its feet and faces along x, without randomization. A
+controller begins in the stance, a recorded trajectory in its own first row. The motion therefore depends on the
+controller alone, and a replay of the same joint targets is bit-identical.
 """
 
 import math
@@ -34,22 +34,22 @@ from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
 MAX_RATE: Final = 1000.0
-"""Hz"""
+"""Maximum rate of joint targets, Hz."""
 MAX_SECONDS: Final = 6 * 3600.0
-"""A longer recording is more likely a stamp from another clock (a first stamp of 0, say) than a walk."""
+"""Maximum duration, s. A longer recording more likely has a timestamp from another clock (a first timestamp of 0)."""
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
 STILL: Final = RandomizationConfig(
     start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
 )
-"""Nothing random"""
+"""Randomization with every start perturbation switched off."""
 
 
 @dataclass(frozen=True)
 class Recording:
-    """What a robot did, from its start: K + 1 rows for K control steps.
+    """Recording of one robot from its start: K + 1 samples for K control steps.
 
-    It goes on after a fall, but not after the simulation diverged.
+    The recording continues after a fall and stops if the simulation diverges.
     """
 
     controller: str
@@ -60,12 +60,12 @@ class Recording:
     velocity: NDArray[np.float64]
     """Forward velocity in m/s and yaw rate in rad/s, in the body frame (K + 1, 2)"""
     contact: NDArray[np.bool_]
-    """Whether each foot is on the ground (K + 1, 4)"""
+    """True for each foot on the ground (K + 1, 4)"""
     fell_at: float | None
-    """s from the start, or None for a robot that stayed on its feet"""
+    """Time of the fall from the start, s; None without a fall"""
 
     def outcome(self) -> str:
-        """How it ended, in a sentence."""
+        """Outcome in one sentence: fall or no fall, and displacement."""
         x, y = (self.base_pose[-1, :2] - self.base_pose[0, :2]).round(2)
         fate = "stayed on its feet" if self.fell_at is None else f"fell at {self.fell_at:.2f} s"
         return (
@@ -75,21 +75,21 @@ class Recording:
 
 
 def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajectory:
-    """What a publisher of a gait sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
+    """Joint targets that a gait publisher sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
 
     Args:
-        gait: what to publish.
-        seconds: until when.
-        rate: Hz.
+        gait: gait to sample.
+        seconds: time of the last target, s.
+        rate: targets per second, Hz.
 
     Raises:
-        QuadrupedError: if the time or the rate makes no sense.
+        QuadrupedError: if `seconds` or `rate` is out of range.
     """
     if not 0.0 < rate <= MAX_RATE:
         raise QuadrupedError(f"rate: expected over 0 and up to {MAX_RATE:g} Hz; found {rate:g}")
     if not 0.0 < seconds <= MAX_SECONDS:
         raise QuadrupedError(f"seconds: expected over 0 and up to {MAX_SECONDS:g} s; found {seconds:g}")
-    # In this way 50 Hz gives the very times, and so the very positions, of a gait that runs on the task's clock.
+    # Multiplied by 1 / rate, so that 50 Hz gives exactly the times and positions of a gait on the task's clock.
     times = np.arange(math.floor(seconds * rate + 1e-6) + 1) * (1.0 / rate)
     return JointTrajectory(_stamps(times), JOINT_NAMES, gait.positions(times), gait.velocities(times))
 
@@ -100,15 +100,15 @@ def play(
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
 ) -> Recording:
-    """Play joint positions through the motors, with gravity and ground, and record it.
+    """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
-    The robot starts in the first row's positions, on its feet; the recording's first stamp is the trajectory's.
+    The robot starts on its feet in the positions of the first row. The recording has the trajectory's first timestamp.
 
     Args:
-        trajectory: all eight joints; another that the robot does not have is left out.
-        name: what reports call it.
-        progress: is told how far it is.
-        motors: other motors than the model file's.
+        trajectory: all eight joints; joints that the robot does not have are ignored.
+        name: name in reports.
+        progress: called with the fraction done.
+        motors: motors to use instead of the model file's.
 
     Raises:
         QuadrupedError: if a joint is unknown or missing, or the trajectory is too long.
@@ -118,7 +118,7 @@ def play(
         raise QuadrupedError(
             f"{trajectory.source.name}: lasts {trajectory.duration:g} s, over {MAX_SECONDS:g} s; its longest gap, "
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
-            f"cut it there, or mend the stamps"
+            f"cut it there, or fix the timestamps"
         )
     return record(
         TrajectoryController(trajectory, name),
@@ -139,16 +139,16 @@ def record(
     progress: Progress | None = None,
     start: NDArray[np.float64] | None = None,
 ) -> Recording:
-    """Run a controller on one robot from the start that every recording has.
+    """Run a controller on one robot from the common start of all recordings.
 
     Args:
-        controller: what to run.
-        seconds: for how long; the last control step may end later.
+        controller: controller to run.
+        seconds: duration, s; the last control step may end later.
         command: forward velocity in m/s and yaw rate in rad/s.
-        config: the task, of which the randomization is left out; the action mode is the controller's own.
-        first_stamp: ns, of the start.
-        progress: is told how far it is.
-        start: joint positions (8,) in rad to start in; None is the stance.
+        config: task configuration; its randomization is ignored and its action mode is the controller's.
+        first_stamp: timestamp of the start, ns.
+        progress: called with the fraction done.
+        start: initial joint positions (8,), rad; None is the stance.
 
     Raises:
         QuadrupedError: if the command is outside the task's ranges.
@@ -156,7 +156,7 @@ def record(
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
     task = Task(SingleSimulation(load_model(config.physics_timestep, config.motor)), config)
     task.reset(_ROW, seeds=[0], command=command)
-    # An episode begins facing anywhere; this one begins facing along x.
+    # `reset` gives a random heading; a recording begins facing along x.
     task.simulation.reset(_ROW, _start(start)[None], np.zeros((1, 14)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
@@ -191,7 +191,7 @@ def record(
 
 
 def _start(positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """All coordinates (15,) of the robot at rest on its feet."""
+    """Generalized coordinates (15,) of the robot at rest on its feet."""
     if positions is None:
         return np.array([0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE])
     within = positions.clip(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)

@@ -1,4 +1,4 @@
-"""The worst episodes of a controller, and what happened in them."""
+"""The worst episodes of a controller, each with a short description of the failure."""
 
 from dataclasses import dataclass
 from typing import Final
@@ -14,11 +14,11 @@ from quadruped_env.rotations import tilt, up_in_body
 
 SHOWN: Final = 3
 _TOLERANCES: Final = np.array([VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]])
-"""m/s and rad/s"""
+"""Errors of forward velocity, m/s, and yaw rate, rad/s, that count as 1 tolerance."""
 _LEANING: Final = 0.3
-"""Share of the world's up direction along an axis of the base from which the robot leans to that side"""
+"""Component of the world's up direction along a base axis above which the robot leans to that side."""
 _DRIFT: Final = 0.3
-"""m sideways that a story mentions"""
+"""Sideways displacement from which the description mentions drift, m."""
 
 
 @dataclass(frozen=True)
@@ -26,22 +26,23 @@ class Failure:
     """A bad episode."""
 
     row: int
-    """Of the comparison's rollouts"""
+    """Index of the episode in the comparison's rollouts"""
     command: Command
     seed: int
     fell_at: float | None
-    """s, or None for a robot that stayed on its feet"""
+    """Time of the fall, s; None without a fall"""
     moment: float
-    """s: the fall, or the middle of the time in which it was farthest off"""
+    """Time of the fall, or the middle of the window with the largest error, s"""
     badness: float
-    """How many times its tolerance the worse of its two velocity errors is; infinite for a fall"""
+    """Larger of the two velocity errors, relative to its tolerance; infinite for a fall"""
     story: str
+    """Description in a few sentences"""
 
 
 def worst_episodes(comparison: Comparison, controller: str = "policy", count: int = SHOWN) -> list[Failure]:
-    """The worst episode of each of the commands that went worst: falls first, the earliest first, then errors.
+    """Worst episodes, at most one per command: falls first, the earliest first, then the largest velocity errors.
 
-    One for each command, because episodes of one command mostly fail alike.
+    One per command, because episodes of one command mostly fail in the same way.
     """
     rollout = comparison.rollouts[controller]
     worst = []
@@ -52,7 +53,7 @@ def worst_episodes(comparison: Comparison, controller: str = "policy", count: in
         fell = rollout.fallen[rows]
         alive = rollout.valid[:, rows].sum(axis=0)
         badness = np.where(fell, np.inf, np.nan_to_num(off))
-        # Of several falls the earliest.
+        # If several episodes fall, the earliest fall.
         j = int(np.lexsort((alive, -badness))[0])
         worst.append((-float(badness[j]), int(alive[j]), int(rows[j]), command))
     return [_failure(rollout, row, command, -badness) for badness, _, row, command in sorted(worst)[:count]]
@@ -81,34 +82,31 @@ def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Fa
 def _fall(one: Rollout, alive: int, fell_at: float) -> str:
     last = min(alive, len(one.valid) - 1)
     up = up_in_body(one.orientation[last, 0])
-    ways = [
+    directions = [
         (abs(up[0]), "forwards, over its nose" if up[0] < 0 else "backwards, over its tail"),
         (abs(up[1]), "over its left side" if up[1] < 0 else "over its right side"),
     ]
-    lean, way = max(ways)
+    lean, direction = max(directions)
     angle = np.degrees(tilt(one.orientation[last, 0]))
     if lean < _LEANING:
-        return f"It fell at {fell_at:.1f} s: its trunk hit the ground, nearly level ({angle:.0f}° of tilt)."
-    return f"It fell at {fell_at:.1f} s, {way}, at {angle:.0f}° of tilt."
+        return f"It fell at {fell_at:.1f} s: its trunk hit the ground while nearly level ({angle:.0f}° of tilt)."
+    return f"It fell at {fell_at:.1f} s, {direction}, at {angle:.0f}° of tilt."
 
 
 def _velocities(command: Command, done: NDArray[np.float64]) -> str:
-    """What it did on average, first the velocity that was farther off."""
+    """Mean velocities and their commands, the one with the larger relative error first."""
     names = ("forward_velocity", "yaw_rate")
     off = np.abs(done - command) / _TOLERANCES
     worse, other = (names[i] for i in np.argsort(-off))
     shown = {
-        name: f"{METRICS[name].show(got)} {METRICS[name].unit} where {asked:g} was asked for"
-        for name, got, asked in zip(names, done, command, strict=True)
+        name: f"mean {METRICS[name].label.lower()} {METRICS[name].show(got)} {METRICS[name].unit} (command {target:g})"
+        for name, got, target in zip(names, done, command, strict=True)
     }
-    return (
-        f"Farthest off was its {METRICS[worse].label.lower()}, on average {shown[worse]}; "
-        f"its {METRICS[other].label.lower()} was {shown[other]}."
-    )
+    return f"Largest error: {shown[worse]}; {shown[other]}."
 
 
 def _drift(one: Rollout, command: Command) -> str:
-    """How far a robot that should go straight came off its line."""
+    """Sideways displacement of a robot whose command is to go straight; empty if it is small."""
     if command[1]:
         return ""
     heading = heading_of(one.orientation)[0, 0]
@@ -116,4 +114,4 @@ def _drift(one: Rollout, command: Command) -> str:
     across = float(y * np.cos(heading) - x * np.sin(heading))
     if abs(across) < _DRIFT:
         return ""
-    return f"It ended {abs(across):.1f} m to the {'left' if across > 0 else 'right'} of its line."
+    return f"It ended {abs(across):.1f} m to the {'left' if across > 0 else 'right'} of a straight line."

@@ -1,8 +1,8 @@
-"""How good a walk was, in numbers: pure functions from readings over time to one number an episode.
+"""Locomotion metrics: pure functions from sensor readings over time to one number per episode.
 
-Arrays run over time first: (T, N, ...). `valid` (T, N) masks what counts; a row without a valid sample gets NaN.
-`measure` gives every metric of a rollout, over the time after the first `START_UP` seconds and before a fall; only
-the fall itself counts from the beginning.
+The first axis of arrays is time: (T, N, ...). The mask `counted` (T, N) selects samples; an episode without a selected
+sample gets NaN. `measure` computes every metric of a rollout over the time after the first `START_UP` seconds and
+before a fall; the fall rate counts from the beginning.
 """
 
 import math
@@ -23,22 +23,22 @@ Mask = NDArray[np.bool_]
 
 GRAVITY: Final = 9.81
 START_UP: Final = 1.0
-"""s at the beginning of an episode that no metric but the fall rate counts: the robot drops 1 cm and sets off"""
+"""Time at the beginning of an episode that only the fall rate counts, s: the robot drops 1 cm and accelerates."""
 WINDOW: Final = 1.0
-"""s of the moving mean that takes the oscillation within a stride out of a velocity"""
+"""Length of the moving mean that removes the oscillation within a stride from a velocity, s."""
 STANDING_SPEED: Final = 0.05
-"""m/s; a robot slower than this travels nowhere, and what is counted per metre has no value"""
+"""Speed below which a robot counts as standing, and metrics per metre are NaN, m/s."""
 LIMIT_MARGIN: Final = 0.01
-"""rad from a position limit within which a joint counts as being at it"""
+"""Distance from a position limit within which a joint counts as being at the limit, rad."""
 CLEARANCE_QUANTILE: Final = 0.95
-"""Of the heights of a sole over time"""
+"""Quantile of a sole's height over time that is its clearance."""
 STANDING_SWING: Final = 0.01
-"""rad RMS; hips that swing less than this do not step"""
+"""RMS hip swing below which a robot counts as not stepping, rad."""
 
 
 @dataclass(frozen=True)
 class Metric:
-    """What a metric is called and how to read it."""
+    """Label, unit and meaning of a metric, and how to format its values."""
 
     label: str
     unit: str
@@ -46,9 +46,9 @@ class Metric:
     digits: int = 2
     less_is_better: bool = False
     limit: float | None = None
-    """The robot's own limit, in the unit"""
+    """Hardware limit of the robot, in `unit`"""
     percent: bool = False
-    """Whether people read it as a percentage; the value itself is a share"""
+    """True to show the value, a fraction, as a percentage"""
 
     def show(self, value: float) -> str:
         """The value as text without its unit, a dash for NaN."""
@@ -76,20 +76,20 @@ METRICS: Final[dict[str, Metric]] = {
     "lateral_drift": Metric("Lateral drift", "m/m", "metres sideways per metre ahead, on straight commands", 3, True),
     "heading_drift": Metric("Heading drift", "rad/s", "change of heading over time, on straight commands", 3, True),
     "cost_of_transport": Metric(
-        "Cost of transport", "", "motor power / (weight x speed); has no value for a robot that stands", 2, True
+        "Cost of transport", "", "motor power / (weight x speed); undefined for a robot that stands", 2, True
     ),
-    "mean_power": Metric("Motor power", "W", "mean mechanical power put in; braking gives nothing back", 1, True),
+    "mean_power": Metric("Motor power", "W", "mean positive mechanical power; braking recovers no energy", 1, True),
     "peak_torque": Metric("Peak torque", "N m", "largest of any joint", 1, True, EFFORT_LIMIT),
     "peak_joint_speed": Metric("Peak joint speed", "rad/s", "largest of any joint", 1, True, VELOCITY_LIMIT),
     "joint_acceleration": Metric(
-        "Joint acceleration", "rad/s²", "RMS over joints and time; smooth motion has little", 0, True
+        "Joint acceleration", "rad/s²", "RMS over joints and time; small for smooth motion", 0, True
     ),
     "joints_at_limit": Metric(
         "Joints at a limit", "", "share of time with any joint at a position limit", 1, True, percent=True
     ),
     "foot_slip": Metric("Foot slip", "m/s", "mean sliding speed of the soles that are on the ground", 3, True),
     "foot_clearance": Metric(
-        "Foot clearance", "m", "height that a sole exceeds in 5 % of the time, of the foot that is lifted least", 3
+        "Foot clearance", "m", "height that a sole exceeds 5 % of the time; of the foot that is lifted least", 3
     ),
     "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
     "stride_frequency": Metric("Stride frequency", "Hz", "strongest frequency of the hips' swing"),
@@ -98,7 +98,7 @@ METRICS: Final[dict[str, Metric]] = {
 
 
 def measure(rollout: Rollout) -> dict[str, Floats]:
-    """Every metric of `METRICS`, in SI units, one number an episode: name -> (N,), NaN where it has no value."""
+    """Every metric of `METRICS`, in SI units, one number per episode: name -> (N,); NaN where undefined."""
     r, dt, counted = rollout, rollout.timestep, counted_samples(rollout)
     forward, command = r.linear_velocity_b[..., 0], r.command
     straight = np.abs(command[:, 1]) <= MOVING_THRESHOLD
@@ -128,7 +128,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
 
 
 def counted_samples(rollout: Rollout) -> Mask:
-    """What counts: after the start-up and before a fall, (T, N)."""
+    """Mask of the samples after the start-up and before a fall, (T, N)."""
     counted = rollout.valid.copy()
     counted[: round(START_UP / rollout.timestep)] = False
     return counted
@@ -151,12 +151,12 @@ def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats
 
     Args:
         values: (T, N, ...).
-        counted: (T, N); True from one sample to another, without a gap.
+        counted: (T, N); each episode's True samples are contiguous.
         dt: time between samples, s.
 
     Returns:
-        Means (M, N, ...), element i over samples i to i + window, and whether all of those count (M, N). M is 0 for
-        a rollout shorter than a window.
+        Means (M, N, ...), element i over samples i to i + window, and a mask (M, N), True if all of those samples
+        count. M is 0 for a rollout shorter than a window.
     """
     window = round(WINDOW / dt)
     if len(values) < window:
@@ -166,10 +166,10 @@ def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats
 
 
 def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: float) -> Floats:
-    """How far a velocity is from its command, in its unit, (N,).
+    """RMS error between a velocity and its command, in the unit of the velocity, (N,).
 
-    sqrt(mean over windows of (mean of the velocity over `WINDOW` - command)^2): a robot with legs swings about its
-    mean within each stride, and that is no error.
+    sqrt(mean over windows of (mean of the velocity over `WINDOW` - command)^2). The oscillation of a legged robot
+    within each stride is not an error.
 
     Args:
         velocity: m/s or rad/s (T, N).
@@ -196,9 +196,9 @@ def heading_of(orientation: NDArray[Any]) -> Floats:
 
 
 def _first_and_last(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Floats, Floats]:
-    """Means over the first and the last whole window (N, ...) each, and the s between the two (N,).
+    """Means over the first and the last whole window (N, ...) each, and the time between the two, s (N,).
 
-    NaN for a row where those windows overlap.
+    The time is NaN for an episode where those windows overlap.
     """
     means, whole = window_means(values, counted, dt)
     if not len(means):
@@ -246,8 +246,8 @@ def heading_drift(heading: Floats, counted: Mask, dt: float) -> Floats:
 def cost_of_transport(power: Floats, speed: Floats) -> Floats:
     """Mean positive mechanical power / (m g |mean forward speed|), no unit, (N,).
 
-    As Collins et al. 2005 (https://doi.org/10.1126/science.1107799) count it: mechanical work only, without what
-    the electronics and the motors' heat take. NaN below `STANDING_SPEED`.
+    Defined as in Collins et al. 2005 (https://doi.org/10.1126/science.1107799): mechanical work only, without the
+    losses in electronics and motor windings. NaN below `STANDING_SPEED`.
 
     Args:
         power: W (N,).
@@ -266,7 +266,7 @@ def peak(values: NDArray[Any], counted: Mask) -> Floats:
 def joint_acceleration(joint_velocity: NDArray[Any], counted: Mask, dt: float) -> Floats:
     """RMS over time and joints of (velocity now - velocity before) / dt, rad/s^2, (N,).
 
-    The quantity that the `dof_acc` term of legged_gym penalizes. Targets and actions would not do: a scripted gait
+    The quantity that the `dof_acc` term of legged_gym penalizes. Targets and actions are not suitable: a scripted gait
     has no action, and a joint follows a rough target smoothly.
 
     Args:
@@ -279,7 +279,7 @@ def joint_acceleration(joint_velocity: NDArray[Any], counted: Mask, dt: float) -
 
 
 def joints_at_limit(joint_position: NDArray[Any], counted: Mask) -> Floats:
-    """Share of time with any joint within `LIMIT_MARGIN` of its limits, in [0, 1], (N,).
+    """Fraction of time with any joint within `LIMIT_MARGIN` of its limits, in [0, 1], (N,).
 
     Args:
         joint_position: rad (T, N, 8).
@@ -309,9 +309,9 @@ def slip_of_feet(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floa
 
 
 def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
-    """Height that each sole exceeds in 5 % of the time, m, (N, 4).
+    """Height that each sole exceeds 5 % of the time, m, (N, 4).
 
-    About the top of its swing, without the chance of a single highest sample.
+    About the top of its swing, but robust against a single highest sample.
 
     Args:
         foot_height: m over the ground (T, N, 4).
@@ -325,7 +325,7 @@ def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
 
 
 def duty_factor(contact: Mask, counted: Mask) -> Floats:
-    """Share of time that each foot is on the ground, in [0, 1], (N, 4).
+    """Fraction of time that each foot is on the ground, in [0, 1], (N, 4).
 
     Args:
         contact: (T, N, 4).
@@ -338,12 +338,12 @@ def stride_frequency(joint_position: NDArray[Any], counted: Mask, dt: float) -> 
     """Strides per second, Hz, (N,): the strongest frequency of the hips' swing.
 
     The peak of the power spectrum (Hann window, summed over the hips), refined by a parabola through its neighbours.
-    Not from touch-downs: a foot that bounces touches down more than once a stride. NaN where the hips swing less
-    than `STANDING_SWING`, or for fewer than two strides.
+    Touch-downs are not used, because a foot that bounces touches down more than once per stride. NaN where the hips
+    swing less than `STANDING_SWING`, or for fewer than two strides.
 
     Args:
         joint_position: rad (T, N, 8).
-        counted: (T, N); True from one sample to another, without a gap.
+        counted: (T, N); each episode's True samples are contiguous.
         dt: s.
     """
     hips = joint_position[..., 0::2].astype(np.float64)
@@ -351,7 +351,7 @@ def stride_frequency(joint_position: NDArray[Any], counted: Mask, dt: float) -> 
     length = counted.sum(axis=0)
     place = (np.arange(len(counted))[:, None] - counted.argmax(axis=0) + 0.5) / np.maximum(length, 1)
     window = np.where(counted, np.sin(np.pi * place) ** 2, 0.0)
-    # Padding with zeros only makes the grid of frequencies finer.
+    # Zero padding interpolates the spectrum on a finer grid of frequencies.
     padded = 4 * 2 ** math.ceil(math.log2(len(counted)))
     power = (np.abs(np.fft.rfft(swing * window[..., None], padded, axis=0)) ** 2).sum(axis=-1)
     top = np.clip(power.argmax(axis=0), 1, len(power) - 2)

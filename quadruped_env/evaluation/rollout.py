@@ -1,4 +1,4 @@
-"""Run a controller on fixed commands, many episodes at once, and keep what the metrics read."""
+"""Run a controller on fixed commands, many episodes at once, and record the readings that the metrics need."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
@@ -19,15 +19,15 @@ from quadruped_env.task.quantities import sliding_squared
 
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = 1_000_000
-"""Far from the small seeds that people train with: no episode of the evaluation was an episode of the training."""
+"""First seed of an evaluation, far from the small seeds of trainings: no evaluation episode was a training episode."""
 
 
 @dataclass(frozen=True)
 class Rollout:
-    """What a controller did: N episodes of T control steps, with a command each.
+    """N episodes of T control steps of one controller, each with its command.
 
-    Sample t is the reading after control step t + 1. Readings are float32. After a row's fall they go on, but mean
-    nothing: `valid` says which count.
+    Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
+    `valid` masks them.
     """
 
     controller: str
@@ -36,37 +36,37 @@ class Rollout:
     command: NDArray[np.float64]
     """Forward velocity in m/s and yaw rate in rad/s, (N, 2)"""
     seeds: NDArray[np.int64]
-    """(N,)"""
+    """Seed of each episode (N,)"""
     valid: NDArray[np.bool_]
-    """Whether the row is still on its feet, (T, N); once False it stays so"""
+    """True until the robot falls, (T, N)"""
     base_position: NDArray[np.float32]
-    """m, world frame (T, N, 3)"""
+    """Position of the base in the world, m (T, N, 3)"""
     orientation: NDArray[np.float32]
     """Quaternion wxyz of the base (T, N, 4)"""
     linear_velocity_b: NDArray[np.float32]
-    """m/s (T, N, 3)"""
+    """Linear velocity of the base in its own frame, m/s (T, N, 3)"""
     yaw_rate: NDArray[np.float32]
     """Angular velocity about the base's own vertical axis, rad/s (T, N)"""
     joint_position: NDArray[np.float32]
-    """rad (T, N, 8)"""
+    """Joint positions, rad (T, N, 8)"""
     joint_velocity: NDArray[np.float32]
-    """rad/s (T, N, 8)"""
+    """Joint velocities, rad/s (T, N, 8)"""
     joint_torque: NDArray[np.float32]
-    """N m (T, N, 8), of the control step's last physics substep"""
+    """Motor torques in the last physics step of each control step, N m (T, N, 8)"""
     contact: NDArray[np.bool_]
-    """Whether a foot is on the ground (T, N, 4)"""
+    """True for each foot on the ground (T, N, 4)"""
     slip_speed: NDArray[np.float32]
     """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, 4); 0 for a foot in the air"""
     foot_height: NDArray[np.float32]
-    """Height of each sole's lowest point over flat ground, m (T, N, 4); a sole that is pressed in is under 0"""
+    """Height of each sole's lowest point over flat ground, m (T, N, 4); negative where it penetrates the ground"""
     reward_terms: NDArray[np.float32]
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
-    """Of the K terms"""
+    """Names of the K reward terms"""
 
     @property
     def fallen(self) -> NDArray[np.bool_]:
-        """Whether the episode ended in a fall or in a simulation that diverged, (N,)."""
+        """True for episodes that ended in a fall or diverged, (N,)."""
         return ~self.valid[-1]
 
     @property
@@ -75,7 +75,7 @@ class Rollout:
         return len(self.valid) * self.timestep
 
     def select(self, rows: Any) -> Self:
-        """The rollout of some rows only, by index or mask (N,)."""
+        """The rollout with some of its episodes, by index or mask (N,)."""
         over_time = {
             f.name: getattr(self, f.name)[:, rows]
             for f in fields(self)
@@ -85,7 +85,7 @@ class Rollout:
 
 
 def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Every command (K, 2) with each of S seeds: commands (K * S, 2) and seeds (K * S,), command by command."""
+    """Every command (K, 2) with each of S seeds: commands (K * S, 2) and seeds (K * S,), grouped by command."""
     commands = np.asarray(commands, dtype=np.float64)
     return np.repeat(commands, len(seeds), axis=0), np.tile(np.asarray(seeds, dtype=np.int64), len(commands))
 
@@ -98,24 +98,25 @@ def roll_out(
     config: TaskConfig | None = None,
     progress: Progress | None = None,
 ) -> Rollout:
-    """Run a controller on every command with every seed; episodes end at a fall and are not started again.
+    """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
 
-    A seed gives the same start (attitude, joint positions, velocities) whatever the command and the controller, so
-    that differences between controllers are paired.
+    A seed gives the same start (attitude, joint positions, velocities) for every command and controller, so that
+    differences between controllers are paired.
 
     Args:
-        controller: what to run.
+        controller: controller to run.
         commands: forward velocity in m/s and yaw rate in rad/s, (K, 2).
-        seeds: one episode a command and seed.
-        seconds: length of an episode.
-        config: the task; the action mode is the controller's own. None takes the defaults.
-        progress: is told how far it is.
+        seeds: one episode per command and seed.
+        seconds: length of an episode, s.
+        config: task configuration, with the controller's action mode. None takes the defaults.
+        progress: called with the fraction done.
 
     Returns:
-        A rollout with K * S rows, ordered as `grid` orders them.
+        A rollout with K * S episodes, in the order of `grid`.
 
     Raises:
-        QuadrupedError: if a command is outside the task's ranges, or there is no command, seed or time.
+        QuadrupedError: if a command is outside the task's ranges, there is no command or seed, or `seconds` is shorter
+            than a control step.
     """
     config = task_config(controller.action_mode, config)
     steps = round(seconds / config.control_timestep)

@@ -1,4 +1,4 @@
-"""The policy that is evaluated, and where its results go."""
+"""The policy to evaluate, and the directory of its results."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,40 +13,41 @@ LATEST_RUN: Final = Path("runs", "latest")
 
 @dataclass(frozen=True)
 class Subject:
-    """A policy to evaluate, and where its results go."""
+    """A policy to evaluate, and the directory of its results."""
 
     name: str
-    """Of the run, or of the shipped policy"""
+    """Name of the run or of the shipped policy"""
     policy: Policy
     directory: Path
-    """The training run, or the shipped policy's place in the package"""
+    """Directory of the training run, or of the shipped policy in the package"""
     output: Path
+    """Directory of the results"""
 
     @property
     def source(self) -> str:
-        """What a person types to name it again; no path of this machine."""
+        """Name of the policy on the command line; contains no path of this machine."""
         return self.name if self.name in SHIPPED else f"runs/{self.name}"
 
     @property
     def progress_file(self) -> Path | None:
-        """What its training logged, where that is still there."""
+        """Log of the training, or None if the file does not exist."""
         path = self.directory / PROGRESS_FILE
         return path if path.is_file() else None
 
 
 def find_subject(run: str | None, output: Path | None = None, task_file: Path | None = None) -> Subject:
-    """The policy that a person names; of a run that was killed, that of its last checkpoint.
+    """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
     Args:
-        run: a run's directory or a shipped policy's name; None takes the latest run, or else the shipped policy.
-        output: where the results go; None takes `evaluation` in the run's directory, or `results/<name>`.
-        task_file: the user's file of terms that the run was trained with; it is executed.
+        run: directory of a run or name of a shipped policy; None takes the latest run, or else the shipped policy.
+        output: directory of the results; None takes `evaluation` in the run's directory, or `results/<name>`.
+        task_file: the user's Python file of task terms that the run was trained with; it is executed.
 
     Raises:
-        QuadrupedError: if there is no such policy, or it is damaged.
+        QuadrupedError: if the policy does not exist or is damaged.
 
     Warns:
-        QuadrupedWarning: if the policy is a checkpoint's, though the run was named.
+        QuadrupedWarning: if a run is given and its policy is a checkpoint.
     """
     if run is None:
         run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]

@@ -1,4 +1,4 @@
-"""The verdict: what the numbers of a comparison say, in words."""
+"""The verdict: a comparison summarized in words."""
 
 import math
 import textwrap
@@ -12,30 +12,30 @@ from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.metrics import METRICS
 
 STABLE_FALL_RATE: Final = 0.05
-"""Share of episodes that a robot which "stays on its feet" may end in a fall"""
+"""Maximum fraction of falls for which the verdict says that the robot stays on its feet."""
 WALKING_SHARE: Final = 0.5
-"""Share of the commanded forward velocity from which a robot walks"""
+"""Minimum fraction of the commanded forward velocity for which the verdict says that the robot walks."""
 CREEPING_SHARE: Final = 0.2
-"""... and from which it gets forward at all"""
+"""Minimum fraction of the commanded forward velocity for which the robot moves forward at all."""
 VELOCITY_TOLERANCE: Final = (0.05, 0.1)
-"""m/s of error that is close to the command, and that is near it"""
+"""Maximum forward velocity errors of a policy that follows its commands closely, and roughly, m/s."""
 YAW_RATE_TOLERANCE: Final = (0.1, 0.2)
-"""rad/s, likewise"""
+"""Maximum yaw rate errors of a policy that follows its commands closely, and roughly, rad/s."""
 LEVEL: Final = 0.005
-"""m/s and rad/s between two errors that are as good as equal"""
+"""Difference below which two errors count as equal, m/s or rad/s."""
 STILL: Final = 0.03
-"""m/s and rad/s of error under which a robot stands still"""
+"""Maximum error of a robot that stands still, m/s or rad/s."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a comparison says about its policy."""
+    """Verdict on the policy of a comparison."""
 
     level: str
     """`good`, `fair` or `poor`"""
     headline: str
     findings: tuple[tuple[str, str], ...]
-    """Topic and sentence"""
+    """Pairs of topic and sentence"""
 
     def text(self) -> str:
         """The verdict as plain text."""
@@ -47,7 +47,7 @@ class Verdict:
 
 
 def verdict(comparison: Comparison) -> Verdict:
-    """Judge the policy of a comparison; what its commands do not cover is left out."""
+    """Judge the policy of a comparison. Motions that its commands do not cover are left out."""
     findings = [("Falls", _falls(comparison))]
     for topic, words in (
         ("Forwards", _forwards),
@@ -67,7 +67,7 @@ def verdict(comparison: Comparison) -> Verdict:
 
 
 def reached_share(comparison: Comparison, controller: str, motion: str) -> float:
-    """Mean achieved velocity over mean commanded velocity: yaw rate where the motion is turning; NaN without one."""
+    """Mean achieved over mean commanded velocity (the yaw rate for turning); NaN if the commands are 0."""
     rows = comparison.conditions(motion)
     column, metric = (1, "yaw_rate") if motion == "turning" else (0, "forward_velocity")
     command = np.array(comparison.commands)[rows, column]
@@ -83,30 +83,30 @@ def _headline(comparison: Comparison) -> tuple[str, str]:
         return "poor", "No: it falls before it has taken a step."
     falls = comparison.estimate("policy", "fall_rate").mean
     if not has("forwards"):
-        return "fair", "It was not asked to walk forwards."
+        return "fair", "No command walks forwards, so walking was not tested."
     share = reached_share(comparison, "policy", "forwards")
     if not share >= CREEPING_SHARE:
         return "poor", "No, it does not walk" + (", and it falls." if falls > STABLE_FALL_RATE else ".")
     if share < WALKING_SHARE:
-        return "poor", f"Hardly: it reaches {_percent(share)} of the forward velocity that it is asked for."
+        return "poor", f"Hardly: it reaches {_percent(share)} of the commanded forward velocity."
     flaws = []
     if falls > STABLE_FALL_RATE:
         flaws.append(f"falls in {_percent(falls)} of the episodes")
     error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
     if not error <= VELOCITY_TOLERANCE[1]:
-        flaws.append(f"is {error:.2f} m/s off its forward command")
+        flaws.append(f"has a forward velocity error of {error:.2f} m/s")
     if has("standing") and not _stands(comparison):
         flaws.append("does not stand still")
     if has("backwards") and not reached_share(comparison, "policy", "backwards") >= WALKING_SHARE:
         flaws.append("does not walk backwards")
     if has("turning") and not comparison.estimate("policy", "yaw_rate_error", "turning").mean <= YAW_RATE_TOLERANCE[1]:
-        flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the rate asked for")
-    behind = [m for m in MOTIONS if has(m) and _rank(comparison, "tuned", m) == "further off"]
+        flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the commanded rate")
+    behind = [m for m in MOTIONS if has(m) and _rank(comparison, "tuned", m) == "less accurate"]
     if behind:
-        flaws.append(f"is less exact than the tuned gait {listed(behind)}")
+        flaws.append(f"is less accurate than the tuned gait {listed(behind)}")
     if flaws:
         return "fair", f"Yes, it walks, but it {listed(flaws)}."
-    return "good", "Yes, it walks: it stays on its feet, and does what it is asked at least as well as the tuned gait."
+    return "good", "Yes, it walks: it stays on its feet, and follows its commands at least as well as the tuned gait."
 
 
 def _falls(comparison: Comparison) -> str:
@@ -128,13 +128,13 @@ def _forwards(comparison: Comparison) -> str:
     if math.isnan(error.mean):
         return "it falls too early to tell."
     fastest = max(comparison.conditions("forwards"), key=lambda i: comparison.commands[i][0])
-    asked = f"{min(speeds):g} to {max(speeds):g} m/s" if len(speeds) > 1 else f"{speeds[0]:g} m/s"
+    commanded = f"{min(speeds):g} to {max(speeds):g} m/s" if len(speeds) > 1 else f"{speeds[0]:g} m/s"
     closeness = _closeness(error.mean, VELOCITY_TOLERANCE)
     distance = comparison.estimate_at("policy", "distance", fastest).mean
     speed = comparison.estimate_at("policy", "forward_velocity", fastest).mean
     return (
-        f"{closeness} commands of {asked}, {_with_interval(error, metric)} off. Asked for {max(speeds):g} m/s it does "
-        f"{speed:.2f} m/s and gets {distance:.1f} m far in {comparison.seconds:g} s."
+        f"{closeness} commands of {commanded}, with an error of {_with_interval(error, metric)}. At a command of "
+        f"{max(speeds):g} m/s it reaches {speed:.2f} m/s and travels {distance:.1f} m in {comparison.seconds:g} s."
     )
 
 
@@ -159,7 +159,7 @@ def _backwards(comparison: Comparison) -> str:
         return "it falls too early to tell."
     share = reached_share(comparison, "policy", "backwards")
     can = "it walks" if share >= WALKING_SHARE else "it does not walk backwards"
-    return f"{can}: {speed:.2f} m/s of {sum(speeds) / len(speeds):.2f} m/s asked for."
+    return f"{can}: {speed:.2f} m/s of the commanded {sum(speeds) / len(speeds):.2f} m/s."
 
 
 def _turning(comparison: Comparison) -> str:
@@ -169,29 +169,30 @@ def _turning(comparison: Comparison) -> str:
     share = reached_share(comparison, "policy", "turning")
     return (
         f"{_closeness(error.mean, YAW_RATE_TOLERANCE)} its yaw rate commands, "
-        f"{_with_interval(error, 'yaw_rate_error')} off; it reaches {_percent(share)} of what is asked for, "
-        f"the tuned gait {_percent(reached_share(comparison, 'tuned', 'turning'))}."
+        f"with an error of {_with_interval(error, 'yaw_rate_error')}; it reaches {_percent(share)} of the commanded "
+        f"yaw rate, the tuned gait {_percent(reached_share(comparison, 'tuned', 'turning'))}."
     )
 
 
 def error_of(motion: str) -> str:
-    """The metric that says how well a robot does a motion."""
+    """Name of the error metric of a motion."""
     return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
 
 
 def _rank(comparison: Comparison, other: str, motion: str) -> str:
-    """Whether the policy is `closer` to its commands than another controller, `further off`, or `level` with it.
+    """Rank of the policy against another controller: `more accurate`, `less accurate` or `equally accurate`.
 
-    Judged by the paired differences: they must be clear of zero, and more than `LEVEL`.
+    Judged by the paired differences of the error: their interval must not include zero, and their mean must exceed
+    `LEVEL`.
     """
     difference = comparison.difference(error_of(motion), "policy", other, motion)
     if not abs(difference.mean) > LEVEL or difference.low <= 0.0 <= difference.high:
-        return "level"
-    return "closer" if difference.mean < 0.0 else "further off"
+        return "equally accurate"
+    return "more accurate" if difference.mean < 0.0 else "less accurate"
 
 
 def _against(comparison: Comparison, other: str) -> str:
-    motions: dict[str, list[str]] = {"closer": [], "level": [], "further off": []}
+    motions: dict[str, list[str]] = {"more accurate": [], "equally accurate": [], "less accurate": []}
     for motion in MOTIONS:
         if comparison.conditions(motion):
             metric = error_of(motion)
@@ -201,7 +202,7 @@ def _against(comparison: Comparison, other: str) -> str:
                 f"{motion} ({show(ours)} against {show(theirs)} {METRICS[metric].unit})"
             )
     ranks = [f"{rank} {listed(where)}" for rank, where in motions.items() if where]
-    return f"against it the policy is {'; '.join(ranks)}."
+    return f"compared with it, the policy is {'; '.join(ranks)}."
 
 
 def _effort(comparison: Comparison) -> str:
@@ -215,7 +216,7 @@ def _effort(comparison: Comparison) -> str:
     peaks = " and ".join(
         f"{value:.1f} of {METRICS[name].limit:g} {METRICS[name].unit}" for name, value in largest.items()
     )
-    words = f"at most {peaks} in any joint"
+    words = f"peaks of {peaks} in any joint"
     if math.isnan(cost):
         return f"{words}."
     against = "" if math.isnan(tuned) else f" (tuned gait {tuned:.2f})"
@@ -227,7 +228,7 @@ def _percent(share: float, digits: int = 0) -> str:
 
 
 def listed(items: list[str]) -> str:
-    """Items as a sentence lists them."""
+    """Items joined with commas and "and"."""
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
 
 

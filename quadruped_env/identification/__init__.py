@@ -1,8 +1,8 @@
-"""System identification: the motors that explain what a robot's joints did when they were told something.
+"""System identification: motor parameters that reproduce a recording of joint targets and measured joint states.
 
-The simulator hears the recorded commands, and its motors are changed until its joints do what was measured: a
-nonlinear least-squares fit with MuJoCo's own toolbox, `mujoco.sysid`. The first part of the recording is for the fit;
-the rest is held out and says whether the fit is any good.
+The recorded joint targets are replayed in the simulator, and the motor parameters are fitted so that the simulated
+joints match the measurements: a nonlinear least-squares fit with MuJoCo's toolbox `mujoco.sysid`. The first part of the
+recording is used for the fit; the rest is held out to validate it.
 """
 
 from quadruped_env.identification.dataset import find_commands

@@ -1,4 +1,4 @@
-"""Commands and measurements of a robot, on one clock."""
+"""Joint targets and measurements of a robot, aligned on one clock."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,41 +18,41 @@ SIGNALS: Final = ("position", "velocity", "effort")
 UNITS: Final = {"position": "rad", "velocity": "rad/s", "effort": "N m"}
 MIN_SECONDS: Final = 2.0
 MAX_SECONDS: Final = 300.0
-"""A fit takes about as many minutes as a recording has tens of seconds, and gains little from more than one minute."""
-_MOVES: Final = 0.05
-"""rad; a command that changes by less says nothing about a joint"""
-_FOLLOWS: Final = 0.4
-"""Share of the commanded range that a joint in order moves through"""
+"""Maximum duration of a recording, s. A fit takes about 1 minute per 10 s, and gains little beyond 60 s."""
+_MIN_COMMAND_RANGE: Final = 0.05
+"""Minimum range of a joint's target for which its motion is checked, rad."""
+_MIN_MOTION_SHARE: Final = 0.4
+"""Minimum fraction of the commanded range that a working joint moves through."""
 
 
 @dataclass(frozen=True)
 class Recorded:
-    """Commands and measurements, ready for the simulator."""
+    """Joint targets and measurements, prepared for the simulator."""
 
     control: NDArray[np.float64]
-    """Joint targets (K, 8) in rad, one a physics step: the mean over the step of what was last commanded"""
+    """Joint targets, one per physics step: the mean of the last command over the step, rad (K, 8)"""
     times: NDArray[np.float64]
-    """s from the first physics step, of the measurements (T,)"""
+    """Times of the measurements from the first physics step, s (T,)"""
     measured: NDArray[np.float64]
-    """Positions, velocities and efforts (T, 24), NaN where there is none or where it does not count"""
+    """Positions, velocities and efforts (T, 24); NaN where not recorded or excluded"""
     start: tuple[NDArray[np.float64], NDArray[np.float64]]
-    """Positions in rad and velocities in rad/s that the joints (8,) start with"""
+    """Initial joint positions in rad and velocities in rad/s, each (8,)"""
     timestep: float
-    """s, of the physics"""
+    """Physics time step, s"""
     train: NDArray[np.bool_]
-    """Which measurements are for the fit (T,); the others are held out"""
+    """True for measurements used in the fit, False for held-out ones (T,)"""
 
     @property
     def signals(self) -> tuple[str, ...]:
-        """Which of `SIGNALS` were measured."""
+        """Measured signals, a subset of `SIGNALS`."""
         return tuple(name for name in SIGNALS if np.isfinite(self.measured[:, columns(name)]).any())
 
 
 def find_commands(measured: Path) -> Path:
-    """The file of joint targets next to the measurements, under the name that `mini-quadruped baseline` gives it.
+    """Path of the file of joint targets next to the measurements, named as by `mini-quadruped baseline`.
 
     Raises:
-        QuadrupedError: if there is none.
+        QuadrupedError: if the file does not exist.
     """
     path = measured.with_name(f"{measured.stem}-commands.csv")
     if not path.is_file():
@@ -64,7 +64,7 @@ def find_commands(measured: Path) -> Path:
 
 
 def columns(signal: str) -> slice:
-    """The columns of a signal in an array (T, 24)."""
+    """Columns of a signal in an array (T, 24)."""
     start = SIGNALS.index(signal) * len(JOINT_NAMES)
     return slice(start, start + len(JOINT_NAMES))
 
@@ -76,18 +76,18 @@ def align(
     timestep: float,
     without: Sequence[str] = (),
 ) -> Recorded:
-    """Bring commands and measurements, both in the order of `JOINT_NAMES`, onto the clock of the physics.
+    """Align joint targets and measurements, both in the order of `JOINT_NAMES`, on the clock of the physics.
 
     Args:
-        measured: what the joints did.
-        commands: what they were told.
-        train_share: share of the time that is for the fit.
-        timestep: s, of the physics.
-        without: joints whose measurements do not count.
+        measured: measured joint states.
+        commands: joint targets.
+        train_share: fraction of the time used for the fit.
+        timestep: physics time step, s.
+        without: joints whose measurements are excluded.
 
     Raises:
-        QuadrupedError: if they do not overlap for `MIN_SECONDS`, or for more than `MAX_SECONDS`, the commands stand
-            still, or no joint counts.
+        QuadrupedError: if they overlap for less than `MIN_SECONDS` or more than `MAX_SECONDS`, the commands are
+            constant, or all joints are excluded.
     """
     first = max(int(measured.stamps[0]), int(commands.stamps[0]))
     last = min(int(measured.stamps[-1]), int(commands.stamps[-1]))
@@ -126,7 +126,7 @@ def align(
 
 
 def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
-    """What the reader should know about a recording, in sentences."""
+    """Remarks on the quality of a recording, in sentences."""
     found = [*measured.source.notes, *(note for note in commands.source.notes if note not in measured.source.notes)]
     for part, what in ((measured, "measurements"), (commands, "commands")):
         gaps = part.gaps()
@@ -135,20 +135,20 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
             found.append(
                 f"{len(gaps)} gaps in the {what}, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s."
             )
-    asked = np.ptp(recorded.control, axis=0)
+    commanded = np.ptp(recorded.control, axis=0)
     moved = np.ptp(recorded.measured[:, columns("position")], axis=0)
-    for name, want, did in zip(JOINT_NAMES, asked, moved, strict=True):
-        if want > _MOVES and did < _FOLLOWS * want:
+    for name, target, motion in zip(JOINT_NAMES, commanded, moved, strict=True):
+        if target > _MIN_COMMAND_RANGE and motion < _MIN_MOTION_SHARE * target:
             found.append(
-                f"{name} moved {did:.3f} rad where {want:.3f} rad were commanded: if its motor is broken or blocked, "
-                f"leave it out (--without {name})."
+                f"{name} moved {motion:.3f} rad where {target:.3f} rad were commanded: if its motor is broken or "
+                f"blocked, leave it out (--without {name})."
             )
     return tuple(found)
 
 
 def held(times: NDArray[np.float64], values: NDArray[np.float64], edges: NDArray[Any]) -> NDArray[np.float64]:
-    """Means (K, J) between edges (K + 1,) of values (T, J) that hold from their time (T,) to the next."""
-    # The integral of a staircase is linear between its corners.
+    """Means (K, J) over the intervals between edges (K + 1,) of values (T, J) with zero-order hold at times (T,)."""
+    # The integral of a piecewise constant function is piecewise linear.
     corners = np.concatenate([[min(times[0], edges[0]) - 1.0], times, [max(times[-1], edges[-1]) + 1.0]])
     heights = np.concatenate([values[:1], values])
     integral = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(np.diff(corners)[:, None] * heights, axis=0)])

@@ -29,30 +29,31 @@ from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
 from quadruped_env.robot.motors import fill_command_history
 
 _UNDETERMINED: Final = 1.0
-"""What is determined less well than this share of the value, or of the scale, even by white noise, stays as it was."""
+"""Maximum half-width of a 95 % interval under white noise, relative to the value or its scale. A parameter with a wider
+interval is not determined and keeps its start value."""
 _STEP: Final = 1e-3
-"""of the finite differences, in coordinates"""
+"""Step of the finite differences, in coordinates."""
 _TOLERANCE: Final = 1e-4
-"""of the step, relative"""
+"""Relative step tolerance."""
 _ITERATIONS: Final = 30
 _DIVERGED: Final = 1e6
-_ITERATIONS_A_DELAY: Final = 8
+_ITERATIONS_PER_DELAY: Final = 8
 _DELAY_SECONDS: Final = 6.0
-"""s of the recording that the search for the delay uses"""
+"""Part of the recording that the search for the delay uses, s."""
 _FINEST_DELAY: Final = 0.001
-"""s"""
+"""Resolution of the search for the delay, s."""
 _EXPECTED_ITERATIONS: Final = 120
 
 
 class MotorFit:
-    """Motors that do what was recorded.
+    """Fit of motor parameters to a recording.
 
     Args:
-        recorded: what the robot did.
+        recorded: joint targets and measurements.
         base: `fixed` or `free`.
-        start: where the fit begins.
-        fitted: names in `QUANTITIES`.
-        progress: is told about how far the fit is.
+        start: initial motors.
+        fitted: parameters to fit, names in `QUANTITIES`.
+        progress: called with the approximate fraction done.
     """
 
     def __init__(
@@ -72,17 +73,17 @@ class MotorFit:
         self._max_delay = max(MAX_FIT_DELAY, start.delay)
         self._weights = np.ones(recorded.measured.shape[1])
         self._horizon = np.inf
-        """s; how much of the fit's time counts"""
+        """End of the time that the fit uses, s."""
 
     def run(self) -> MotorConfig:
-        """The motors at the optimum; `half_width` then holds 95 % intervals of all that the recording determines.
+        """Fit the motors; `half_width` then has the 95 % intervals of the parameters that the recording determines.
 
-        What it does not determine (a motor's strength, where no motor was at its limit) is put back to the start, and
-        the rest is fitted again.
+        Parameters that it does not determine (a motor's strength, if no motor was at its limit) are reset to their
+        start values, and the others are fitted again.
         """
         values = {name: value_of(self.start, name) for name in self.names}
         train = self.recorded.measured[self.recorded.train]
-        # Before the noise is known, every signal counts by how much of its motion is explained.
+        # The noise is not known yet, so each signal is weighted by the inverse of its own variation.
         self._weights = self._inverse_spread(_centered(train))
         if DELAY in values:
             self._horizon = _DELAY_SECONDS
@@ -90,7 +91,7 @@ class MotorFit:
             self._horizon = np.inf
         while values:
             values = self._solve(values)
-            # The most likely motors, if what is left unexplained is noise.
+            # The maximum-likelihood motors, if the residuals are noise.
             self._weights = self._inverse_spread(
                 self.predict(with_values(self.start, values))[self.recorded.train] - train
             )
@@ -104,7 +105,7 @@ class MotorFit:
         return with_values(self.start, values)
 
     def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
-        """What the simulator does over the whole recording, (T, 24) at the times of the measurements."""
+        """Simulated signals over the whole recording, at the times of the measurements, (T, 24)."""
         trajectory = self._sequences(len(self.recorded.control)).measured_rollout[0]
         model = self._model(motors)
         (rollout,) = self.sysid.sysid_rollout(
@@ -113,10 +114,10 @@ class MotorFit:
         return self._at(self.recorded.times, self._signals(rollout.state.data, rollout.sensordata.data))
 
     def mismatch(self) -> float:
-        """The best error over a row of delays, with all else at the start: how badly this base explains the recording.
+        """Smallest error over a grid of delays with all other parameters at the start: the misfit of this base.
 
-        Positions and, if they were measured, efforts over the fit's first seconds; 1 is the motion itself. Velocities
-        say little: they hardly depend on the load.
+        Computed from positions and, if measured, efforts over the first seconds of the fit, relative to the motion
+        itself. Velocities are not used because they hardly depend on the load.
         """
         train = self.recorded.measured[self.recorded.train]
         self._weights = self._inverse_spread(_centered(train))
@@ -132,7 +133,7 @@ class MotorFit:
     def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
         """Values fitted at the best of many fixed delays.
 
-        Free from the start, the delay gets caught between two physics steps, where the motion has a kink.
+        A delay that is free from the start gets stuck between two physics steps, where the motion has a kink.
         """
         delay = self._scan_delay(values)
         error, values = self._solve_at(delay, values)
@@ -155,7 +156,7 @@ class MotorFit:
         return values
 
     def _scan_delay(self, values: dict[str, float]) -> float:
-        """The best of a row of delays, with all else at the start."""
+        """The best of a grid of delays, with all other parameters at the start."""
         parameters = self._parameters(values)
         candidates = np.arange(0.0, 0.5 * MAX_FIT_DELAY, max(self.recorded.timestep, _FINEST_DELAY))
         points = np.tile(parameters.as_vector()[:, None], (1, len(candidates)))
@@ -165,7 +166,7 @@ class MotorFit:
         return float(candidates[np.argmin((residuals[0] ** 2).sum(axis=0))])
 
     def _search(self, values: Mapping[str, float]) -> dict[str, float]:
-        """The best values to be found around those of a solution, which the error's roughness may have caught."""
+        """The best values near a solution, which may be a local minimum of the rough error."""
         found = search(*self._problem(values), lambda: self._tell(()))
         return from_coordinates(dict(zip(values, found.tolist(), strict=True)))
 
@@ -181,16 +182,16 @@ class MotorFit:
             return result
 
         low, high = map(np.asarray, parameters.get_bounds())
-        # Not the parameters' own, which are kept off the bounds.
+        # Not the parameters' own coordinates, which have a margin to the bounds.
         return residuals, np.clip(list(to_coordinates(values).values()), low, high), low, high
 
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
-        """The error of the best values at a fixed delay, and they."""
-        found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_A_DELAY)
+        """The smallest error at a fixed delay, and its values."""
+        found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_PER_DELAY)
         return self._error(found), found
 
     def _error(self, values: Mapping[str, float]) -> float:
-        """The sum of the squares that the fit minimizes."""
+        """Sum of squares that the fit minimizes."""
         parameters = self._parameters(values)
         residuals = self._residual_function()(parameters.as_vector(), parameters)[0]
         return float((residuals[0] ** 2).sum())
@@ -198,7 +199,7 @@ class MotorFit:
     def _solve(
         self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
     ) -> dict[str, float]:
-        """Values at an optimum, or where the error's roughness holds the optimizer."""
+        """Values at a local optimum, which may be due to the roughness of the error."""
         parameters = self._parameters(values, frozen)
         found, _ = self.sysid.optimize(
             parameters,
@@ -217,14 +218,14 @@ class MotorFit:
     def _tell(self, trace: Sequence[Any]) -> None:
         self._iterations += 1
         if self._progress is not None:
-            # How many it takes is not known; the guess grows when it is passed.
+            # The number of iterations is unknown; the estimate grows when it is exceeded.
             self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
 
     def _intervals(self, values: Mapping[str, float]) -> dict[str, float]:
         """Half-widths of the 95 % intervals of the values that are determined.
 
-        The others are left out one after another, the least certain first: of two numbers of which only the sum shows,
-        one at its start determines the other.
+        The others are removed one after another, the least certain first: if the recording determines only the sum of
+        two parameters, fixing one determines the other.
         """
         jacobian, left_over = derivatives(*self._problem(values))
         times = self.recorded.times[self._rows()]
@@ -235,7 +236,7 @@ class MotorFit:
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
             white, widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
-            # By white noise: a number that shows is kept, however far its interval reaches.
+            # Judged under white noise: a parameter with an influence is kept, however wide its full interval is.
             doubt = np.nan_to_num(white / allowed[left], nan=np.inf)
             if doubt.max() <= 1.0:
                 names = list(values)
@@ -246,7 +247,7 @@ class MotorFit:
         return {}
 
     def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Weights (24,): one over the root mean square of each signal in values (T, 24), 0 for what is missing."""
+        """Weights (24,): the inverse RMS of each signal in values (T, 24); 0 for missing signals."""
         weights = np.zeros(values.shape[1])
         for name in self.recorded.signals:
             weights[columns(name)] = 1.0 / max(np.sqrt(np.nanmean(values[:, columns(name)] ** 2)), 1e-9)
@@ -257,7 +258,7 @@ class MotorFit:
         for name, coordinate in to_coordinates(values).items():
             low = LOWEST if quantity(name).positive else 0.0
             high = MAX_FIT_DELAY / quantity(name).scale if name == DELAY else HIGHEST
-            # On a bound the fit could stall.
+            # The fit could stall on a bound.
             margin = 0.0 if name in frozen else 2e-3 * (high - low)
             inside = float(np.clip(coordinate, low + margin, high - margin))
             parameters.add(self.sysid.Parameter(name, inside, low, high, frozen=name in frozen))
@@ -279,9 +280,9 @@ class MotorFit:
     def _rollout(
         self, models: Sequence[Any], datas: Sequence[Any], control_signal: Any, initial_states: Any, **rest: Any
     ) -> list[Any]:
-        """The toolbox's `CustomRolloutFn`: its own, without what the motors remember, which is most of a state.
+        """The toolbox's `CustomRolloutFn`, without the motors' command history, which is most of a state.
 
-        A few models at a time: of a minute, the states of all would take a gigabyte.
+        A few models at a time, because the states of all models over a minute take a gigabyte.
         """
         del rest
         kept = []
@@ -308,14 +309,14 @@ class MotorFit:
         rows = self._rows()
         signals = self._at(self.recorded.times[rows], self._signals(state, predicted.data))
         measured_here = self.recorded.measured[rows]
-        # Motors with which the simulation diverges are as bad as motors can be.
+        # A diverged simulation gets the maximum error.
         signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
         difference = np.where(np.isfinite(measured_here), (signals - measured_here) * self._weights, 0.0)
         series = self.sysid.TimeSeries(self.recorded.times[rows], difference)
         return difference / np.sqrt(len(difference)), series, series
 
     def _rows(self) -> NDArray[np.bool_]:
-        """The measurements that count (T,)."""
+        """Mask of the measurements that the fit uses (T,)."""
         times = self.recorded.times
         return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
 

@@ -19,18 +19,18 @@ from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION
 MOTORS_FILE: Final = "motors.json"
 NUMBERS_FILE: Final = "identification.json"
 _INTERVALS: Final = (
-    "Intervals allow for what is left unexplained to hang together over a second, between signals and between joints; "
-    "not for forces that no motor makes."
+    "Intervals account for residuals that are correlated over up to a second, between signals and between joints; "
+    "not for external forces."
 )
 
 
 def identification_files(directory: Path) -> list[Path]:
-    """What `save` writes into a directory."""
+    """Files that `save` writes into a directory."""
     return [directory / name for name in (MOTORS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
 def check_report_extra() -> None:
-    """Raise a MissingExtraError if a library of the report is not installed."""
+    """Raise a MissingExtraError if a library that the report needs is not installed."""
     if any(importlib.util.find_spec(name) is None for name in ("matplotlib", "jinja2")):
         raise MissingExtraError("The report", "report")
 
@@ -72,8 +72,8 @@ def _motors_table(found: Identification) -> dict[str, Any]:
         "head": ["", "before", "after", "95 % interval", "unit"],
         "rows": rows,
         "note": (_INTERVALS if found.has_intervals else NO_INTERVALS)
-        + " What the recording does not determine stays as it was: a motor's strength shows only where a motor is at "
-        "its limit.",
+        + " Parameters that the recording does not determine keep their start values: a motor's strength, for example, "
+        "can be identified only where a motor is at its limit.",
     }
 
 
@@ -91,7 +91,7 @@ def _errors_table(found: Identification) -> dict[str, Any]:
         "head": ["RMS error", "held out, before", "after", "fit, before", "after"],
         "rows": rows,
         "note": f"Of {len(found.recorded.times)} measurements over {found.recorded.times[-1]:.1f} s, those up to "
-        f"{found.recorded.times[found.recorded.train][-1]:.1f} s are for the fit; the later ones are held out.",
+        f"{found.recorded.times[found.recorded.train][-1]:.1f} s are used for the fit; the later ones are held out.",
     }
 
 
@@ -128,7 +128,7 @@ def _figures(found: Identification) -> list[dict[str, str]]:
             figure(
                 f"{name.capitalize()}s",
                 joint_panels(lines, f"{UNITS[name]}", limits, mark),
-                "Measured, and simulated with the motors before and after. Held out is what is right of the grey line.",
+                "Measured, and simulated with the motors before and after. The time after the grey line is held out.",
             )
         )
     before, after = (
@@ -140,7 +140,7 @@ def _figures(found: Identification) -> list[dict[str, str]]:
         figure(
             "Position errors",
             joint_panels({"before": before, "after": after}, "rad", mark=mark),
-            "Simulated minus measured position. Held out is what is right of the grey line.",
+            "Simulated minus measured position. The time after the grey line is held out.",
         ),
     )
     return figures

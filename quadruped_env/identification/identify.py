@@ -1,4 +1,4 @@
-"""The fit and what it is worth."""
+"""Identification of the motors: the fit, its confidence intervals and its validation on held-out time."""
 
 import importlib.util
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from quadruped_env.trajectory import JointTrajectory
 
 BASES: Final = ("fixed", "free")
 NO_INTERVALS: Final = (
-    "No intervals: contacts with the ground make the error rough, and forces that the fit does not know move its "
+    "No intervals: contacts with the ground make the error rough, and forces that the fit does not model shift its "
     "optimum."
 )
 _OTHER: Final = {"fixed": "free", "free": "fixed"}
@@ -36,7 +36,7 @@ _CURES: Final = {
 
 @dataclass(frozen=True)
 class Estimated:
-    """One number of the motors, before and after."""
+    """One parameter of the motors, before and after the fit."""
 
     name: str
     """`delay`, or kind of joint and field of `JointMotor`: `hip.kp`"""
@@ -44,15 +44,15 @@ class Estimated:
     before: float
     after: float
     half_width: float | None
-    """of the 95 % confidence interval; None for a number that the recording does not determine and that stayed, and for
-    every number where no interval can be given (see `Identification.has_intervals`)"""
+    """Half-width of the 95 % confidence interval, in `unit`; None if the recording does not determine the parameter, or
+    no intervals can be given (see `Identification.has_intervals`)"""
     determined: bool = True
-    """Whether the recording determines it"""
+    """True if the recording determines the parameter; otherwise it keeps its start value"""
 
 
 @dataclass(frozen=True)
 class Identification:
-    """What the fit found."""
+    """Result of an identification."""
 
     source: str
     commands: str
@@ -62,21 +62,22 @@ class Identification:
     before: MotorConfig
     after: MotorConfig
     predicted_before: NDArray[np.float64]
-    """What the simulator does with the motors before, (T, 24) at the times of the measurements"""
+    """Simulated signals with the motors before the fit, at the times of the measurements (T, 24)"""
     predicted_after: NDArray[np.float64]
+    """Simulated signals with the motors after the fit (T, 24)"""
     remarks: tuple[str, ...]
-    """What the reader should know about the recording"""
+    """Remarks on the recording, in sentences"""
     mismatches: Mapping[str, float]
-    """Base -> how badly the simulator with that base explains the recording before the fit (`MotorFit.mismatch`)"""
+    """Base -> misfit of the simulator with that base before the fit (`MotorFit.mismatch`)"""
 
     @property
     def base_fits(self) -> bool:
-        """Whether the base explains the recording at least as well as the other one does, before the fit."""
+        """True if, before the fit, the base explains the recording at least as well as the other base."""
         return self.mismatches[self.base] <= min(self.mismatches.values())
 
     @property
     def has_intervals(self) -> bool:
-        """Whether intervals are given: those of a fit on the ground or with the wrong base would exclude the truth."""
+        """True if intervals are given. On the ground or with the wrong base they would exclude the true values."""
         return self.base_fits and self.base == "fixed"
 
     def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
@@ -92,7 +93,7 @@ class Identification:
         return {name: rms[columns(name)] for name in self.recorded.signals}
 
     def verdict(self) -> str:
-        """Whether the fit helped, in a sentence."""
+        """Verdict on the fit, from the position error on held-out time."""
         before, after = self._held_out()
         change = f"from {before:.4f} to {after:.4f} rad"
         if not self.base_fits:
@@ -109,7 +110,7 @@ class Identification:
 
     @property
     def helps(self) -> bool:
-        """Whether the position error on held-out time is less than before."""
+        """True if the fit reduces the position error on held-out time."""
         before, after = self._held_out()
         return after < before
 
@@ -118,7 +119,7 @@ class Identification:
         return pooled(self.errors(after=False)["position"]), pooled(self.errors(after=True)["position"])
 
     def report(self) -> dict[str, Any]:
-        """The identification in numbers, as JSON takes them."""
+        """The identification as JSON-serializable values."""
         times = self.recorded.times
         return {
             "recording": self.source,
@@ -144,11 +145,11 @@ class Identification:
         }
 
     def config(self) -> dict[str, Any]:
-        """The motors as the environment's `config` takes them."""
+        """The motors as a part of the environment's `config`."""
         return {"motor": TaskConfig(motor=self.after).to_dict()["motor"]}
 
     def table(self) -> str:
-        """The report for people."""
+        """The report as a plain-text table."""
         lines = [f"{'':<20}{'before':>10}{'after':>10}  {'95 % interval':<22}unit"]
         for estimate in self.estimates:
             if not estimate.determined:
@@ -188,20 +189,20 @@ def identify(
 
     Args:
         measured: positions, and velocities and efforts if they were recorded, of all eight joints. An effort is the
-            motor's torque over the physics step before its stamp, as this package records it.
+            motor's torque in the physics step before its timestamp, as this package records it.
         commands: joint targets on the same clock; each holds until the next.
         base: `fixed` for a robot that hangs on a stand with its feet in the air; `free` for one that stands or walks
-            on flat ground, beginning at rest.
-        start: where the fit begins; None takes the model file's motors.
-        fitted: names in `QUANTITIES`.
-        train_share: share of the time, from the beginning, that is for the fit.
-        timestep: s, of the physics; None takes the task's own. Motors that are fitted with another time step explain
-            the robot with that one: a coarse step damps by itself.
-        without: joints whose measurements do not count.
-        progress: is told about how far the fit is.
+            on flat ground and begins at rest.
+        start: initial motors; None takes the model file's motors.
+        fitted: parameters to fit, names in `QUANTITIES`.
+        train_share: fraction of the time, from the beginning, used for the fit.
+        timestep: physics time step, s; None takes the task's. Fitted motors are valid for this time step only, because
+            a coarse step adds numerical damping.
+        without: joints whose measurements are excluded.
+        progress: called with the approximate fraction done.
 
     Raises:
-        QuadrupedError: if the two do not overlap, nothing moves, or an argument makes no sense.
+        QuadrupedError: if the recordings do not overlap, the commands are constant, or an argument is out of range.
         MissingExtraError: if MuJoCo's toolbox is not installed.
     """
     if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
@@ -241,7 +242,7 @@ def identify(
 
 
 def pooled(rms: NDArray[np.float64]) -> float:
-    """One root mean square of those of the joints (8,), NaN aside."""
+    """RMS over the joints of their RMS values (8,), without NaN."""
     return float(np.sqrt(np.nanmean(rms**2)))
 
 

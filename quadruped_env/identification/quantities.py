@@ -1,4 +1,4 @@
-"""What the fit can estimate, by name: `delay`, or kind of joint and field of `JointMotor`, as in `hip.kp`."""
+"""Parameters that can be fitted, by name: `delay`, or kind of joint and field of `JointMotor`, as in `hip.kp`."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -12,20 +12,20 @@ from quadruped_env.robot import JOINT_KINDS, MotorConfig
 
 DELAY: Final = "delay"
 MAX_FIT_DELAY: Final = 0.2
-"""s"""
+"""Maximum delay that the fit considers, s."""
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """How something is estimated."""
+    """Unit and scaling of a parameter in the fit."""
 
     unit: str
     scale: float
-    """What it is counted in, so that all coordinates of the fit are near 1"""
+    """Typical value, in `unit`; divides the parameter so that all coordinates of the fit are near 1"""
     positive: bool = False
-    """Whether it cannot be 0"""
+    """True if the parameter must not be 0"""
     torque: bool = True
-    """Whether it is a torque, for each unit of something"""
+    """True for torques and for torques per position or velocity"""
 
 
 QUANTITIES: Final = {
@@ -40,17 +40,17 @@ QUANTITIES: Final = {
 }
 LOWEST: Final = 0.02
 HIGHEST: Final = 50.0
-"""Limits of a coordinate: they stop a fit that runs away"""
+"""Bounds of a coordinate, which keep the fit from diverging."""
 
 FITTED: Final = ("stall_torque", "kp", "kd", "damping", "friction_loss", "armature", DELAY)
-"""What is estimated unless other names are given. A no-load speed shows only in motion close to it."""
+"""Parameters that are fitted by default. A no-load speed can be identified only from motion close to it."""
 
 
 def names_of(fitted: Sequence[str]) -> list[str]:
-    """The numbers behind the names of quantities: one for the hips and one for the knees, and one delay.
+    """Names of the parameters of some quantities: one for the hips and one for the knees, but only one delay.
 
     Raises:
-        QuadrupedError: if there is no such quantity.
+        QuadrupedError: if a quantity is unknown.
     """
     for field in fitted:
         if field not in QUANTITIES:
@@ -59,15 +59,15 @@ def names_of(fitted: Sequence[str]) -> list[str]:
 
 
 def quantity(name: str) -> Quantity:
-    """How a number is estimated."""
+    """Quantity of a parameter."""
     return QUANTITIES[name.rpartition(".")[2]]
 
 
 def to_coordinates(values: Mapping[str, float]) -> dict[str, float]:
-    """What the fit works in: torques are counted relative to the armature, where that is fitted.
+    """Coordinates of the fit: scaled values, with torques relative to the armature if that is fitted too.
 
-    Positions and velocities hardly change when all torques and the armature grow alike. In these coordinates that is
-    the direction of one axis, and not a narrow valley across all of them.
+    Positions and velocities hardly change when all torques and the armature grow by the same factor. In these
+    coordinates that is the direction of one axis instead of a narrow valley across all axes.
     """
     return {name: value / quantity(name).scale / _armature(name, values) for name, value in values.items()}
 
@@ -93,7 +93,7 @@ def coordinate_derivatives(values: Mapping[str, float]) -> NDArray[np.float64]:
 
 
 def _armature(name: str, values: Mapping[str, float]) -> float:
-    """What a torque is counted relative to; 1 for all else."""
+    """Armature by which a torque is divided, in units of its scale; 1 for other quantities."""
     armature = f"{name.rpartition('.')[0]}.armature"
     if not quantity(name).torque or armature not in values:
         return 1.0
@@ -101,13 +101,13 @@ def _armature(name: str, values: Mapping[str, float]) -> float:
 
 
 def value_of(motors: MotorConfig, name: str) -> float:
-    """A number of some motors."""
+    """Value of a parameter of some motors."""
     kind, _, field = name.rpartition(".")
     return float(getattr(getattr(motors, kind) if kind else motors, field))
 
 
 def with_values(motors: MotorConfig, values: Mapping[str, float]) -> MotorConfig:
-    """The motors with some numbers changed."""
+    """The motors with some parameters changed."""
     kinds = {
         kind: replace(
             getattr(motors, kind),

@@ -1,9 +1,9 @@
-"""Least squares on a rough error: a search that is not caught, and intervals that hold.
+"""Least squares with a rough error: a search that escapes local minima, and robust confidence intervals.
 
-The error of a simulated recording is smooth but for jumps: in one physics step a motor at its limit brakes or does not,
-and a joint then moves another way for a tenth of a second. A gradient sees nothing of what is behind a jump, and a
-difference across one takes it for a steep slope. So the search draws candidates from where the parameters are likely to
-be, and derivatives are medians of differences over several neighbouring steps.
+The error of a simulated recording is smooth except for jumps: in one physics step a motor at its limit brakes or does
+not, and the joint then moves differently for a tenth of a second. A gradient does not show what is behind a jump, and a
+finite difference across a jump looks like a steep slope. The search therefore draws candidates from the likely range of
+the parameters, and derivatives are medians of differences over several neighbouring steps.
 """
 
 from collections.abc import Callable
@@ -13,36 +13,36 @@ import numpy as np
 from numpy.typing import NDArray
 
 Residuals = Callable[[NDArray[np.float64]], NDArray[np.float64]]
-"""Points (n, P) -> what they leave unexplained, (n, T, S) for T measurements of S signals"""
+"""Points (n, P) -> residuals (n, T, S) of T measurements of S signals."""
 
 _STEPS: Final = (0.02, 0.005)
-"""Of the differences in the search, by turns, relative to the coordinate"""
+"""Steps of the finite differences in the search, used in turn, relative to the coordinate."""
 _LEAST: Final = 0.5
-"""The size from which on steps are relative; coordinates are near 1"""
+"""Coordinate above which steps are relative; coordinates are near 1."""
 _SHARES: Final = (1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.06)
-"""Of a Gauss-Newton step that are tried"""
+"""Fractions of a Gauss-Newton step that are tried."""
 _DRAWS: Final = 4
-"""Candidates drawn at random in each round, for each number that is sought"""
+"""Random candidates per round and parameter."""
 _WIDEST: Final = 60.0
-"""Standard errors that a candidate may lie away: jumps make these look smaller than they are"""
+"""Maximum spread of candidates, in standard errors, which jumps make look smaller than they are."""
 _AT_ONCE: Final = 16
 _ROUNDS: Final = 24
 _PATIENCE: Final = 3
-"""Rounds without gain that end a search"""
+"""Rounds without gain after which the search ends."""
 _GAIN: Final = 1e-4
-"""Relative decrease of the error that counts as gain"""
+"""Minimum relative decrease of the error that counts as gain."""
 _FINE_STEP: Final = 0.005
 _FINE_STEPS: Final = 4
-"""To either side of the optimum, of the differences whose median is the derivative"""
+"""Steps to each side of the optimum; the derivative is the median of their differences."""
 _BLOCKS: Final = (0.25, 1.0)
-"""s; time in which what is unexplained may hang together"""
+"""Lengths of the time blocks within which residuals may be correlated, s."""
 _LEVEL: Final = 0.975
 
 
 def search(
     residuals: Residuals, start: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64], tell: Any
 ) -> NDArray[np.float64]:
-    """The best point (P,) that can be found from a start, within bounds; `tell` is called in every round."""
+    """Search for the best point (P,) from a start, within bounds; `tell` is called in every round."""
     rng = np.random.default_rng(0)
     point = start
     draws = _DRAWS * len(start)
@@ -62,9 +62,9 @@ def search(
         factors = np.exp(rng.uniform(0.0, np.log(_WIDEST), (draws, 1)))
         drawn = rng.uniform(0.0, 1.0, (draws, 1)) * newton + factors * (rng.normal(size=(draws, size)) @ spread.T)
         candidates = point + np.concatenate([np.outer(_SHARES, newton), drawn])
-        # Not farther than half and double: a candidate from a badly determined direction may be anywhere.
+        # Limited to half and double: a candidate along a poorly determined direction may be anywhere.
         candidates = np.clip(candidates, np.maximum(0.5 * point, low), np.minimum(2.0 * np.maximum(point, 0.1), high))
-        # A few at a time: what all of them leave unexplained of a long recording would take a gigabyte.
+        # A few at a time, because the residuals of all candidates for a long recording take a gigabyte.
         parts = np.split(candidates, range(_AT_ONCE, len(candidates), _AT_ONCE))
         errors = np.concatenate([(residuals(part) ** 2).sum(axis=(1, 2)) for part in parts])
         best = int(errors.argmin())
@@ -80,7 +80,7 @@ def search(
 def derivatives(
     residuals: Residuals, point: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Derivatives (T, S, P) at a point without the jumps around it, and what it leaves unexplained (T, S)."""
+    """Derivatives (T, S, P) of the residuals at a point, robust against nearby jumps, and the residuals (T, S)."""
     places = np.arange(-_FINE_STEPS, _FINE_STEPS + 1)
     columns = []
     step = _FINE_STEP * np.maximum(np.abs(point), _LEAST)
@@ -99,19 +99,19 @@ def derivatives(
 def half_widths(
     jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Half-widths (P,) of 95 % intervals if what is unexplained were white noise, and of those that hold.
+    """Half-widths (P,) of 95 % intervals under white noise, and of robust 95 % intervals.
 
-    The first say what the recording determines: infinite for what does not show. What is left unexplained is no white
-    noise: it hangs together over time, between the signals of a joint and between joints, and joints differ. So the
-    second are the widest of several sandwich estimates, each of which takes what is unexplained as independent between
-    other groups of measurements (time blocks of each joint, time blocks, joints;
-    https://doi.org/10.3368/jhr.50.2.317). To that comes the step to where a smooth error would have its optimum.
+    The first show which parameters the recording determines: they are infinite for a parameter without influence. Real
+    residuals are not white noise: they are correlated over time, between the signals of a joint and between joints,
+    and joints differ. The second are therefore the widest of several sandwich estimates, each of which assumes that
+    residuals are independent between different groups of measurements (time blocks of each joint, time blocks, joints;
+    https://doi.org/10.3368/jhr.50.2.317), plus the step to the optimum of a smooth error.
 
     Args:
-        jacobian: derivatives (T, S, P) of what is unexplained.
-        left: what is unexplained (T, S).
-        times: s, of the measurements (T,).
-        joints: number of joints; signals are in the order of kinds, and of joints in each.
+        jacobian: derivatives of the residuals (T, S, P).
+        left: residuals (T, S).
+        times: times of the measurements, s (T,).
+        joints: number of joints; signals are ordered by kind, then by joint.
     """
     from scipy.stats import t as student
 
@@ -127,7 +127,7 @@ def half_widths(
     inverse = vectors / values @ vectors.T / np.outer(scale, scale)
     degrees = max(len(rest) - size, 1)
     widths = [student.ppf(_LEVEL, degrees) * np.sqrt(np.diag(inverse) * (rest @ rest) / degrees)]
-    # (T, kinds, joints, P): scores of each measurement, of which all signals of a joint belong together.
+    # Scores of each measurement, (T, kinds, joints, P), summed over the signals of a joint.
     scores = (jacobian * left[..., None]).reshape(len(left), -1, joints, size).sum(axis=1)
     for seconds in _BLOCKS:
         block = (times / seconds).astype(np.intp)
@@ -137,14 +137,14 @@ def half_widths(
         if len(sums) > size:
             widths.append(_clustered(inverse, sums.sum(axis=1), len(sums) - 1))
     moving = int(np.count_nonzero(np.abs(scores).sum(axis=(0, 2))))
-    # A number for the hips shows in half of the joints.
+    # A parameter of the hips affects half of the joints.
     widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // 2 - 1, 1)))
     newton = inverse @ (flat.T @ rest)
     return widths[0], np.max(widths, axis=0) + np.abs(newton)
 
 
 def _clustered(inverse: NDArray[np.float64], sums: NDArray[np.float64], degrees: int) -> NDArray[np.float64]:
-    """Half-widths from the sums of scores over groups (G, P) that are independent of each other."""
+    """Half-widths from the sums of scores (G, P) over mutually independent groups."""
     from scipy.stats import t as student
 
     spread = sums @ inverse

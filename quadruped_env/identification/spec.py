@@ -1,4 +1,4 @@
-"""The robot as an identification sees it."""
+"""Model of the robot for an identification."""
 
 import mujoco
 
@@ -6,7 +6,7 @@ from quadruped_env.robot import JOINT_NAMES, asset_path
 
 
 def joint_spec(base: str, timestep: float) -> mujoco.MjSpec:
-    """The robot with no sensors but those of its joints, on a stand (`fixed`) or on its ground (`free`)."""
+    """The robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
     spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
     spec.option.timestep = timestep
     wanted = {
@@ -19,6 +19,6 @@ def joint_spec(base: str, timestep: float) -> mujoco.MjSpec:
         for key in list(spec.keys):
             spec.delete(key)
         spec.delete(spec.joint("floating_base"))
-        # In the air there is nothing to touch, and without contacts the motion is a smooth function of the motors.
+        # In the air there are no contacts, and with contacts disabled the motion is a smooth function of the motors.
         spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
     return spec

@@ -1,1 +1,1 @@
-"""Recorded joint trajectories played again: as a picture of the robot, or through the motors of the simulation."""
+"""Replay of recorded joint trajectories: kinematic, or as motor targets in the simulation."""

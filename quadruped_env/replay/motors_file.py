@@ -1,4 +1,4 @@
-"""Motors as a file: the part `motor` of the environment's config, as JSON."""
+"""Motor files: the `motor` part of the environment's config, as JSON."""
 
 from pathlib import Path
 
@@ -9,10 +9,10 @@ from quadruped_env.task import TaskConfig
 
 
 def read_motors(path: Path) -> MotorConfig:
-    """The motors in a file that `mini-quadruped identify` wrote.
+    """Read the motors from a file of `mini-quadruped identify`.
 
     Raises:
-        QuadrupedError: if the file cannot be read, or holds no motors.
+        QuadrupedError: if the file cannot be read, or does not contain motors.
     """
     document = read_json(path, "name a file of motors")
     if not isinstance(document, dict) or set(document) != {"motor"}:

@@ -1,4 +1,4 @@
-"""Play a recorded joint trajectory again: as pictures of the robot would show it, or through its motors."""
+"""Replay of a recorded joint trajectory: kinematic, or dynamic through the robot's motors."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -33,13 +33,13 @@ from quadruped_env.trajectory.formats.project_csv import write_table
 
 MODES: Final = ("kinematic", "dynamic")
 LIMIT_TOLERANCE: Final = 0.01
-"""rad: a joint's stop gives a little under load, and an encoder is not exact, so this far over a limit is at it"""
+"""Distance beyond a limit that still counts as at the limit, rad: mechanical stops yield and encoders are inexact."""
 
 TOUCHING: Final = 1e-4
-"""m; a sole that is closer to the ground touches it"""
+"""Height of a sole below which it touches the ground, m."""
 
 MAX_CLIP: Final = 100.0
-"""rad: a position farther than this beyond a limit is damage, and no limit stands in for it"""
+"""Distance beyond a limit above which a position is corrupt and is not clipped, rad."""
 
 POSES_FILE: Final = "link_poses.csv"
 JOINTS_FILE: Final = "joint_states.csv"
@@ -50,22 +50,23 @@ _POSE_COLUMNS: Final = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 @dataclass(frozen=True)
 class Replay:
-    """A recording and its replay. Results are computed once, on first use; do not modify them."""
+    """A recording and its replay. Results are cached on first use; do not modify them."""
 
     mode: str
+    """`kinematic` or `dynamic`"""
     recorded: JointTrajectory
-    """In the order of `JOINT_NAMES`"""
+    """Recording, in the order of `JOINT_NAMES`"""
     played: JointTrajectory
-    """Stamps as the recording counts them. Kinematic: the recording's own rows. Dynamic: measured, 50 Hz"""
+    """Played joint states on the recording's clock: its own rows (kinematic), or measurements at 50 Hz (dynamic)"""
     motion: Recording | None
-    """What the robot did in dynamic mode; a kinematic replay has no world to do it in"""
+    """Motion of the robot in dynamic mode; None in kinematic mode, which has no physics"""
     clipped: NDArray[np.intp]
-    """How many recorded positions of each joint were moved to a limit (8,)"""
+    """Number of recorded positions of each joint that were moved to a limit (8,)"""
     targets: JointTrajectory
-    """What was played: the recording within the joints' limits"""
+    """Joint targets: the recording within the joint limits"""
     motors: MotorConfig
     measured: JointTrajectory | None = None
-    """Another recording on the same clock, of what the real robot did; the comparison is with that"""
+    """Recording of the real robot on the same clock, for the comparison; None compares with `recorded`"""
 
     def link_poses(self) -> dict[str, Pose]:
         """Link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
@@ -79,7 +80,7 @@ class Replay:
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     def saturation(self) -> Saturation | None:
-        """Torques that the controllers asked of the motors; None in kinematic mode, which has no motors."""
+        """Requested torques, and where they exceed the motors' limits; None in kinematic mode, which has no motors."""
         return self._saturation
 
     @cached_property
@@ -99,7 +100,7 @@ class Replay:
         return side_by_side(self.measured or self.recorded, self.played)
 
     def film(self) -> Motion:
-        """What a film of it shows; in a kinematic replay the base stays level, and the lowest foot on the ground."""
+        """Motion for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
         name = Path(self.recorded.source.name).name
         if self.motion is not None:
             return Motion.of_recording(self.motion, name)
@@ -110,7 +111,7 @@ class Replay:
         return Motion(f"{name}, kinematic", 1.0 / FRAME_RATE, base_pose, positions)
 
     def report(self) -> dict[str, Any]:
-        """The replay in numbers, as JSON takes them; errors in rad, times in s."""
+        """The replay as JSON-serializable values; errors in rad, times in s."""
         return self._report
 
     @cached_property
@@ -153,13 +154,13 @@ class Replay:
     @cached_property
     def _limits(self) -> dict[str, dict[str, Any]]:
         """Joint name -> positions clipped, speeds and torques against the limits, and saturation."""
-        asked = self.recorded.velocities
-        if asked is None and len(self.recorded) > 1:
-            asked = self.recorded.differentiate().velocities
+        speeds = self.recorded.velocities
+        if speeds is None and len(self.recorded) > 1:
+            speeds = self.recorded.differentiate().velocities
         found: dict[str, dict[str, Any]] = {
             name: {
                 "positions_clipped": int(self.clipped[i]),
-                "fastest_recorded": None if asked is None else float(np.abs(asked[:, i]).max()),
+                "fastest_recorded": None if speeds is None else float(np.abs(speeds[:, i]).max()),
                 "speed_limit": VELOCITY_LIMIT,
             }
             for i, name in enumerate(JOINT_NAMES)
@@ -177,7 +178,7 @@ class Replay:
         return found
 
     def table(self) -> str:
-        """The report for people."""
+        """The report as a plain-text table."""
         report = self.report()
         dynamic = self.motion is not None
         low, high = self.recorded.positions.min(axis=0), self.recorded.positions.max(axis=0)
@@ -202,7 +203,7 @@ class Replay:
         return "\n".join([*lines, *self.remarks()])
 
     def remarks(self) -> list[str]:
-        """What the reader should know beside the numbers, in sentences."""
+        """Remarks on the recording and the replay, in sentences."""
         remarks = list(self.recorded.source.notes)
         if self.clipped.any():
             names = ", ".join(name for name, count in zip(JOINT_NAMES, self.clipped, strict=True) if count)
@@ -212,7 +213,7 @@ class Replay:
             longest = max(gaps, key=lambda gap: gap.seconds)
             remarks.append(
                 f"{len(gaps)} gaps in the recording, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s; "
-                f"straight lines were played through them."
+                f"positions were interpolated linearly across them."
             )
         fast = [
             name
@@ -232,12 +233,12 @@ class Replay:
 
         Args:
             directory: where to write.
-            overwrite: whether to replace files that are already there.
-            progress: is told how much is written.
-            compare: whether the report has the comparison, too.
+            overwrite: True to replace existing files.
+            progress: called with the fraction written.
+            compare: True to include the comparison in the report.
 
         Raises:
-            QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
+            QuadrupedError: if a file exists and `overwrite` is false, or cannot be written.
         """
         check_free(replay_files(directory), overwrite)
         links = self.link_poses()
@@ -262,17 +263,17 @@ def replay(
 
     Args:
         trajectory: all eight joints, in any order.
-        mode: `kinematic` sets the joints to the recorded positions, with no forces and no ground. `dynamic` makes
-            them, on straight lines and 50 times a second, the targets of the motors of a robot that starts at rest in
-            the first of them, on its feet, with gravity and ground.
-        clip: whether to move positions outside the joint limits to the limit.
-        progress: is told the share that is done, in dynamic mode.
-        motors: other motors than the model file's, in dynamic mode.
-        measured: what the real robot did, on the same clock, for the comparison.
+        mode: `kinematic` sets the joints to the recorded positions, without forces and ground. `dynamic` interpolates
+            the positions linearly at 50 Hz as motor targets, with gravity and ground; the robot starts at rest on its
+            feet in the first position.
+        clip: True to move positions outside the joint limits to the limit.
+        progress: called with the fraction done, in dynamic mode.
+        motors: motors to use instead of the model file's, in dynamic mode.
+        measured: recording of the real robot on the same clock, for the comparison.
 
     Raises:
         QuadrupedError: if a joint is unknown or missing, a position is outside its joint's limits and `clip` is
-            false (or so far outside that it is damage), or there is no such mode.
+            false (or so far outside that it is corrupt), or the mode is unknown.
     """
     if mode not in MODES:
         raise QuadrupedError(f"replay: unknown mode {mode!r}; valid modes are {', '.join(MODES)}")
@@ -287,12 +288,12 @@ def replay(
 
 
 def replay_files(directory: Path) -> list[Path]:
-    """What a replay may write into a directory."""
+    """Files that a replay may write into a directory."""
     return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
 def _within_limits(trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:
-    """The trajectory with no position beyond a limit, and how many were, of each joint."""
+    """The trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
     positions = trajectory.positions
     excess = np.maximum(JOINT_POSITION_LOW - positions, positions - JOINT_POSITION_HIGH)
     beyond = excess > LIMIT_TOLERANCE
@@ -301,9 +302,7 @@ def _within_limits(trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajec
     damaged = excess > MAX_CLIP
     if not clip or damaged.any():
         row, column = np.argwhere(damaged if clip else beyond)[0]
-        cure = (
-            "too far to clip: mend the value" if clip else "clip (--clip) to play at the limit, or mend the recording"
-        )
+        cure = "too far to clip: fix the value" if clip else "clip (--clip) to play at the limit, or fix the recording"
         raise QuadrupedError(
             f"{trajectory.source.row(row)}, position.{JOINT_NAMES[column]}: {positions[row, column]:g} rad at "
             f"{trajectory.times[row]:g} s is outside {JOINT_POSITION_LOW[column]:g} to "

@@ -1,4 +1,4 @@
-"""The page of a replay: how closely it was followed, what the motors could not do, and pictures of both."""
+"""The HTML report of a replay: tracking errors, motor limits, and figures of both."""
 
 from pathlib import Path
 from typing import Any, Final
@@ -15,21 +15,21 @@ from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION
 from quadruped_env.task import TaskConfig
 
 _GOOD: Final = 0.05
-"""rad; a root mean square error below this is close"""
+"""Maximum RMS tracking error of a good replay, rad."""
 
 
 def write_replay_report(replay: Replay, directory: Path, command_line: str, compare: bool = False) -> None:
-    """Write `report.html` into a directory, over an older one.
+    """Write `report.html` into a directory; an existing file is replaced.
 
     Args:
-        replay: what was played.
+        replay: replay to report.
         directory: where to write.
-        command_line: what a person types to repeat it.
-        compare: whether to show recorded against simulated positions, velocities and efforts.
+        command_line: command that reproduces the report.
+        compare: True to show recorded against simulated positions, velocities and efforts.
 
     Raises:
         MissingExtraError: if a library of the `report` extra is not installed.
-        QuadrupedError: if the file cannot be written, or there is nothing to compare.
+        QuadrupedError: if the file cannot be written, or `measured` has no time in common with the replay.
     """
     report = replay.report()
     error = report["tracking_error"]["all"]
@@ -44,7 +44,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
         figures += _comparison_figures(replay)
     context = {
         "title": f"Replay of {Path(replay.recorded.source.name).name}, {replay.mode}",
-        "headline": f"The joints followed to {error['rms']:.4f} rad (RMS), {error['max']:.4f} rad at most.",
+        "headline": f"Tracking error of the joints: {error['rms']:.4f} rad RMS, {error['max']:.4f} rad maximum.",
         "level": "poor" if fell else "good" if error["rms"] < _GOOD else "fair",
         "remarks": replay.remarks(),
         "tables": tables,
@@ -64,7 +64,7 @@ def _tracking_table(report: dict[str, Any]) -> dict[str, Any]:
         "title": "Tracking errors",
         "head": ["", "RMS (rad)", "largest (rad)", "at (s)", "lag (ms)"],
         "rows": rows,
-        "note": "Played minus recorded position at the same time. The lag is the shift in time with the least error.",
+        "note": "Played minus recorded position at the same time. The lag is the time shift with the smallest error.",
     }
 
 
@@ -92,14 +92,14 @@ def _limits_table(report: dict[str, Any]) -> dict[str, Any]:
             "",
             "at the motor's limit (% of time)",
             "first at (s)",
-            "torque wanted (N m)",
-            "torque given",
+            "torque requested (N m)",
+            "torque applied",
             "speed recorded (rad/s)",
             "speed played",
             "positions clipped",
         ],
         "rows": rows,
-        "note": "A motor is at its limit where its controller wants more torque than it can give at its speed.",
+        "note": "A motor is at its limit where its controller requests more torque than it can apply at its speed.",
     }
 
 
@@ -110,7 +110,9 @@ def _comparison_table(replay: Replay) -> dict[str, Any]:
             cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
             rows.append([f"{name}, {signal} ({entry['unit']})", *("-" if c is None else f"{c:.4f}" for c in cells)])
     derived = (
-        " The recording has no velocities: they were made from its positions." if replay.comparison().derived else ""
+        " The recording has no velocities: they were computed from its positions."
+        if replay.comparison().derived
+        else ""
     )
     return {
         "title": "Recorded against simulated",
@@ -126,7 +128,7 @@ def _tracking_figure(replay: Replay) -> dict[str, str]:
         "played": Line(replay.played.times, replay.played.positions, BLUE),
     }
     limits = JOINT_POSITION_LOW, JOINT_POSITION_HIGH
-    caption = "What was recorded and what was played. Red lines are the joints' limits, where they come into sight."
+    caption = "Recorded and played positions. Red lines are the joint limits, where they are within the plotted range."
     return figure("Positions", joint_panels(lines, "rad", limits), caption)
 
 
@@ -139,20 +141,20 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
     motors = [replay.motors.of_joint(name) for name in JOINT_NAMES]
     stall, top = (np.array([getattr(motor, name) for motor in motors]) for name in ("stall_torque", "no_load_speed"))
     torque = {
-        "wanted": Line(times, np.clip(saturation.asked, -2 * stall, 2 * stall), VERMILION),
-        "given": Line(times, replay.played.efforts, BLUE),
+        "requested": Line(times, np.clip(saturation.asked, -2 * stall, 2 * stall), VERMILION),
+        "applied": Line(times, replay.played.efforts, BLUE),
     }
     speed = {"played": Line(times, replay.played.velocities, BLUE)}
     return [
         figure(
             "Torques",
             joint_panels(torque, "N m", (-stall, stall)),
-            "What the controllers wanted (drawn up to twice the limit) and what the motors gave.",
+            "Torques that the controllers requested (clipped at twice the limit) and that the motors applied.",
         ),
         figure(
             "Speeds",
             joint_panels(speed, "rad/s", (-top, top)),
-            "What the joints did. Red lines are the speeds that the motors reach without load.",
+            "Speeds of the joints. Red lines are the no-load speeds of the motors.",
         ),
     ]
 

@@ -1,4 +1,4 @@
-"""Where a replay asked more of the motors than they can give."""
+"""Motor saturation in a replay: requested torques that exceed the motors' limits."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -12,17 +12,17 @@ from quadruped_env.trajectory import JointTrajectory
 
 @dataclass(frozen=True)
 class Saturation:
-    """What each of the eight joints asked of its motor, sampled at the ends of the control steps."""
+    """Requested torques of the eight joints, sampled at the ends of the control steps."""
 
     asked: NDArray[np.float64]
-    """Torque (T, 8) in N m that the controller wanted"""
+    """Torque that the controller requested, N m (T, 8)"""
     excess: NDArray[np.float64]
-    """By how much that was over what the motor can give at its speed, N m (T, 8); 0 where it was not"""
+    """Part of the torque beyond the motor's limit at its speed, N m (T, 8); 0 within the limit"""
     times: NDArray[np.float64]
-    """s (T,)"""
+    """Times of the samples, s (T,)"""
 
     def report(self) -> dict[str, dict[str, Any]]:
-        """Joint -> share of the time at its motor's limit, largest torque wanted, and when the limit was first met."""
+        """Joint -> fraction of time at its motor's limit, largest requested torque, and time of first saturation."""
         at_limit = self.excess > 0.0
         return {
             name: {
@@ -35,12 +35,12 @@ class Saturation:
 
 
 def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorConfig) -> Saturation:
-    """What the motors were asked for, from their targets and from what the joints did.
+    """Compute the torques that the controllers requested, from joint targets and measured motion.
 
     Args:
         targets: joint targets, in the order of `JOINT_NAMES`.
-        played: measured in the simulation, a row at the end of every control step, with velocities.
-        motors: those of the simulation.
+        played: measurements of the simulation with velocities, one row at the end of each control step.
+        motors: motors of the simulation.
     """
     assert played.velocities is not None
     times = played.times

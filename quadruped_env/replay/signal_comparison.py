@@ -1,4 +1,4 @@
-"""Joint signals side by side: what was recorded and what was simulated."""
+"""Comparison of recorded and simulated joint signals."""
 
 from dataclasses import dataclass
 from typing import Any, Final
@@ -12,16 +12,16 @@ from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
 SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
-"""Array of a `JointTrajectory` -> unit"""
+"""Array of a `JointTrajectory` -> unit."""
 
 MAX_LAG: Final = 0.4
-"""s"""
+"""Maximum lag that `lag` finds, s."""
 _LAG_STEP: Final = 0.002
-"""s"""
+"""Resolution of the lag, s."""
 _LAG_ROWS: Final = 5000
-"""Rows that are enough to find it"""
-_MOVES: Final = 0.01
-"""rad; a joint that moves less has no lag to be found"""
+"""Maximum number of rows used to find the lag."""
+_MIN_RANGE: Final = 0.01
+"""Minimum range of a joint's target for which a lag is computed, rad."""
 
 
 @dataclass(frozen=True)
@@ -32,18 +32,18 @@ class Signals:
     """
 
     times: NDArray[np.float64]
-    """s from the simulation's start (T,)"""
+    """Times from the start of the simulation, s (T,)"""
     recorded: dict[str, NDArray[np.float64]]
     simulated: dict[str, NDArray[np.float64]]
     derived: bool
-    """Whether the recorded velocities were made from the recorded positions"""
+    """True if the recorded velocities were computed from the recorded positions"""
 
     def difference(self, signal: str) -> NDArray[np.float64]:
-        """Simulated minus recorded (T, 8); NaN where nothing was recorded."""
+        """Simulated minus recorded values (T, 8); NaN where nothing was recorded."""
         return self.simulated[signal] - self.recorded[signal]
 
     def report(self) -> dict[str, Any]:
-        """The comparison in numbers, as JSON takes them."""
+        """The comparison as JSON-serializable values."""
         return {
             signal: {
                 "unit": SIGNALS[signal],
@@ -56,7 +56,7 @@ class Signals:
         }
 
     def table(self) -> str:
-        """The comparison for people."""
+        """The comparison as a plain-text table."""
         lines = [f"{'simulated - recorded':<22}{'joint':<16}{'RMS':>10}{'mean':>10}{'max':>10}{'correlation':>13}"]
         for signal, entry in self.report().items():
             title = f"{signal} ({entry['unit']})"
@@ -66,15 +66,15 @@ class Signals:
                 lines.append(f"{title:<22}{name:<16}{texts[0]:>10}{texts[1]:>10}{texts[2]:>10}{texts[3]:>13}")
                 title = ""
         if self.derived:
-            lines.append("The recording has no velocities: they were made from its positions.")
+            lines.append("The recording has no velocities: they were computed from its positions.")
         return "\n".join(lines)
 
 
 def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signals:
-    """Both at the times of the simulation that the recording covers.
+    """Resample a recording at the times of the simulation that it covers.
 
     Args:
-        recorded: all eight joints, on the clock of the simulation. Without velocities, they are made from positions.
+        recorded: all eight joints, on the clock of the simulation. Missing velocities are computed from positions.
         simulated: in the order of `JOINT_NAMES`.
 
     Raises:
@@ -84,7 +84,7 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
     if np.count_nonzero(inside) < 2:
         raise QuadrupedError(
             f"{recorded.source.name}: lasts from {recorded.stamps[0]} to {recorded.stamps[-1]} ns, the simulation from "
-            f"{simulated.stamps[0]} to {simulated.stamps[-1]} ns; compare recordings that were made on one clock"
+            f"{simulated.stamps[0]} to {simulated.stamps[-1]} ns; compare recordings from the same clock"
         )
     ordered = recorded.in_joint_order()
     derived = ordered.velocities is None and len(ordered) > 1
@@ -97,12 +97,12 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
 
 
 def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
-    """How long after the target each joint does the same, s: the shift with the least error, up to `MAX_LAG`.
+    """Lag of each joint behind its target, s: the time shift with the smallest error, up to `MAX_LAG`.
 
-    None for a joint that hardly moves. Both in the order of `JOINT_NAMES`.
+    None for a joint that hardly moves. Both trajectories are in the order of `JOINT_NAMES`.
     """
     shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
-    # The start is the same on both sides, whatever comes after.
+    # At the start, target and motion are equal for every lag.
     rows = np.flatnonzero(played.times >= MAX_LAG)
     if len(rows) < 2:
         return [None] * len(JOINT_NAMES)
@@ -115,7 +115,7 @@ def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
         ]
     )
     best = shifts[errors.argmin(axis=0)]
-    moves = np.ptp(target.positions, axis=0) > _MOVES
+    moves = np.ptp(target.positions, axis=0) > _MIN_RANGE
     return [float(shift) if moving else None for shift, moving in zip(best, moves, strict=True)]
 
 

@@ -1,1 +1,1 @@
-"""Pages, figures and films made from the results of an evaluation."""
+"""HTML reports, figures and films of evaluations, replays and identifications."""

@@ -16,9 +16,9 @@ PURPLE: Final = "#CC79A7"
 GREY: Final = "#7F7F7F"
 
 SERIES: Final = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY)
-"""For things that have no colour of their own, in order."""
+"""Colours of series without a fixed colour, in order."""
 CONTROLLER_COLOURS: Final = {"policy": BLUE, "tuned": VERMILION, "article": GREEN, "zero": GREY}
 LEG_COLOURS: Final = dict(zip(LEG_NAMES, (BLUE, VERMILION, SKY, ORANGE), strict=True))
-"""Left and right apart by hue, front and hind by lightness."""
+"""Leg -> colour; left and right differ in hue, front and hind in lightness."""
 INK: Final = "#1B1F24"
 LIMIT: Final = "#CC0033"

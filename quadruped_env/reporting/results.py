@@ -1,4 +1,4 @@
-"""The directory of a report."""
+"""Output directory of a report."""
 
 import importlib.util
 from pathlib import Path
@@ -10,7 +10,7 @@ REPORT_FILE: Final = "report.html"
 
 
 def prepare_output(output: Path) -> None:
-    """Create the directory of a report, and fail now if the report could not be written later.
+    """Create the directory of a report and check that the report can be written, before any long computation.
 
     Raises:
         MissingExtraError: if a library of the `report` extra is not installed.
@@ -21,4 +21,4 @@ def prepare_output(output: Path) -> None:
     try:
         output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise QuadrupedError(f"{output}: cannot be created ({error.strerror}); name another place") from error
+        raise QuadrupedError(f"{output}: cannot be created ({error.strerror}); choose another directory") from error

@@ -19,7 +19,7 @@ def interpolate(
 ) -> NDArray[np.float64]:
     """Linear interpolation, constant before the first row and after the last.
 
-    At a row's own time it gives that row's values to the last bit.
+    At the time of a row the result is bit-identical to the values of the row.
 
     Args:
         stamps: increasing times of the rows (T,).
@@ -33,7 +33,7 @@ def interpolate(
     before = np.searchsorted(stamps, times, side="right") - 1
     after = np.minimum(before + 1, len(stamps) - 1)
     fraction = ((times - stamps[before]) / np.maximum(stamps[after] - stamps[before], 1.0))[..., None]
-    # Where the time is a row's own, the next row does not matter, even if it is NaN.
+    # At the time of a row, the next row has no influence, even if it is NaN.
     return np.where(fraction == 0.0, values[before], values[before] + fraction * (values[after] - values[before]))
 
 
@@ -79,8 +79,9 @@ class Gap:
     row: int
     """The last row before the gap"""
     start: float
-    """s from the first timestamp"""
+    """Time of the last row before the gap, from the first timestamp, s"""
     seconds: float
+    """Duration of the gap, s"""
 
 
 def find_gaps(stamps: NDArray[np.int64], factor: float = 3.0) -> tuple[Gap, ...]:

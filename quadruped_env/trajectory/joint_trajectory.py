@@ -293,8 +293,8 @@ class JointTrajectory:
     def positions_at(self, seconds: ArrayLike) -> NDArray[np.float64]:
         """Joint positions at times, in the order of `JOINT_NAMES`.
 
-        Linear between rows, constant before the first and after the last. At a row's own time it gives that row's
-        values to the last bit.
+        Linear between rows, constant before the first and after the last. At the time of a row the result is
+        bit-identical to the positions of the row.
 
         Args:
             seconds: times from the first timestamp, s (...,).
@@ -328,7 +328,7 @@ class JointTrajectory:
         if wanted[0] < self.stamps[0] or wanted[-1] > self.stamps[-1]:
             outside = wanted[0] if wanted[0] < self.stamps[0] else wanted[-1]
             raise QuadrupedError(
-                f"{self.source.name}: at: stamp {outside} ns lies outside the recording, {self.stamps[0]} to "
+                f"{self.source.name}: at: timestamp {outside} ns lies outside the recording, {self.stamps[0]} to "
                 f"{self.stamps[-1]} ns; choose timestamps within it"
             )
         nanoseconds = (wanted - self.stamps[0]).astype(np.float64)

@@ -19,7 +19,7 @@ from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, concatenated
 from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, validate
 
 MAX_PLAUSIBLE: Final = 4.0 * np.pi
-"""rad: two turns. No joint of a leg reaches it, and a log in degrees nearly always does."""
+"""Two turns, rad. No joint of a leg reaches it, and a log in degrees nearly always does."""
 
 _DEFAULTS: Final = ReadOptions()
 _MIN_ROWS: Final = 1024

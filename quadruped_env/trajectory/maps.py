@@ -20,7 +20,7 @@ number, 1 for the first:
     positions = { flarm = 2, flfoot = 5 }
 
 If all columns are given by number, the file is expected to have no header line; `header = true` says that it has one,
-`header = false` that it has none.
+`header = false` that it does not.
 
 A value is missing if it equals a number of `missing` once it is read as float64 (2146000000.0 equals 2.146e9), or a
 text of it once the spaces around it are removed. It counts as not recorded and becomes NaN. An effort may be NaN; a row
@@ -53,7 +53,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY
 
 STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
-"""Unit of time -> power of ten of its ns"""
+"""Unit of time -> its length in ns, as a power of ten."""
 UNITS: Final = {"rad": 1.0, "deg": math.pi / 180.0}
 """Unit of an angle -> rad"""
 VELOCITY_UNITS: Final = {"rad/s": 1.0, "deg/s": math.pi / 180.0, "rpm": math.pi / 30.0}
@@ -80,8 +80,8 @@ class ColumnMap:
     efforts: Columns | None = None
     stamp_unit: str = "s"
     velocity_files: dict[str, str] | None = None
-    """Name of a file -> name of the file next to it that has its velocities, in the columns of `velocities`, or of the
-    positions if that is None"""
+    """Name of a file -> name of the file next to it that has its velocities, in the columns of `velocities`, by default
+    in those of `positions`"""
     separator: str = ","
     header: list[str] | bool | None = None
     """Names of all columns, for a file without a header line; or whether there is a header line, which there is by
@@ -169,7 +169,7 @@ class ColumnMap:
 
     @property
     def has_header_line(self) -> bool:
-        """Whether the first line of the file names its columns."""
+        """True if the first line of the file names its columns."""
         if self.header is None:
             return any(isinstance(column, str) for column in self.used)
         return self.header is True
@@ -328,7 +328,7 @@ def _is_column(value: object) -> bool:
 
 
 def _are_columns(given: Any) -> bool:
-    """Whether columns are given for joints; in a list they also name the joints, which numbers cannot."""
+    """True for columns of joints; in a list they also name the joints and therefore must not be numbers."""
     if isinstance(given, dict):
         return all(map(_is_column, given.values()))
     return isinstance(given, list) and all(isinstance(column, str) and column for column in given)

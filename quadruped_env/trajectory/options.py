@@ -132,8 +132,8 @@ class ReadOptions:
             for joint, rule in self.joint_map.rules.items():
                 if rule.unit != "rad" or rule.velocity_unit is not None:
                     raise QuadrupedError(
-                        f"{self.joint_map.name}: [joints.{joint}] has units of its own, and degrees were asked for "
-                        f"too; leave --degrees out, or they would be converted twice"
+                        f"{self.joint_map.name}: [joints.{joint}] has units of its own, so --degrees would "
+                        f"convert them twice; leave --degrees out"
                     )
 
     @classmethod

@@ -54,7 +54,7 @@ class Reading:
         return Source(self.name, self.row_name, rows=numbers)
 
     def error(self, row: int | None, problem: str) -> QuadrupedError:
-        """The error for a problem in one row, or with the whole file if `row` is None."""
+        """The error for a problem in one row, or with the whole file without a row."""
         place = "" if row is None else f" {self.row_name} {row}:"
         return QuadrupedError(f"{self.name}:{place} {problem}")
 

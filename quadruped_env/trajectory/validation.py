@@ -82,11 +82,11 @@ def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
     raw = np.asarray(stamps)
     if raw.ndim != 1 or not len(raw):
         raise QuadrupedError(
-            f"{source.name}: stamps must have shape (T,), T 1 or more; found {raw.shape}; record one row or more"
+            f"{source.name}: stamps: expected shape (T,), T 1 or more; found {raw.shape}; record one row or more"
         )
     if raw.dtype.kind not in "iu" or raw.max() > np.iinfo(np.int64).max:
         raise QuadrupedError(
-            f"{source.name}: stamps must be whole ns within int64; found {raw.dtype}; "
+            f"{source.name}: stamps: expected whole ns within int64; found {raw.dtype}; "
             f"from seconds: np.rint(seconds * 1e9).astype(np.int64)"
         )
     array = raw if raw.dtype == np.int64 and not raw.flags.writeable else raw.astype(np.int64)

@@ -1,4 +1,4 @@
-"""Films of a robot: rendered from what was recorded, with the command, the speed and the gait drawn in."""
+"""Films of a robot, rendered from recordings, with overlays of command, velocity and gait."""
 
 import itertools
 from collections.abc import Iterator, Sequence
@@ -21,56 +21,60 @@ Picture = NDArray[np.uint8]
 
 WIDTH, HEIGHT = 640, 480
 FRAME_RATE: Final = 25
-"""1/s; half the control rate, and a whole number of the hundredths of a second that a GIF counts in"""
+"""Frames per second: half the control rate. A frame lasts 4 hundredths of a second, the unit of time in a GIF."""
 
-# Chosen with tools/render_speed.py: on one core the sharpest shadow that a software renderer draws smoothed at well
-# over 40 frames a second. Reflections would draw the scene once more. On an endless plane software renderers leave
-# dark specks, and MuJoCo cuts a plane into squares of which the default size costs half of the time.
+# Chosen with tools/render_speed.py: the sharpest shadow that a software renderer draws with multisampling on one core
+# at well over 40 frames per second. Reflections are off because they render the scene twice. The ground is finite
+# because software renderers leave dark specks on an infinite plane. Its squares are large because MuJoCo's default
+# size doubles the rendering time.
 SHADOW_SIZE: Final = 1024
 MULTISAMPLES: Final = 4
 _SLICES, _STACKS = 20, 12
-"""Around and along balls and cylinders: MuJoCo's 28 and 16 look the same in this size, and take a tenth longer"""
+"""Facets around and along spheres and cylinders. MuJoCo's defaults, 28 and 16, look the same at this size and take 10 %
+longer."""
 _GROUND_HALF_SIZE: Final = 40.0
-"""m"""
+"""Half the side of the ground, m."""
 _GROUND_SQUARE: Final = 10.0
-"""m"""
+"""Side of the squares into which MuJoCo divides the ground, m."""
 
 _FAR: Final = 12.0
-"""Extents of the scene that the camera and the light see: farther, the shadows become too coarse in depth for the robot
-not to throw some on itself"""
+"""Far clipping plane, in model extents. Farther away, the shadow map's depth is so coarse that the robot casts false
+shadows on itself."""
 
 _VIEW_AZIMUTH: Final = 115.0
-"""Degrees, of the direction of view: the robot comes out of the picture a little, and no leg hides another"""
+"""Azimuth of the camera, degrees: the robot walks slightly towards the viewer, and no leg hides another."""
 _VIEW_ELEVATION: Final = -17.0
+"""Elevation of the camera, degrees."""
 _VIEW_DISTANCE: Final = 0.95
-"""m"""
+"""Distance of the camera from the point that it looks at, m."""
 _VIEW_HEIGHT: Final = 0.08
-"""m over the ground of the point that the camera looks at, which leaves room for the overlay"""
-_STEADY: Final = 0.25
-"""s before and after, over which the camera's way is a mean: it goes along, but does not shake with each stride"""
+"""Height over the ground of the point that the camera looks at, m: it leaves room for the overlay."""
+_SMOOTHING: Final = 0.25
+"""Half the window over which the camera's position is averaged, s: it follows the robot without shaking with each
+stride."""
 
 
 @dataclass(frozen=True)
 class Motion:
-    """One robot over time, as a film shows it: T samples."""
+    """Motion of one robot that a film shows: T samples."""
 
     title: str
     timestep: float
-    """s between samples"""
+    """Time between samples, s"""
     base_pose: NDArray[np.floating]
     """Position in m and quaternion wxyz of the base in the world (T, 7)"""
     joint_position: NDArray[np.floating]
-    """rad (T, 8)"""
+    """Joint positions, rad (T, 8)"""
     velocity: NDArray[np.floating] | None = None
     """Forward velocity in m/s and yaw rate in rad/s (T, 2), if known"""
     command: NDArray[np.floating] | None = None
-    """What these should be (T, 2), for a robot that follows a command"""
+    """Velocity command in the same units (T, 2), or None for a robot that follows none"""
     contact: NDArray[np.bool_] | None = None
-    """Whether each foot is on the ground (T, 4), if known"""
+    """True for each foot on the ground (T, 4), if known"""
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
-        """An episode of a rollout from one time (s) to another, or to its fall."""
+        """Part of an episode (its index in the rollout) from `start` to `stop`, s, or to its fall."""
         last = min(int(rollout.valid[:, row].sum()) + 1, len(rollout.valid))
         part = slice(min(round(start / rollout.timestep), last - 1), round(min(stop / rollout.timestep, last)))
         position, orientation = rollout.base_position[part, row], rollout.orientation[part, row]
@@ -86,7 +90,7 @@ class Motion:
 
     @classmethod
     def of_recording(cls, recording: Recording, title: str) -> Self:
-        """A recording, from its start."""
+        """Motion of a whole recording."""
         joints = recording.joints
         timestep = joints.duration / max(len(joints) - 1, 1)
         return cls(
@@ -95,11 +99,11 @@ class Motion:
 
     @property
     def seconds(self) -> float:
-        """How long it lasts."""
+        """Duration, s."""
         return len(self.base_pose) * self.timestep
 
     def facing_ahead(self) -> Self:
-        """The same motion, turned and moved on the plane to begin at the origin, facing along x."""
+        """The same motion, rotated and translated in the plane so that it begins at the origin and faces along x."""
         pose = self.base_pose.astype(np.float64)
         back = from_yaw(-yaw(pose[0, 3:]))
         pose[:, :2] -= pose[0, :2]
@@ -113,21 +117,21 @@ class Motion:
         return np.minimum(np.round(times / self.timestep), len(self.base_pose) - 1).astype(np.intp)
 
 
-def steady_way(motion: Motion, sample: int) -> NDArray[np.float64]:
-    """Where a camera that goes along with the base is at a sample: x and y in m, (2,)."""
-    around = round(_STEADY / motion.timestep)
+def smoothed_position(motion: Motion, sample: int) -> NDArray[np.float64]:
+    """Position of the base around a sample, averaged over time so that a camera can follow it: x and y, m (2,)."""
+    around = round(_SMOOTHING / motion.timestep)
     return motion.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
 
 
 class Camera:
-    """Renders motions with a camera that goes along with the robot.
+    """Renders motions with a camera that follows the robot.
 
     Args:
-        shadow_size: pixels of a side of the shadow map; 0 for no shadow.
-        multisamples: samples a pixel.
+        shadow_size: side of the shadow map, pixels; 0 for no shadow.
+        multisamples: samples per pixel.
 
     Raises:
-        QuadrupedError: if there is no OpenGL.
+        QuadrupedError: if OpenGL is not available.
     """
 
     def __init__(self, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
@@ -141,7 +145,7 @@ class Camera:
         self._model.geom_size[self._ground] = _GROUND_HALF_SIZE, _GROUND_HALF_SIZE, _GROUND_SQUARE
         # A plane's uniform texture repeats over 2 m.
         self._ground_step = 2.0 / self._model.mat_texrepeat[self._model.geom_matid[self._ground]]
-        # Without this MuJoCo takes the ground's place from the compiler, and not from the model's field.
+        # Without this MuJoCo uses the ground's position at compile time and ignores `geom_pos`.
         self._model.geom_sameframe[self._ground] = mujoco.mjtSameFrame.mjSAMEFRAME_NONE
         self._data = mujoco.MjData(self._model)
         self._view = mujoco.MjvCamera()
@@ -159,20 +163,20 @@ class Camera:
         self._renderer.close()
 
     def picture(self, motion: Motion, sample: int) -> Picture:
-        """The robot at one sample (HEIGHT, WIDTH, 3), without overlays."""
+        """Picture of the robot at one sample (HEIGHT, WIDTH, 3), without overlays."""
         self._data.qpos[:7] = motion.base_pose[sample]
         self._data.qpos[7:] = motion.joint_position[sample]
-        # The ground goes along in steps of its pattern, which nobody sees, so that no robot walks over its edge.
+        # The ground follows the robot in steps of its texture's period, which are invisible, so that it never ends.
         steps = np.round(self._data.qpos[:2] / self._ground_step)
         self._model.geom_pos[self._ground, :2] = steps * self._ground_step
         mujoco.mj_forward(self._model, self._data)
-        self._view.lookat[:] = *steady_way(motion, sample), _VIEW_HEIGHT
+        self._view.lookat[:] = *smoothed_position(motion, sample), _VIEW_HEIGHT
         picture = self._renderer.render(self._data, self._view)
         assert picture is not None
         return picture
 
     def film(self, motion: Motion) -> Iterator[Picture]:
-        """Pictures (HEIGHT, WIDTH, 3) of a motion, `FRAME_RATE` a second, with overlays.
+        """Pictures (HEIGHT, WIDTH, 3) of a motion at `FRAME_RATE`, with overlays.
 
         Raises:
             MissingExtraError: if Pillow is not installed.
@@ -182,7 +186,7 @@ class Camera:
             yield overlay.draw(self.picture(motion, sample), sample)
 
     def films(self, motions: Sequence[Motion], progress: Progress | None = None) -> Iterator[Picture]:
-        """One film of several motions, and how far it is."""
+        """Pictures of several motions, one after another; `progress` is called with the fraction done."""
         total = sum(len(motion.frame_samples()) for motion in motions)
         pictures = itertools.chain.from_iterable(map(self.film, motions))
         for number, picture in enumerate(pictures, 1):

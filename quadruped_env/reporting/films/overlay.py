@@ -1,4 +1,4 @@
-"""What a film says beside the picture: a title and the time, command and speed, and which feet are on the ground."""
+"""Overlays of films: title and time, commanded and measured velocity, and the feet on the ground."""
 
 from typing import Any, Final
 
@@ -10,31 +10,31 @@ from quadruped_env.reporting.palette import BLUE, INK, LEG_COLOURS
 from quadruped_env.robot import LEG_NAMES
 
 AVERAGED: Final = 0.5
-"""s: about a stride, which the shown speed is a mean over"""
+"""Window over which the shown velocity is averaged, about a stride, s."""
 GAIT_SECONDS: Final = 2.0
-"""s that the gait diagram looks back"""
+"""Time span of the gait diagram, s."""
 
 _HEAD_HEIGHT, _PANEL_HEIGHT = 32, 76
 _MARGIN: Final = 14
 _AIR: Final = 232
-"""Grey of a foot in the air"""
+"""Grey level of a foot in the air."""
 _BAND, _BAND_STEP = 11, 15
-"""Pixels: height of a foot's band, and from one to the next"""
+"""Height of a foot's band, and distance from one band to the next, pixels."""
 _GAIT_WIDTH: Final = 250
 _BAR_LEFT, _BAR_RIGHT = 78, 204
 _QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
-"""Label, unit, and the velocity at either end of the bar"""
+"""Label, unit, and absolute velocity at the ends of the bar."""
 
 
 class Overlay:
-    """Draws on pictures of one motion.
+    """Draws the overlays on pictures of one motion.
 
     Args:
-        title: what is shown.
-        timestep: s between samples.
+        title: title of the motion.
+        timestep: time between samples, s.
         velocity: forward velocity in m/s and yaw rate in rad/s (T, 2), or None.
-        command: what they should be (T, 2), or None.
-        contact: whether each foot is on the ground (T, 4), or None.
+        command: velocity command in the same units (T, 2), or None.
+        contact: True for each foot on the ground (T, 4), or None.
 
     Raises:
         MissingExtraError: if Pillow is not installed.
@@ -61,9 +61,9 @@ class Overlay:
         self._gait = None if contact is None else gait_strip(contact, timestep)
 
     def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
-        """The picture (H, W, 3) at a sample, with what there is to say about it."""
+        """The picture (H, W, 3) of a sample, with overlays."""
         picture = picture.copy()
-        # Pillow gets the edges alone: to and fro with the whole picture takes as long as drawing.
+        # Only the edges are converted to Pillow images: converting the whole picture takes as long as drawing.
         head, panel = picture[:_HEAD_HEIGHT], picture[-_PANEL_HEIGHT:]
         image = self._to_image(head)
         pen = self._pen_for(image)
@@ -72,7 +72,7 @@ class Overlay:
         pen.text((picture.shape[1] - _MARGIN, 10), clock, fill=INK, font=self._font, anchor="ra")
         head[:] = image
         if self._velocity is not None or self._gait is not None:
-            # Seven parts of white, in whole numbers, which are quick.
+            # Blend with white at 7/8, in fast integer arithmetic.
             image = self._to_image((panel >> 3) + 223)
             pen = self._pen_for(image)
             if self._velocity is not None:
@@ -90,7 +90,7 @@ class Overlay:
         return picture
 
     def _draw_velocity(self, pen: Any, row: int, sample: int, top: int) -> None:
-        """A bar from zero to the velocity, a mark at its command, and both in figures."""
+        """Draw a bar from zero to the velocity, a mark at its command, and both as numbers."""
         assert self._velocity is not None
         label, unit, end = _QUANTITIES[row]
         value = float(self._velocity[sample, row])
@@ -113,7 +113,7 @@ class Overlay:
 
 
 def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float64]:
-    """Means over the last `window` samples of values (T, K), or over as many as there are, (T, K)."""
+    """Means over the last `window` samples of values (T, K), over fewer samples at the beginning, (T, K)."""
     total = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0, dtype=np.float64)])
     stop = np.arange(1, len(values) + 1)
     start = np.maximum(stop - window, 0)
@@ -121,11 +121,11 @@ def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float
 
 
 def gait_strip(contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
-    """The gait diagram of a whole motion as a picture, a band for each foot, coloured while it is on the ground.
+    """The gait diagram of a whole motion as a picture: one band per foot, coloured while the foot is on the ground.
 
     Args:
-        contact: (T, 4).
-        timestep: s between samples; `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
+        contact: True for each foot on the ground (T, 4).
+        timestep: time between samples, s; `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
     """
     columns = max(1, round(len(contact) * timestep / GAIT_SECONDS * _GAIT_WIDTH))
     samples = np.arange(columns) * len(contact) // columns

@@ -1,4 +1,4 @@
-"""Files of moving and still pictures: MP4 for browsers, GIF and WebP for READMEs, PNG stills."""
+"""Video and image files: MP4 for browsers, GIF and animated WebP for READMEs, PNG stills."""
 
 import io
 import itertools
@@ -16,22 +16,22 @@ from quadruped_env.reporting.films.film import FRAME_RATE, Camera, Motion, Pictu
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
 STILLS: Final = 4
-"""Pictures side by side in a PNG"""
+"""Number of pictures side by side in a PNG."""
 _PAGE_WIDTH: Final = 480
-"""Pixels of a GIF or WebP: what a README shows without making its readers wait"""
+"""Maximum width of a GIF or animated WebP, pixels: small enough to load quickly in a README."""
 _PALETTE_PICTURES: Final = 8
 _ENCODER: Final = "libx264"
-# Constant quality; 25 leaves no visible trace on flat colours.
+# Constant quality; at 25, flat colours have no visible artefacts.
 _OPTIONS: Final = {"crf": "25", "preset": "superfast", "movflags": "+faststart"}
 
 
 def prepare_video(path: Path | None, overwrite: bool = False) -> None:
-    """Fail now if a video could not be made later; without a path there is nothing to do.
+    """Check that a video can be written, before any long computation; does nothing without a path.
 
     Raises:
         MissingExtraError: if a library of the `report` extra is not installed.
-        QuadrupedError: if the file's name ends otherwise than in `SUFFIXES`, the file is there already and is not to
-            be overwritten, or there is no OpenGL.
+        QuadrupedError: if the file's suffix is not in `SUFFIXES`, the file exists and `overwrite` is false, or OpenGL
+            is not available.
     """
     if path is None:
         return
@@ -47,7 +47,7 @@ def prepare_video(path: Path | None, overwrite: bool = False) -> None:
 
 
 def save_film(path: Path, motions: Sequence[Motion], progress: Progress | None = None) -> None:
-    """Film motions one after another into a file of the kind that its name says.
+    """Write a film of several motions, one after another, in the format of the file's suffix.
 
     Raises:
         QuadrupedError, MissingExtraError: as `prepare_video`, or if the file cannot be written.
@@ -57,7 +57,7 @@ def save_film(path: Path, motions: Sequence[Motion], progress: Progress | None =
 
 
 def save_video(path: Path, pictures: Iterable[Picture]) -> None:
-    """Write pictures (H, W, 3), `FRAME_RATE` a second, to a file of the kind that its name says.
+    """Write pictures (H, W, 3) at `FRAME_RATE`, in the format of the file's suffix.
 
     Raises:
         MissingExtraError: if a library of the `report` extra is not installed.
@@ -68,7 +68,7 @@ def save_video(path: Path, pictures: Iterable[Picture]) -> None:
 
 
 def encode_mp4(pictures: Iterable[Picture]) -> bytes:
-    """A video that every browser plays (H.264), from pictures (H, W, 3) with even sides.
+    """Encode pictures (H, W, 3) with even sides as an H.264 video, which every browser plays.
 
     Raises:
         MissingExtraError: if PyAV is not installed.
@@ -94,7 +94,7 @@ def encode_mp4(pictures: Iterable[Picture]) -> bytes:
 
 
 def encode_png(picture: Picture) -> bytes:
-    """A picture (H, W, 3) as PNG.
+    """Encode a picture (H, W, 3) as PNG.
 
     Raises:
         MissingExtraError: if Pillow is not installed.
@@ -105,7 +105,7 @@ def encode_png(picture: Picture) -> bytes:
 
 
 def encode_webp(picture: Picture) -> bytes:
-    """A picture (H, W, 3) as WebP.
+    """Encode a picture (H, W, 3) as WebP.
 
     Raises:
         MissingExtraError: if Pillow is not installed.
@@ -116,7 +116,7 @@ def encode_webp(picture: Picture) -> bytes:
 
 
 def _encode_gif(pictures: Iterable[Picture]) -> bytes:
-    # One palette for all: with one of its own for each picture the flat ground would flicker.
+    # One palette for all pictures: with a palette per picture the ground would flicker.
     images = _page_images(pictures)
     several = np.concatenate([np.asarray(image) for image in images[:: max(1, len(images) // _PALETTE_PICTURES)]])
     palette = _pillow().fromarray(several).quantize(255)
@@ -136,7 +136,7 @@ def _animation(images: list[Any], kind: str, **options: Any) -> bytes:
 
 
 def _page_images(pictures: Iterable[Picture]) -> list[Any]:
-    """Pictures as Pillow's images, no wider than a page wants them."""
+    """Pictures as Pillow images, scaled down to `_PAGE_WIDTH` if they are wider."""
     image = _pillow()
     _, pictures = _first(pictures)
     images = []
@@ -148,9 +148,9 @@ def _page_images(pictures: Iterable[Picture]) -> list[Any]:
 
 
 def _encode_stills(pictures: Iterable[Picture]) -> bytes:
-    """`STILLS` pictures, half their size, side by side: the middle one of each of as many equal parts of the film.
+    """`STILLS` pictures at half size, side by side: the middle picture of each of `STILLS` equal parts of the film.
 
-    The first pictures of a motion show a robot that stands, and a film may be one motion after another.
+    Not the first ones: the robot stands at the beginning of a motion. A film may also consist of several motions.
     """
     _, pictures = _first(pictures)
     every = list(pictures)
@@ -159,7 +159,7 @@ def _encode_stills(pictures: Iterable[Picture]) -> bytes:
 
 
 def halved(picture: Picture) -> Picture:
-    """A picture with even sides (H, W, 3) at half its size."""
+    """A picture (H, W, 3) with even sides, at half its size."""
     height, width = picture.shape[:2]
     quarters = picture.reshape(height // 2, 2, width // 2, 2, 3)
     return quarters.mean(axis=(1, 3)).round().astype(np.uint8)

@@ -1,1 +1,1 @@
-"""The HTML pages that a person reads: reports of a policy, of several, and of a replay."""
+"""HTML reports of one policy, of several policies, and of replays."""

@@ -1,4 +1,4 @@
-"""The report of an evaluation: one HTML file that needs nothing beside it, and the numbers as JSON."""
+"""The report of an evaluation: a self-contained HTML file, and the numbers as JSON."""
 
 import dataclasses
 from pathlib import Path
@@ -17,7 +17,7 @@ from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, show
 from quadruped_env.reporting.results import prepare_output
 from quadruped_env.robot import EFFORT_LIMIT, VELOCITY_LIMIT
 
-_EPISODE: Final = "Shown is the first episode without a fall, or else the longest."
+_EPISODE: Final = "The episode is the first one without a fall, or else the longest."
 
 
 def write_report(
@@ -27,14 +27,14 @@ def write_report(
     with_video: bool = True,
     progress: Progress | None = None,
 ) -> tuple[Path, Path, list[str]]:
-    """Write the report and the numbers into the subject's output directory, over those of an earlier evaluation.
+    """Write the report and the numbers into the subject's output directory; existing files are replaced.
 
     Args:
-        subject: what was evaluated.
-        comparison: what came out.
-        command_line: what a person types to repeat it.
-        with_video: whether to film it, if there is OpenGL.
-        progress: is told how far the filming is.
+        subject: policy that was evaluated.
+        comparison: results of the evaluation.
+        command_line: command that reproduces the report.
+        with_video: True to render a film, if OpenGL is available.
+        progress: called with the fraction of the film that is rendered.
 
     Returns:
         The paths of the report and of the numbers, and a message for each part that could not be made.
@@ -51,7 +51,7 @@ def write_report(
         motions = filmed(comparison)
         pictures = take_pictures(motions, ", then ".join(motion.title for motion in motions), moments, progress)
     else:
-        pictures = Pictures({"missing": "No video: it was not asked for."})
+        pictures = Pictures({"missing": "No video: it was switched off."})
     replay = scene(comparison)
     judged = verdict(comparison)
     document = {
@@ -78,7 +78,7 @@ def write_report(
 
 def _failure(comparison: Comparison, failure: Failure, pictures: Pictures) -> dict[str, Any]:
     return {
-        "title": f"Asked {'for' if any(failure.command) else 'to'} {words(failure.command)}",
+        "title": f"Command: {words(failure.command)}",
         "seed": failure.seed,
         "story": failure.story,
         "stills": pictures.stills.get(failure.row),
@@ -91,14 +91,14 @@ def _failure(comparison: Comparison, failure: Failure, pictures: Pictures) -> di
 def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
     shown = shown_commands(comparison)
     main = shown.get("forwards", 0)
-    asked = words(comparison.commands[main])
+    command = words(comparison.commands[main])
     figures = [
         figure(
             "Following the command",
             plots.tracking(comparison),
-            "Mean velocity that each controller reaches, over the velocity that it is asked for. On the dashed line it "
-            "does what it is told. Hollow marks are turns while walking. Bars are 95 % confidence intervals; most are "
-            "smaller than the marks.",
+            "Mean velocity that each controller reaches, over the commanded velocity. On the dashed line the two are "
+            "equal. Hollow marks are turns while walking. Bars are 95 % confidence intervals; most are smaller than "
+            "the marks.",
         )
     ]
     if shown.keys() & {"forwards", "turning"}:
@@ -106,15 +106,16 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             figure(
                 "Velocity over time",
                 plots.velocity_over_time(comparison, shown.get("forwards"), shown.get("turning")),
-                f"{_EPISODE} Strong lines are means over {WINDOW:g} s; the thin line is the policy's velocity itself, "
-                f"with the swing of every stride.",
+                f"{_EPISODE} Thick lines are means over {WINDOW:g} s; the thin line is the policy's instantaneous "
+                f"velocity, with the oscillation within each stride.",
             )
         )
     figures.append(
         figure(
             "Gait: which feet are on the ground",
             plots.gait_diagram(comparison, main),
-            f"A bar for every foot on the ground, asked for {asked}. L and R: left and right; F and H: front and hind.",
+            f"Bars show when a foot is on the ground. Command: {command}. L and R: left and right; F and H: front and "
+            f"hind.",
         )
     )
     if comparison.conditions("forwards"):
@@ -122,36 +123,34 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             figure(
                 "Cost of transport over speed",
                 plots.cost_over_speed(comparison),
-                "Energy that the motors put in, by weight and distance (left), and by time (right). Each mark is a "
-                "command; hollow ones walk backwards. Who travels under 0.05 m/s has no cost of transport.",
+                "Mechanical energy of the motors per weight and distance (left), and per time (right). Each mark is a "
+                "command; hollow marks are backwards. Below 0.05 m/s the cost of transport is undefined.",
             )
         )
     figures += [
         figure(
             "Torque and speed against the motors' limits",
             plots.motor_limits(comparison),
-            "The policy, all commands. Above: how often a motor gives which torque at which speed. Red is all that "
-            "the motor can; a foot that hits the ground can turn a joint faster. Below: what each joint stays under in "
-            "half of the time (white), in 95 % (bar) and always (diamond), as a share of "
-            f"{EFFORT_LIMIT:g} N m and {VELOCITY_LIMIT:g} rad/s.",
+            "The policy, all commands. Above: distribution of torque and speed. Red lines are the motor's limits; a "
+            "foot that hits the ground can turn a joint faster. Below: median (white), 95th percentile (bar) and "
+            f"maximum (diamond) of each joint, relative to {EFFORT_LIMIT:g} N m and {VELOCITY_LIMIT:g} rad/s.",
         ),
         figure(
             "Joints over time",
             plots.joint_traces(comparison, main),
-            f"Position, speed and torque of the policy's eight joints, asked for {asked}. Red lines are the limits.",
+            f"Position, speed and torque of the policy's eight joints. Command: {command}. Red lines are the limits.",
         ),
         figure(
             "Foot clearance and slip",
             plots.feet(comparison, main),
-            f"Asked for {asked}. Above: how high the policy lifts its feet. Below: the height that a sole exceeds in "
-            f"5 % of the time, and how fast it slides while it is on the ground.",
+            f"Command: {command}. Above: height of the policy's soles over time. Below: the height that a sole exceeds "
+            f"5 % of the time, and its sliding speed while it is on the ground.",
         ),
         figure(
             "Reward terms",
             plots.reward_terms(comparison),
-            "What each weighted term of the policy's reward comes to in a second: above those that pay, below, on "
-            "scales of their own, those that cost. The scripted gaits (marks) were not made for this reward; they show "
-            "what it would have paid them.",
+            "Weighted terms of the policy's reward, per second. Above: positive terms. Below, on separate scales: "
+            "penalties. Marks show the same terms for the scripted gaits, which were not optimized for this reward.",
         ),
     ]
     if subject.progress_file is not None:
@@ -161,7 +160,7 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
                 figure(
                     "Learning curve",
                     plots.learning_curve({subject.name: columns}),
-                    "What the training measured on its way, with the noise that it explores with.",
+                    "Measured during training, with exploration noise.",
                 )
             )
     return figures

@@ -1,4 +1,4 @@
-"""What the HTML pages share: templates, tables of numbers, and files that become part of the page."""
+"""Common parts of the HTML pages: templates, tables of numbers, and embedded files."""
 
 import base64
 import datetime
@@ -30,11 +30,11 @@ SUMMARY: Final = (
     ("Forwards: cost of transport", "cost_of_transport", "forwards"),
     ("Forwards: foot slip", "foot_slip", "forwards"),
 )
-"""Label, metric and motion of the rows of the first table."""
+"""Label, metric and motion of each row of the summary table."""
 
 
 def summary_table(comparison: Comparison) -> str:
-    """The first table of a report as plain text."""
+    """The summary table of a report as plain text."""
     rows = [["", *map(label, comparison.values)]]
     for title, metric, motion in _summary_rows(comparison):
         unit = METRICS[metric].unit
@@ -52,7 +52,7 @@ def _summary_rows(comparison: Comparison) -> list[tuple[str, str, str | None]]:
 
 
 def tables(comparison: Comparison) -> dict[str, Any]:
-    """What the templates make tables of."""
+    """Template variables of the tables."""
     return {
         "controllers": [label(name) for name in comparison.values],
         "summary": [_row(title, metric, comparison, motion) for title, metric, motion in _summary_rows(comparison)],
@@ -86,7 +86,7 @@ def _cell(metric: str, estimate: Estimate) -> dict[str, str]:
 
 
 def words(command: Command) -> str:
-    """A command as people say it."""
+    """A velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
     forward, yaw_rate = command
     if not forward and not yaw_rate:
         return "stand"
@@ -97,7 +97,7 @@ def words(command: Command) -> str:
 
 
 def circumstances(command_line: str) -> dict[str, Any]:
-    """By what, when and where a document was made."""
+    """Provenance of a document: command line, time, machine, versions and commit."""
     return {
         "format_version": FORMAT_VERSION,
         "command_line": command_line,
@@ -109,17 +109,17 @@ def circumstances(command_line: str) -> dict[str, Any]:
 
 
 def figure(title: str, svg: str, caption: str, text: str = "") -> dict[str, str]:
-    """A figure for the templates: its SVG document, what it shows, and what to read from it first."""
+    """Template variables of a figure: title, SVG document as a data URL, caption, and introductory text."""
     return {"title": title, "source": data_url("image/svg+xml", svg.encode()), "caption": caption, "text": text}
 
 
 def data_url(kind: str, content: bytes) -> str:
-    """A file as an address that holds it."""
+    """A file as a base64 data URL; `kind` is its media type."""
     return f"data:{kind};base64,{base64.b64encode(content).decode()}"
 
 
 def without_nan(value: Any) -> Any:
-    """Plain nested values with None for what JSON has no word for."""
+    """Nested plain values with None for NaN and infinities, which JSON cannot represent."""
     if isinstance(value, Mapping):
         return {key: without_nan(item) for key, item in value.items()}
     if isinstance(value, Sequence) and not isinstance(value, str):
@@ -128,13 +128,13 @@ def without_nan(value: Any) -> Any:
 
 
 def write_page(output: Path, template: str, document: dict[str, Any], context: dict[str, Any]) -> tuple[Path, Path]:
-    """Write a report and its numbers into a directory, over those of an earlier evaluation.
+    """Write a report and its numbers into a directory; existing files are replaced.
 
     Args:
-        output: the directory.
-        template: name of the page's template.
-        document: the numbers, as JSON takes them; the template sees them too.
-        context: what else the template sees.
+        output: directory.
+        template: file name of the template.
+        document: JSON-serializable numbers, also passed to the template as `document`.
+        context: other template variables.
 
     Returns:
         The paths of the report and of the numbers.
@@ -149,7 +149,7 @@ def write_page(output: Path, template: str, document: dict[str, Any], context: d
 
 
 def write_html(path: Path, template: str, context: dict[str, Any]) -> None:
-    """Write a page of a template and what it sees, over an older one.
+    """Render a template to a file; an existing file is replaced.
 
     Raises:
         MissingExtraError: if jinja2 is not installed.
@@ -174,5 +174,5 @@ def write_html(path: Path, template: str, context: dict[str, Any]) -> None:
 
 
 def _glued(text: str) -> str:
-    """The text with numbers and their units kept on one line."""
+    """The text with no-break spaces between numbers and their units."""
     return re.sub(r"(?<=\d) (?=(%|m|s|N|W|Hz|rad)\b|%)", "\N{NO-BREAK SPACE}", text)

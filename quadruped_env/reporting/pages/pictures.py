@@ -1,4 +1,4 @@
-"""The moving parts of a report: films, stills and the replay in three dimensions."""
+"""Films, stills and the 3D replay of a report."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -20,29 +20,29 @@ from quadruped_env.reporting.pages.scene import scene_html
 CLIP_SECONDS: Final = 2.4
 SCENE_SECONDS: Final = 20.0
 STILL_TIMES: Final = (-0.6, -0.3, 0.0)
-"""s around the moment of a failure"""
+"""Times of the stills relative to the failure, s."""
 OVERLAY_LEGEND: Final = (
-    f"Black marks are what it is asked for, bars what it does, averaged over {AVERAGED:g} s; coloured bands are feet "
+    f"Black marks are commanded velocities, bars measured ones, averaged over {AVERAGED:g} s; coloured bands are feet "
     f"on the ground."
 )
 _FILMED: Final = ("forwards", "turning", "backwards")
 _SHOWN_VELOCITY: Final = 0.4
-"""m/s; of the forward commands, the one next to this is drawn over time and filmed"""
+"""Forward velocity of the episode that is plotted over time and filmed, m/s; the closest command is taken."""
 _STILL_CROP: Final = np.s_[20:440, 40:600]
 
 
 @dataclass(frozen=True)
 class Pictures:
-    """What OpenGL gives, or why it does not."""
+    """Rendered film and stills, or the reason why they are missing."""
 
     video: dict[str, str]
-    """`source` and `caption`, or why it is `missing`"""
+    """`source` and `caption` of the film, or the reason why it is `missing`"""
     stills: dict[int, str] = field(default_factory=dict)
-    """Row of an episode -> the source of its stills"""
+    """Index of an episode -> data URL of its stills"""
 
 
 def shown_commands(comparison: Comparison) -> dict[str, int]:
-    """Motion -> index of the command that stands for it in figures and in films."""
+    """Motion -> index of the command that represents it in figures and films."""
     shown = {motion: comparison.conditions(motion)[0] for motion in MOTIONS if comparison.conditions(motion)}
     if "forwards" in shown:
         shown["forwards"] = min(
@@ -52,7 +52,7 @@ def shown_commands(comparison: Comparison) -> dict[str, int]:
 
 
 def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
-    """What a report's film shows: a controller under a command of each kind of motion."""
+    """Motions of a report's film: a controller under one command of each kind of motion."""
     commands = shown_commands(comparison)
     whose = "" if controller == "policy" else f"{controller}, "
     motions: list[str] = [motion for motion in _FILMED if motion in commands]
@@ -63,7 +63,7 @@ def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
 
 
 def _episode(comparison: Comparison, command: int, seconds: float, controller: str, title: str) -> Motion:
-    """A piece of the episode that stands for a command, after the start-up and before a fall."""
+    """Part of the episode that represents a command, after the start-up and before a fall."""
     rollout, row = comparison.rollouts[controller], comparison.episode(command, controller)
     alive = float(rollout.valid[:, row].sum()) * rollout.timestep
     start = max(0.0, min(START_UP, alive - seconds))
@@ -76,7 +76,7 @@ def take_pictures(
     failures: Sequence[tuple[Motion, Failure]] = (),
     progress: Progress | None = None,
 ) -> Pictures:
-    """Film motions, of which `shown` says what they are, and take stills of failures, if there is OpenGL."""
+    """Render a film of motions, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
     try:
         with Camera() as camera:
             video = encode_mp4(camera.films(motions, progress))
@@ -89,7 +89,7 @@ def take_pictures(
 
 
 def _stills(camera: Camera, motion: Motion, failure: Failure) -> str:
-    """The moments of `STILL_TIMES` side by side, half size."""
+    """Pictures at the times of `STILL_TIMES`, side by side at half size."""
     samples = [round((failure.moment + time) / motion.timestep) - 1 for time in STILL_TIMES]
     last = len(motion.base_pose) - 1
     strip: list[Picture] = [halved(camera.picture(motion, min(max(s, 0), last))[_STILL_CROP]) for s in samples]
@@ -97,7 +97,7 @@ def _stills(camera: Camera, motion: Motion, failure: Failure) -> str:
 
 
 def scene(comparison: Comparison) -> dict[str, Any]:
-    """The replay in 3D of one episode and its caption, or why it is missing."""
+    """The 3D replay of one episode and its caption, or the reason why it is missing."""
     commands = shown_commands(comparison)
     command = commands.get("forwards", next(iter(commands.values())))
     motion = _episode(comparison, command, SCENE_SECONDS, "policy", "")
@@ -105,4 +105,4 @@ def scene(comparison: Comparison) -> dict[str, Any]:
         page = scene_html(motion)
     except MissingExtraError as error:
         return {"missing": f"No 3D replay: {portable_message(error)}"}
-    return {"page": page, "caption": f"The trained policy, asked for {words(comparison.commands[command])}."}
+    return {"page": page, "caption": f"The trained policy. Command: {words(comparison.commands[command])}."}

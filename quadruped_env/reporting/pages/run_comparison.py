@@ -1,4 +1,4 @@
-"""Several policies beside each other: which one does what best, and a page that shows it."""
+"""The comparison page of several policies: the best policy for each motion, and their metrics and figures."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -17,7 +17,7 @@ from quadruped_env.reporting.results import prepare_output
 
 
 def find_subjects(runs: Sequence[str], output: Path, task_file: Path | None = None) -> dict[str, Subject]:
-    """The policies that a person names, each once, by name.
+    """Find policies by name or directory: name -> policy.
 
     Raises:
         QuadrupedError: if there are fewer than two, two have the same name, or one is missing or damaged.
@@ -34,9 +34,10 @@ def find_subjects(runs: Sequence[str], output: Path, task_file: Path | None = No
 
 
 def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[str]:
-    """The policies that are closest to a motion's commands: the closest, and those that are as good as level with it.
+    """The most accurate policies for a motion: the best one, and those that are equal to it.
 
-    A policy is level where the paired difference is not clear of zero, or within `LEVEL`. Empty where all fall early.
+    A policy is equal if the interval of the paired difference includes zero, or its mean is within `LEVEL`. Empty if
+    all policies fall too early.
     """
     metric = error_of(motion)
     means = {name: comparison.estimate(name, metric, motion).mean for name in names}
@@ -53,7 +54,7 @@ def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[s
 
 
 def headline(comparison: Comparison, names: Sequence[str]) -> str:
-    """Who is closest to the commands of which motions, and who falls more often than the steadiest, in a sentence."""
+    """A sentence that names the most accurate policies for each motion, and those that fall more often than others."""
     leaders: dict[tuple[str, ...], list[str]] = {}
     for motion in MOTIONS:
         if comparison.conditions(motion):
@@ -61,13 +62,13 @@ def headline(comparison: Comparison, names: Sequence[str]) -> str:
     parts = []
     for best, motions in leaders.items():
         if len(best) == len(names):
-            parts.append(f"all are level {listed(motions)}")
+            parts.append(f"all are equally accurate {listed(motions)}")
         elif best:
-            parts.append(f"{listed(list(best))} {_agreed(best, 'is', 'are')} closest {listed(motions)}")
+            parts.append(f"{listed(list(best))} {_agreed(best, 'is', 'are')} most accurate {listed(motions)}")
         else:
             parts.append(f"all fall too early to tell {listed(motions)}")
     falls = {name: comparison.estimate(name, "fall_rate") for name in names}
-    # More often only where the intervals are apart.
+    # "More often" requires that the confidence intervals do not overlap.
     unsteady = [name for name in names if falls[name].low > min(fall.high for fall in falls.values())]
     if unsteady:
         parts.append(f"{listed(unsteady)} {_agreed(unsteady, 'falls', 'fall')} more often")
@@ -87,10 +88,10 @@ def write_comparison(
     with_video: bool = True,
     progress: Progress | None = None,
 ) -> tuple[Path, Path, list[str]]:
-    """Write a page and its numbers into a directory; arguments and results as those of `report.write_report`.
+    """Write the page and its numbers into a directory; arguments and results as in `evaluation_report.write_report`.
 
     Raises:
-        MissingExtraError, QuadrupedError: as `report.write_report`.
+        MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
     """
     prepare_output(output)
     names = list(subjects)
@@ -100,7 +101,7 @@ def write_comparison(
         shown = f"{', then '.join(names)}, each under the same commands"
         video = take_pictures(films(comparison, names), shown, progress=progress).video
     else:
-        video = {"missing": "No video: it was not asked for."}
+        video = {"missing": "No video: it was switched off."}
     document = {
         **circumstances(command_line),
         "headline": head,
@@ -126,7 +127,7 @@ def write_comparison(
 
 
 def films(comparison: Comparison, names: Sequence[str]) -> list[Motion]:
-    """What the page's film shows: each policy in turn."""
+    """Motions of the page's film: each policy in turn."""
     return [motion for name in names for motion in filmed(comparison, name)]
 
 
@@ -137,19 +138,19 @@ def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[di
         figure(
             "Following the command",
             plots.tracking(comparison),
-            "Mean velocity that each reaches, over the velocity that it is asked for. On the dashed line it does what "
-            "it is told. Hollow marks are turns while walking. Bars are 95 % confidence intervals.",
+            "Mean velocity that each controller reaches, over the commanded velocity. On the dashed line the two are "
+            "equal. Hollow marks are turns while walking. Bars are 95 % confidence intervals.",
         ),
         figure(
             "Cost of transport over speed",
             plots.cost_over_speed(comparison),
-            "Energy that the motors put in, by weight and distance (left), and by time (right). Each mark is a "
-            "command; hollow ones walk backwards.",
+            "Mechanical energy of the motors per weight and distance (left), and per time (right). Each mark is a "
+            "command; hollow marks are backwards.",
         ),
         figure(
             "Gait: which feet are on the ground",
             plots.gait_diagram(comparison, main),
-            f"A bar for every foot on the ground, asked for {words(comparison.commands[main])}. L and R: left and "
+            f"Bars show when a foot is on the ground. Command: {words(comparison.commands[main])}. L and R: left and "
             "right; F and H: front and hind.",
         ),
     ]
@@ -163,7 +164,7 @@ def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[di
             figure(
                 "Learning curves",
                 plots.learning_curve(curves),
-                "What each training measured on its way, with its noise.",
+                "Measured during training, with exploration noise.",
             )
         )
     return figures

@@ -1,6 +1,6 @@
-"""An episode in three dimensions, as one HTML document in which it plays and can be turned: viser's own player.
+"""3D replay of an episode as a self-contained HTML document, with viser's player.
 
-It needs no OpenGL on the machine that makes it, and no network where it is looked at.
+Making it does not need OpenGL; viewing it does not need a network.
 """
 
 import contextlib
@@ -11,19 +11,20 @@ import mujoco
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.reporting.films.film import FRAME_RATE, Motion, steady_way
+from quadruped_env.reporting.films.film import FRAME_RATE, Motion, smoothed_position
 from quadruped_env.robot import load_model
 
 _CAMERA: Final = (0.65, -0.85, 0.42)
-"""m from the robot, which comes out of the picture a little"""
+"""Camera position relative to the robot, m: the robot walks slightly towards the viewer."""
 _LOOK_AT: Final = (0.0, 0.0, 0.06)
+"""Point that the camera looks at, relative to the robot, m."""
 _PORT: Final = 8090
-"""Where to begin to look for a free port: viser cannot record without a server, which listens on the loopback only,
-for the moment that the recording takes"""
+"""First port to try. Viser cannot record without a server; it listens on the loopback interface only, and only while
+the recording is made."""
 
 
 def scene_html(motion: Motion) -> str:
-    """A page that plays a motion; the robot stays in the middle and the ground goes by beneath it.
+    """HTML page that plays a motion; the robot stays in the middle and the ground moves beneath it.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -36,7 +37,7 @@ def scene_html(motion: Motion) -> str:
 
     model = load_model()
     data = mujoco.MjData(model)
-    # Its banner says where to look, and there is nothing to look at.
+    # Suppress viser's banner: its URL is of no use, because the server stops at once.
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=_PORT, verbose=False)
     try:
@@ -47,12 +48,12 @@ def scene_html(motion: Motion) -> str:
         server.initial_camera.fov = np.radians(40.0)
         recording = server.get_scene_serializer()
         for sample in motion.frame_samples():
-            way = steady_way(motion, sample)
+            centre = smoothed_position(motion, sample)
             data.qpos[:7], data.qpos[7:] = motion.base_pose[sample], motion.joint_position[sample]
-            data.qpos[:2] -= way
+            data.qpos[:2] -= centre
             mujoco.mj_kinematics(model, data)
             scene.update_from_mjdata(data)
-            scene.fixed_bodies_frame.position = (-way[0], -way[1], 0.0)
+            scene.fixed_bodies_frame.position = (-centre[0], -centre[1], 0.0)
             recording.insert_sleep(1.0 / FRAME_RATE)
         return recording.as_html()
     finally:

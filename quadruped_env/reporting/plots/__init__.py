@@ -1,4 +1,4 @@
-"""The figures of a report: functions from what was measured to an SVG document, in one style (`quadruped.mplstyle`)."""
+"""Figures of a report: functions that turn results into SVG documents in one style (`quadruped.mplstyle`)."""
 
 from quadruped_env.reporting.plots.efforts import cost_over_speed, motor_limits, reward_terms
 from quadruped_env.reporting.plots.learning import LEARNING_CURVES, learning_curve, read_progress

@@ -1,4 +1,4 @@
-"""What all figures share: the style, the canvas, and which colour and mark a controller has."""
+"""Common parts of all figures: style, canvas, and the colour and marker of each controller."""
 
 import io
 from collections.abc import Callable, Iterable
@@ -15,15 +15,15 @@ from quadruped_env.reporting.palette import CONTROLLER_COLOURS, SERIES
 
 STYLE_FILE: Final = Path(__file__).with_name("quadruped.mplstyle")
 WIDTH: Final = 5.6
-"""in"""
+"""Width of a figure, in."""
 REFERENCE: Final[dict[str, Any]] = {"color": "#333333", "linewidth": 1.0, "linestyle": (0, (4, 2))}
-"""Of the line that a command draws"""
+"""Line style of commands."""
 _MARKERS: Final = {"policy": "o", "tuned": "s", "article": "^", "zero": "x"}
 _OTHER_MARKERS: Final = "oDvP*<>"
 
 
 def draw_figure(rows: int, columns: int, height: float, draw: Callable[[Any], None], **layout: Any) -> str:
-    """An SVG document of a grid of axes (rows, columns), WIDTH by `height` inches, that `draw` has filled.
+    """Draw a figure of `WIDTH` by `height` inches as an SVG document; `draw` receives its axes (rows, columns).
 
     Raises:
         MissingExtraError: if matplotlib is not installed.
@@ -44,17 +44,17 @@ def draw_figure(rows: int, columns: int, height: float, draw: Callable[[Any], No
 
 
 def label(controller: str) -> str:
-    """What people read for a controller: policies that are compared go by their names."""
+    """Label of a controller. Policies of a comparison have their own names."""
     return CONTROLLERS.get(controller, controller)
 
 
-def looks(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
-    """Colour and mark of each controller: its own for those of `CONTROLLERS`, and free ones for the others."""
+def controller_styles(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
+    """Colour and marker of each controller: fixed for those of `CONTROLLERS`, free ones for the others."""
     taken = set(CONTROLLER_COLOURS.values())
     if "policy" not in (names := list(controllers)):
         taken.discard(CONTROLLER_COLOURS["policy"])
     others = [name for name in names if name not in CONTROLLER_COLOURS]
-    # More policies than colours that can be told apart begin again, with other marks.
+    # With more policies than distinguishable colours, the colours repeat with other markers.
     free = [colour for colour in SERIES if colour not in taken]
     found = {}
     for name in names:
@@ -67,17 +67,17 @@ def looks(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
 
 
 def colour_of(controller: str, controllers: Iterable[str]) -> str:
-    """A controller's colour among those of a figure."""
-    return str(looks(controllers)[controller]["color"])
+    """Colour of a controller in a figure of several."""
+    return str(controller_styles(controllers)[controller]["color"])
 
 
 def shown_samples(valid: NDArray[np.bool_], timestep: float, seconds: float) -> NDArray[np.intp]:
-    """Indices of the first `seconds` after the start-up, before a fall; of the very beginning for an early fall.
+    """Indices of the samples to plot: `seconds` from the end of the start-up, or earlier if the robot falls early.
 
     Args:
-        valid: of one episode (T, 1).
-        timestep: s.
-        seconds: how long a piece to show.
+        valid: True until the fall, of one episode (T, 1).
+        timestep: time between samples, s.
+        seconds: time span to plot, s.
     """
     alive = int(valid[:, 0].sum())
     length = round(seconds / timestep)

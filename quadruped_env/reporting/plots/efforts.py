@@ -1,4 +1,4 @@
-"""Figures of what a walk costs and earns: energy, motors, reward."""
+"""Figures of energy, motor limits and reward terms."""
 
 from typing import Any, Final
 
@@ -8,17 +8,17 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import counted_samples, masked_mean
 from quadruped_env.reporting.palette import GREY, LIMIT
-from quadruped_env.reporting.plots.canvas import draw_figure, label, looks
+from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, label
 from quadruped_env.robot import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
 
 _BINS: Final = 90
 _SHARES: Final = (50, 95, 100)
-"""Percentiles of |torque| and |speed| over time and episodes"""
+"""Percentiles of |torque| and |speed| over time and episodes that the figure shows."""
 
 
 def cost_over_speed(comparison: Comparison) -> str:
-    """Cost of transport and motor power over the speed that is reached, of every controller; backwards hollow."""
-    look = looks(comparison.values)
+    """Cost of transport and motor power over the speed reached, of every controller; hollow marks are backwards."""
+    styles = controller_styles(comparison.values)
     metrics = (("cost_of_transport", "cost of transport (1)"), ("mean_power", "motor power (W)"))
 
     def draw(axes: Any) -> None:
@@ -30,7 +30,7 @@ def cost_over_speed(comparison: Comparison) -> str:
                     estimates = [comparison.estimate_at(controller, metric, i) for i in rows]
                     mean = np.array([e.mean for e in estimates])
                     reach = [[e.mean - e.low for e in estimates], [e.high - e.mean for e in estimates]]
-                    # Several commands that end in the same speed make no line.
+                    # Commands that all lead to the same speed are not connected by a line.
                     known = speed[np.isfinite(speed)]
                     travels = len(known) > 1 and float(np.ptp(known)) > 0.05
                     if np.isfinite(mean).any():
@@ -38,7 +38,7 @@ def cost_over_speed(comparison: Comparison) -> str:
                             speed,
                             mean,
                             np.maximum(reach, 0.0),
-                            **look[controller],
+                            **styles[controller],
                             linestyle="-" if travels and face is None else "none",
                             linewidth=1.0,
                             markerfacecolor=face,
@@ -54,7 +54,7 @@ def cost_over_speed(comparison: Comparison) -> str:
 
 
 def motor_limits(comparison: Comparison) -> str:
-    """Where the policy runs its motors: torque over speed with the motors' limits, and every joint's share of them."""
+    """Operating points of the policy's motors: torque over speed with the limits, and each joint's peak values."""
     rollout = comparison.rollouts["policy"]
     counted = counted_samples(rollout)
     torque, speed = rollout.joint_torque[counted], rollout.joint_velocity[counted]
@@ -74,7 +74,7 @@ def motor_limits(comparison: Comparison) -> str:
             seen = np.where(share > 0.0, share, np.nan).T
             mesh = ax.pcolormesh(*edges, seen, cmap="viridis_r", norm=LogNorm(1e-3, 10.0), rasterized=True)
             for sign in (-1.0, 1.0):
-                # With full voltage the torque falls linearly to zero at the no-load speed, and below it when braking.
+                # At full voltage the torque decreases linearly, to zero at the no-load speed; it is negative beyond.
                 most = np.clip(EFFORT_LIMIT * (sign - line / VELOCITY_LIMIT), -EFFORT_LIMIT, EFFORT_LIMIT)
                 ax.plot(line, most, color=LIMIT, linewidth=1.2)
             ax.set(xlabel="speed (rad/s)", title=title)
@@ -88,7 +88,13 @@ def motor_limits(comparison: Comparison) -> str:
             if len(values):
                 half, most, peak = 100.0 * np.percentile(np.abs(values), _SHARES, axis=0) / limit
                 place = np.arange(len(names))
-                ax.barh(place, most, color=looks(comparison.rollouts)["policy"]["color"], height=0.6, label="95 %")
+                ax.barh(
+                    place,
+                    most,
+                    color=controller_styles(comparison.rollouts)["policy"]["color"],
+                    height=0.6,
+                    label="95 %",
+                )
                 ax.plot(half, place, "|", color="white", markersize=8, markeredgewidth=2, label="half")
                 ax.plot(peak, place, "D", color=GREY, markersize=4, label="peak")
             ax.axvline(100.0, color=LIMIT, linewidth=1.2)
@@ -102,13 +108,13 @@ def motor_limits(comparison: Comparison) -> str:
 
 
 def reward_terms(comparison: Comparison) -> str:
-    """Mean weighted reward terms a second, forwards and turning: those that pay, and on other scales those that cost.
+    """Mean weighted reward terms per second, forwards and turning: positive terms, and penalties on separate scales.
 
-    The policy's are bars, the other controllers' marks.
+    Bars are the policy's, marks those of the other controllers.
     """
     motions: list[str | None] = [motion for motion in ("forwards", "turning") if comparison.conditions(motion)]
     motions = motions or [None]
-    look = looks(comparison.rollouts)
+    styles = controller_styles(comparison.rollouts)
     names = np.array(comparison.rollouts["policy"].term_names)
     means = {motion: _mean_terms(comparison, motion) for motion in motions}
     pays = np.max([terms["policy"] for terms in means.values()], axis=0) > 0.0
@@ -121,10 +127,10 @@ def reward_terms(comparison: Comparison) -> str:
             for ax, motion in zip(row, motions, strict=True):
                 for controller, terms in means[motion].items():
                     if controller == "policy":
-                        colour = look[controller]["color"]
+                        colour = styles[controller]["color"]
                         ax.barh(place, terms[group], color=colour, height=0.62, label=label(controller))
                     else:
-                        ax.plot(terms[group], place, linestyle="none", label=label(controller), **look[controller])
+                        ax.plot(terms[group], place, linestyle="none", label=label(controller), **styles[controller])
                 ax.axvline(0.0, color="#888888", linewidth=0.8)
                 ax.set_yticks(place, [name.replace("_", " ") for name in names[group]])
                 ax.set_ylim(len(group) - 0.4, -0.6)
@@ -141,7 +147,7 @@ def reward_terms(comparison: Comparison) -> str:
 
 
 def _mean_terms(comparison: Comparison, motion: str | None) -> dict[str, NDArray[np.float64]]:
-    """Controller -> mean of each term a second (K,), of the controllers that last longer than the start-up."""
+    """Controller -> mean of each term per second (K,), for controllers that do not fall during the start-up."""
     rows = np.concatenate([comparison.rows(i) for i in comparison.conditions(motion)])
     means = {}
     for controller, rollout in comparison.rollouts.items():

@@ -1,4 +1,4 @@
-"""Figures of all eight joints over time, several lines each."""
+"""Figures of all eight joints over time, with several lines per joint."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,9 +20,9 @@ class Line:
     """One line in each of the eight panels."""
 
     times: NDArray[np.floating]
-    """s (T,)"""
+    """Times of the samples, s (T,)"""
     values: NDArray[np.float64]
-    """(T, 8), in the order of `JOINT_NAMES`; NaN leaves a hole"""
+    """Values of the joints (T, 8), in the order of `JOINT_NAMES`; NaN leaves a gap"""
     colour: str
     dashed: bool = False
 
@@ -37,9 +37,9 @@ def joint_panels(
 
     Args:
         lines: title -> line.
-        label: of the vertical axes, with its unit.
-        limits: lowest and highest value of each joint (8,); drawn where the lines come close.
-        mark: s, a time to mark.
+        label: label of the vertical axes, with its unit.
+        limits: minimum and maximum of each joint (8,); drawn where they are within the range of the data.
+        mark: time to mark, s.
     """
 
     def draw(axes: Any) -> None:
@@ -73,10 +73,10 @@ def joint_panels(
 
 
 def _shown_rows(values: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Indices of the rows (T,) to draw, at most `_MAX_POINTS` of them, so that no peak of a long log is lost.
+    """Indices of the rows of values (T,) to draw: at most `_MAX_POINTS`, without losing the peaks of a long log.
 
-    A long log is split into bins of equally many rows, of which the minimum and the maximum are drawn. Of a bin without
-    a number, NaN is drawn.
+    A long log is split into bins of equally many rows; the minimum and the maximum of each bin are drawn. A bin of NaN
+    is drawn as NaN.
     """
     count = len(values)
     if count <= _MAX_POINTS:

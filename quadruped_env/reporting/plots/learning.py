@@ -1,4 +1,4 @@
-"""What a training run logged, and its figure."""
+"""The log of a training run, and its figure."""
 
 import csv
 import math
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.reporting.plots.canvas import draw_figure, looks
+from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure
 
 LEARNING_CURVES: Final = (
     ("return", "return of\nan episode (1)"),
@@ -21,7 +21,7 @@ LEARNING_CURVES: Final = (
 
 
 def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
-    """The learning curve of a training run: column -> values, NaN where there is none.
+    """Read the learning curve of a training run: column -> values, NaN for empty cells.
 
     Raises:
         QuadrupedError: if the file is not a table of numbers with a column `timesteps`.
@@ -32,7 +32,7 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
             reader = csv.DictReader(file)
             names = list(reader.fieldnames or ())
             rows = list(reader)
-            # A line that a killed run left unfinished has fewer cells: those are None.
+            # The last line of a killed run may be incomplete; the reader fills its missing cells with None.
             columns = {name: np.array([float(row[name] or math.nan) for row in rows]) for name in names}
     except (ValueError, OSError, csv.Error) as error:
         raise QuadrupedError(f"{path}: {error}; remove the file to make the report without a learning curve") from error
@@ -42,20 +42,20 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
 
 
 def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str:
-    """What trainings measured over their time steps: name of the run -> its columns, as `read_progress` gives them."""
+    """Learning curves of runs (name -> columns, as from `read_progress`) over their time steps."""
     curves = [curve for curve in LEARNING_CURVES if any(curve[0] in columns for columns in progress.values())]
-    look = looks(progress)
+    styles = controller_styles(progress)
 
     def draw(axes: Any) -> None:
         for ax, (quantity, label) in zip(axes[:, 0], curves, strict=True):
             for name, columns in progress.items():
                 if quantity not in columns:
                     continue
-                # Only some rows have a return: those in which an episode ended.
+                # Only rows in which an episode ended have a return.
                 known = np.isfinite(columns[quantity])
                 steps = columns["timesteps"][known] / 1e6
                 ax.plot(
-                    steps, columns[quantity][known], color=look[name]["color"], marker=".", markersize=3, label=name
+                    steps, columns[quantity][known], color=styles[name]["color"], marker=".", markersize=3, label=name
                 )
             ax.set_ylabel(label)
             if quantity == "fall_rate":

@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import counted_samples, foot_clearance, slip_of_feet
 from quadruped_env.reporting.palette import LEG_COLOURS, LIMIT
-from quadruped_env.reporting.plots.canvas import draw_figure, label, looks, shown_samples
+from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, label, shown_samples
 from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
 
 _CENTI: Final = 100.0
 
 
 def gait_diagram(comparison: Comparison, command: int, seconds: float = 2.0) -> str:
-    """When each foot is on the ground, for every controller that moves its feet."""
+    """Gait diagram: the times at which each foot is on the ground, for every controller except the zero action."""
     shown = [name for name in comparison.rollouts if name != "zero"]
 
     def draw(axes: Any) -> None:
@@ -47,9 +47,9 @@ def _spans(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
-    """Height of the policy's soles over time, and clearance and slip of each foot for every controller that steps."""
+    """Height of the policy's soles over time, and clearance and slip of each foot for every stepping controller."""
     shown = {name: rollout for name, rollout in comparison.rollouts.items() if name != "zero"}
-    look = looks(comparison.rollouts)
+    styles = controller_styles(comparison.rollouts)
     one = shown["policy"].select([comparison.episode(command)])
     samples = shown_samples(one.valid, one.timestep, seconds)
     time = (samples + 1) * one.timestep
@@ -77,7 +77,7 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
                 finite = np.isfinite(values).all(axis=1)
                 if finite.any():
                     mean = values[finite].mean(axis=0)
-                    ax.plot(LEG_NAMES, _CENTI * mean, linestyle="none", label=label(controller), **look[controller])
+                    ax.plot(LEG_NAMES, _CENTI * mean, linestyle="none", label=label(controller), **styles[controller])
         axes[1, 0].set(ylabel="clearance (cm)", xlabel="foot")
         axes[1, 1].set(ylabel="slip (cm/s)", xlabel="foot")
         for ax in axes[1]:
@@ -90,12 +90,12 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
 
 
 def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
-    """Position, speed and torque of the policy's joints with their limits, from the end of the start-up on.
+    """Position, speed and torque of the policy's joints with their limits, after the start-up.
 
     Args:
-        comparison: what was run.
+        comparison: results to plot.
         command: index of the command.
-        seconds: of it.
+        seconds: time span to plot, s.
     """
     one = comparison.rollouts["policy"].select([comparison.episode(command)])
     samples = shown_samples(one.valid, one.timestep, seconds)

@@ -1,4 +1,4 @@
-"""Figures of velocities: what is asked for and what is done."""
+"""Figures of commanded and achieved velocities."""
 
 from typing import Any
 
@@ -7,12 +7,12 @@ import numpy as np
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import START_UP, window_means
 from quadruped_env.reporting.palette import GREY, LIMIT
-from quadruped_env.reporting.plots.canvas import REFERENCE, draw_figure, label, looks
+from quadruped_env.reporting.plots.canvas import REFERENCE, controller_styles, draw_figure, label
 from quadruped_env.rotations import tilt
 
 
 def tracking(comparison: Comparison) -> str:
-    """Achieved over commanded velocity, forward and turning, of every controller; curves hollow."""
+    """Achieved over commanded forward velocity and yaw rate of every controller; curves are hollow marks."""
     panels = []
     commands = np.array(comparison.commands)
     straight = [row for motion in ("forwards", "standing", "backwards") for row in comparison.conditions(motion)]
@@ -21,16 +21,16 @@ def tracking(comparison: Comparison) -> str:
         panels.append((straight, 0, "forward_velocity", "forward velocity (m/s)"))
     if turning:
         panels.append((turning, 1, "yaw_rate", "yaw rate (rad/s)"))
-    look = looks(comparison.values)
+    styles = controller_styles(comparison.values)
 
     def draw(axes: Any) -> None:
         for ax, (rows, column, metric, quantity) in zip(axes[0], panels, strict=True):
-            asked = commands[rows, column]
-            span = np.array([asked.min(), asked.max()])
+            target = commands[rows, column]
+            span = np.array([target.min(), target.max()])
             ax.plot(span, span, **REFERENCE, label="command")
-            # Side by side, where several controllers stand on the same spot.
-            offsets = np.linspace(-1, 1, len(look)) * 0.012 * max(float(np.ptp(span)), 0.1)
-            for offset, controller in zip(offsets, look, strict=True):
+            # Offset horizontally, so that equal results of several controllers do not overlap.
+            offsets = np.linspace(-1, 1, len(styles)) * 0.012 * max(float(np.ptp(span)), 0.1)
+            for offset, controller in zip(offsets, styles, strict=True):
                 estimates = [comparison.estimate_at(controller, metric, row) for row in rows]
                 for hollow in (False, True):
                     chosen = [i for i, row in enumerate(rows) if bool(column and comparison.commands[row][0]) is hollow]
@@ -38,10 +38,10 @@ def tracking(comparison: Comparison) -> str:
                         mean = np.array([estimates[i].mean for i in chosen])
                         low, high = (np.array([getattr(estimates[i], end) for i in chosen]) for end in ("low", "high"))
                         ax.errorbar(
-                            asked[chosen] + offset,
+                            target[chosen] + offset,
                             mean,
                             np.maximum([mean - low, high - mean], 0.0),
-                            **look[controller],
+                            **styles[controller],
                             linestyle="none",
                             elinewidth=1.0,
                             markerfacecolor="white" if hollow else None,
@@ -52,13 +52,13 @@ def tracking(comparison: Comparison) -> str:
         handles, names = axes[0, 0].get_legend_handles_labels()
         axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=3, handletextpad=0.4)
 
-    return draw_figure(1, len(panels), 3.1 + 0.18 * (len(look) // 3), draw)
+    return draw_figure(1, len(panels), 3.1 + 0.18 * (len(styles) // 3), draw)
 
 
 def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_at: int | None) -> str:
-    """Velocity over time of every controller in one episode of one command (index) or two."""
+    """Velocity over time of every controller, in one episode of each given command (its index)."""
     panels = [(i, c) for i, c in ((forward_at, 0), (turning_at, 1)) if i is not None]
-    look = looks(comparison.rollouts)
+    styles = controller_styles(comparison.rollouts)
 
     def draw(axes: Any) -> None:
         for ax, (command, column) in zip(axes[:, 0], panels, strict=True):
@@ -66,7 +66,7 @@ def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_a
                 one = rollout.select([comparison.episode(command, next(iter(comparison.rollouts)))])
                 velocity = one.yaw_rate if column else one.linear_velocity_b[..., 0]
                 time = (np.arange(len(velocity)) + 1) * one.timestep
-                colour = look[controller]["color"]
+                colour = styles[controller]["color"]
                 if controller == "policy":
                     raw = np.where(one.valid & (time > START_UP)[:, None], velocity, np.nan)
                     ax.plot(time, raw, color=colour, linewidth=0.5, alpha=0.5)
@@ -76,7 +76,7 @@ def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_a
                     ax.plot(middle, np.where(whole, means, np.nan), color=colour, label=label(controller))
             target = comparison.commands[command]
             ax.axhline(target[column], **REFERENCE, label="command")
-            ax.set_title(f"asked for {target[0]:g} m/s and {target[1]:g} rad/s")
+            ax.set_title(f"command: {target[0]:g} m/s and {target[1]:g} rad/s")
             ax.set_ylabel("yaw rate (rad/s)" if column else "forward velocity (m/s)")
         handles, labels = axes[0, 0].get_legend_handles_labels()
         axes[0, 0].figure.legend(handles[::-1], labels[::-1], loc="outside upper center", ncols=3)
@@ -86,11 +86,11 @@ def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_a
 
 
 def episode(comparison: Comparison, controller: str, row: int) -> str:
-    """One episode of a controller from its start: both velocities with their commands, and how far the base tilts."""
+    """One episode of a controller from its start: both velocities with their commands, and the tilt of the base."""
     one = comparison.rollouts[controller].select([row])
     alive = min(int(one.valid[:, 0].sum()) + 1, len(one.valid))
     time = (np.arange(alive) + 1) * one.timestep
-    colour = looks(comparison.rollouts)[controller]["color"]
+    colour = controller_styles(comparison.rollouts)[controller]["color"]
     panels = (
         ("forward velocity (m/s)", one.linear_velocity_b[..., 0], one.command[0, 0]),
         ("yaw rate (rad/s)", one.yaw_rate, one.command[0, 1]),

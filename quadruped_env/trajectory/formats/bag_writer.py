@@ -1,6 +1,6 @@
 """rosbag2 bags for ROS 2 Humble and later: joint states, and the topics that RViz needs to show them.
 
-    /joint_states        sensor_msgs/JointState, every row at its stamp
+    /joint_states        sensor_msgs/JointState, every row at its timestamp
     /robot_description   std_msgs/String, the URDF, latched, once
     /tf                  tf2_msgs/TFMessage, as robot_state_publisher computes it from the rows
     /tf_static           tf2_msgs/TFMessage, latched, once

@@ -53,7 +53,8 @@ def _rows_of_two_files(reading: Reading, columns: ColumnMap, velocity_file: str)
             piece, speeds = piece.take(np.s_[:count]), speeds.take(np.s_[:count])  # noqa: PLW2901
         if piece is None or speeds is None or not np.array_equal(piece.stamps, speeds.stamps):
             raise reading.error(
-                None, f"{other.path.name} must have the same stamps, row by row; found others; leave velocity_files out"
+                None,
+                f"{other.path.name} must have the same timestamps, row by row; found others; leave velocity_files out",
             )
         order = [speeds.names.index(name) for name in piece.names]
         values = piece.values | {"velocity": speeds.values["position"][:, order]}

@@ -33,7 +33,7 @@ class Message:
     """Time of recording, ns"""
     data: bytes
     checked: bool = False
-    """Whether a checksum covers the bytes and is correct"""
+    """True if a checksum covers the bytes and is correct"""
 
 
 def zstd() -> Any:
@@ -50,7 +50,7 @@ def zstd() -> Any:
 
 
 def zstd_has_checksum(data: bytes) -> bool:
-    """Whether a zstd frame has a checksum of its content, by its first bytes (RFC 8878, section 3.1.1.1.1)."""
+    """True if a zstd frame has a content checksum, according to its header (RFC 8878, section 3.1.1.1.1)."""
     return data.startswith(ZSTD_MAGIC) and len(data) > 4 and bool(data[4] & 0x04)
 
 
