@@ -25,7 +25,7 @@ class AdjustableGait:
     def __init__(self, preset: str) -> None:
         self._preset = self._gait = SinusoidalGait.preset(preset)
         self._settings = GaitSettings.of(preset)
-        self._ahead = 0.0
+        self._time_offset = 0.0
         """s by which the phase is ahead of the time at the present frequency"""
 
     @property
@@ -35,17 +35,17 @@ class AdjustableGait:
 
     def change(self, settings: GaitSettings, t: float) -> None:
         """Take other settings from a time in s on."""
-        self._ahead = (t + self._ahead) * self._settings.frequency / settings.frequency - t
+        self._time_offset = (t + self._time_offset) * self._settings.frequency / settings.frequency - t
         self._settings = settings
         self._gait = edited(self._preset, settings)
 
     def positions(self, t: float) -> NDArray[np.float64]:
         """Joint positions at a time in s, rad (8,)."""
-        return self._gait.positions(t + self._ahead)
+        return self._gait.positions(t + self._time_offset)
 
     def velocities(self, t: float) -> NDArray[np.float64]:
         """Joint velocities at a time in s, rad/s (8,)."""
-        return self._gait.velocities(t + self._ahead)
+        return self._gait.velocities(t + self._time_offset)
 
     def violations(self) -> list[str]:
         """Limits of the joints that the gait exceeds, in words."""

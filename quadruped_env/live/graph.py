@@ -54,7 +54,7 @@ class Graph:
             True: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsPublication),
             False: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsSubscription),
         }
-        self._people = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
+        self._participants = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
         self._endpoints: dict[str, Endpoint] = {}
         self._names: dict[str, str] = {}
 
@@ -73,17 +73,17 @@ class Graph:
         self._update()
         return self._names.get(endpoint.participant, "a process that gives no name")
 
-    def problems(self, everybody: bool = False) -> list[str]:
+    def problems(self, all_processes: bool = False) -> list[str]:
         """What keeps publishers and subscriptions of the same topic apart, in words, each once.
 
         Args:
-            everybody: also where neither is this process's.
+            all_processes: also where neither is this process's.
         """
         found: dict[str, None] = {}
         for _, group in itertools.groupby(self.endpoints(), key=lambda one: one.topic):
             ends = list(group)
             for writer, reader in itertools.product(ends, ends):
-                concerned = everybody or self.is_own(writer) or self.is_own(reader)
+                concerned = all_processes or self.is_own(writer) or self.is_own(reader)
                 if concerned and writer.writes and not reader.writes:
                     found.update(dict.fromkeys(self._apart(writer, reader)))
         return list(found)
@@ -113,10 +113,10 @@ class Graph:
     def _update(self) -> None:
         from cyclonedds.core import InstanceState
 
-        for person in _taken(self._people):
-            key = str(person.key)
-            if person.sample_info.instance_state == InstanceState.Alive:
-                self._names[key] = _name(person.qos)
+        for participant in _taken(self._participants):
+            key = str(participant.key)
+            if participant.sample_info.instance_state == InstanceState.Alive:
+                self._names[key] = _name(participant.qos)
             else:
                 self._names.pop(key, None)
         for writes, reader in self._readers.items():
@@ -157,13 +157,13 @@ def _ros_type(dds_name: str) -> str:
 
 def _name(qos: Any) -> str:
     """What a participant tells about itself; which of it there is depends on the maker of its DDS."""
-    told: dict[str, str] = {}
+    properties: dict[str, str] = {}
     for policy in qos:
         if hasattr(policy, "key"):
-            told[policy.key] = policy.value
+            properties[policy.key] = policy.value
         elif policy.__scope__ == "EntityName":
-            told["name"] = policy.name
-    process = told.get("__Pid")
-    where = f"process {process} on {told.get('__Hostname', 'some machine')}" if process else ""
-    name = told.get("name") or told.get("__ProcessName", "")
+            properties["name"] = policy.name
+    process = properties.get("__Pid")
+    where = f"process {process} on {properties.get('__Hostname', 'some machine')}" if process else ""
+    name = properties.get("name") or properties.get("__ProcessName", "")
     return f"{name} ({where})" if name and where else name or where or "a process that gives no name"

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.joints import LARGEST
+from quadruped_env.live.joints import MAX_VALUE
 from quadruped_env.live.stamps import read_stamp
 
 _NORM_ERROR = 0.05
@@ -36,9 +36,9 @@ def read_imu(message: Any) -> Imu:
     angular_velocity = np.array([rate.x, rate.y, rate.z])
     if not (np.isfinite(orientation).all() and np.isfinite(angular_velocity).all()):
         raise QuadrupedError("/imu/data: a value is not finite; send finite numbers")
-    if np.abs(angular_velocity).max() > LARGEST:
+    if np.abs(angular_velocity).max() > MAX_VALUE:
         raise QuadrupedError(
-            f"/imu/data: the angular velocity is {angular_velocity.tolist()}; send at most {LARGEST:g} rad/s"
+            f"/imu/data: the angular velocity is {angular_velocity.tolist()}; send at most {MAX_VALUE:g} rad/s"
         )
     norm = float(np.linalg.norm(orientation))
     if abs(norm - 1.0) > _NORM_ERROR:

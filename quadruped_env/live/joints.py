@@ -10,7 +10,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros.joint_state import Decoder, RawJointState
 
-LARGEST: Final = 1e3
+MAX_VALUE: Final = 1e3
 """rad, or rad/s; larger values come of damage, and computing with them would give NaN"""
 
 
@@ -47,7 +47,7 @@ class JointReader:
 
         Raises:
             QuadrupedError: if they are damaged, the names are not this robot's, there are not as many values as names,
-                a position or velocity is not finite or beyond `LARGEST`, or a field is missing that is needed.
+                a position or velocity is not finite or beyond `MAX_VALUE`, or a field is missing that is needed.
         """
         try:
             raw = self._decode(data)
@@ -73,10 +73,10 @@ class JointReader:
         if len(given) != len(raw.names):
             raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one a joint")
         values = np.array(given)[self._order]
-        if finite and not (np.abs(values) <= LARGEST).all():
-            wrong = int(np.flatnonzero(~(np.abs(values) <= LARGEST))[0])
+        if finite and not (np.abs(values) <= MAX_VALUE).all():
+            wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
             raise QuadrupedError(
-                f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers of at most {LARGEST:g}"
+                f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
             )
         return values
 

@@ -6,7 +6,7 @@ import sys
 import time
 from collections.abc import Sequence
 
-from quadruped_env.live.session import CLEAR_LINE, LOOK
+from quadruped_env.live.session import CLEAR_LINE, POLL_PERIOD
 
 _GRACE = 5.0
 """s that a node has to end by itself"""
@@ -19,15 +19,15 @@ def launch(nodes: Sequence[Sequence[str]]) -> int:
         nodes: arguments of `python -m quadruped_env.live`, one list a node.
 
     Returns:
-        0 if they ended as asked, else what the first that ended by itself returned.
+        0 if they ended as signals, else what the first that ended by itself returned.
     """
-    asked: list[int] = []
+    signals: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda number, _: asked.append(number))
+        signal.signal(number, lambda number, _: signals.append(number))
     processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in nodes]  # noqa: S603
     ended: list[tuple[str, int]] = []
-    while not asked and not ended:
-        time.sleep(LOOK)
+    while not signals and not ended:
+        time.sleep(POLL_PERIOD)
         ended = [
             (node[0], process.returncode)
             for node, process in zip(nodes, processes, strict=True)
@@ -53,7 +53,7 @@ def _say(text: str) -> None:
 
 
 def common(domain_id: int | None, subnet: bool, seconds: float | None, quiet: bool) -> list[str]:
-    """What all nodes of a launch are told alike: the arguments of `add_common_arguments`."""
-    told = [] if domain_id is None else ["--domain-id", str(domain_id)]
-    told += ["--subnet"] * subnet + ["--quiet"] * quiet
-    return told if seconds is None else [*told, "--seconds", str(seconds)]
+    """What all nodes of a launch are arguments alike: the arguments of `add_common_arguments`."""
+    arguments = [] if domain_id is None else ["--domain-id", str(domain_id)]
+    arguments += ["--subnet"] * subnet + ["--quiet"] * quiet
+    return arguments if seconds is None else [*arguments, "--seconds", str(seconds)]

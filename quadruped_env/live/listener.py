@@ -17,7 +17,7 @@ DISCOVERY: Final = 1.5
 _DEPTH: Final = 1000
 """Messages that may wait to be taken"""
 _DEFAULT_DEPTH: Final = 10
-_LOOK_PERIOD: Final = 0.1
+_UPDATE_PERIOD: Final = 0.1
 """s"""
 
 
@@ -36,11 +36,11 @@ class Listener:
         self._session = session
         self._read = read
         self._names = tuple(f"/{name.lstrip('/')}" for name in names)
-        self._pace = Pace(_LOOK_PERIOD)
+        self._pace = Pace(_UPDATE_PERIOD)
         self.subscriptions: list[Subscription[Any]] = []
         """One a topic that is published; each says what its publishers offer as `topic.qos`"""
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Subscribe to what has appeared. To be called often: it looks at the time itself.
 
         Raises:

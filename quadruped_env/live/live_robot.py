@@ -31,16 +31,16 @@ _SMOOTHING: Final = 1.0 - math.exp(-_TIMESTEP / 0.2)
 """Share of a new velocity in the average over about a gait cycle, as in the simulated robot's plots"""
 _CONTACT: Final = 1.0
 """N; a foot that presses harder is on the ground"""
-_ODOMETRY_LASTS: Final = 1.0
+_ODOMETRY_TIMEOUT: Final = 1.0
 """s; without a newer one the robot is drawn resting on its feet where it was"""
-_STOP: Final = 1.0
+_STOP_PERIOD: Final = 1.0
 """s for which a zero command is repeated; then others may steer"""
 _COMMAND_PERIOD: Final = 0.1
-_CHANGING: Final = 1.0
+_SETTINGS_HOLD: Final = 1.0
 """s after a change of the gait's settings"""
-_FARTHEST: Final = 1e6
+_MAX_VALUE: Final = 1e6
 """m, m/s or rad/s; nothing is drawn beyond"""
-_SHORTEST: Final = 1e-3
+_MIN_NORM: Final = 1e-3
 """Length of a quaternion that still says where to"""
 
 
@@ -65,13 +65,13 @@ class LiveRobot:
         self._gaits = node.publish(GAIT)
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read_settings))
         self._settings: GaitSettings | None = None
-        self._changed_at = -_CHANGING
+        self._changed_at = -_SETTINGS_HOLD
         self._joints = Joints(0, STANCE, np.zeros(8), None)
         self._pose = resting_pose(STANCE)
         self._twist = np.zeros(6)
-        self._odometry_at = -_ODOMETRY_LASTS
+        self._odometry_at = -_ODOMETRY_TIMEOUT
         self._command = np.zeros(2)
-        self._moved_at = -_STOP
+        self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
         self._simulation = SingleSimulation(load_model())
@@ -114,7 +114,7 @@ class LiveRobot:
         self._steer(self._command, now)
         positions = self._joints.positions
         assert positions is not None
-        if now - self._odometry_at > _ODOMETRY_LASTS:
+        if now - self._odometry_at > _ODOMETRY_TIMEOUT:
             resting = resting_pose(positions)
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
@@ -168,7 +168,7 @@ class LiveRobot:
         return Offered(command=commands, push=pushes, clock=pushes, sources=False)
 
     @property
-    def hears(self) -> bool:
+    def receives_states(self) -> bool:
         """Whether joint states have come."""
         return self._states.count > 0
 
@@ -182,14 +182,14 @@ class LiveRobot:
             self._pose, self._twist = newest[1]
         settings = self._gait_settings.newest(self._refused)
         # While a slider is dragged, what comes is what it was before.
-        if settings is not None and now - self._changed_at > _CHANGING:
+        if settings is not None and now - self._changed_at > _SETTINGS_HOLD:
             self._settings = settings[1]
 
     def _steer(self, command: NDArray[np.float64], now: float) -> None:
         """Send the viewer's command, for as long as it asks for something and a little longer."""
         if command.any():
-            self._moved_at = now
-        if now - self._moved_at > _STOP or now - self._sent_at < _COMMAND_PERIOD:
+            self._commanded_at = now
+        if now - self._commanded_at > _STOP_PERIOD or now - self._sent_at < _COMMAND_PERIOD:
             return
         self._sent_at = now
         twist = {"linear": {"x": command[0]}, "angular": {"z": command[1]}}
@@ -208,9 +208,9 @@ def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float
     velocity = np.array([linear.x, linear.y, linear.z])
     rate = np.array([angular.x, angular.y, angular.z])
     length = float(np.linalg.norm(pose[3:]))
-    if not (np.abs(np.concatenate([pose, velocity, rate])) <= _FARTHEST).all() or length < _SHORTEST:
+    if not (np.abs(np.concatenate([pose, velocity, rate])) <= _MAX_VALUE).all() or length < _MIN_NORM:
         raise QuadrupedError(
-            f"{ODOMETRY.name}: a value is not finite or over {_FARTHEST:g}, or the orientation is zero; send finite "
+            f"{ODOMETRY.name}: a value is not finite or over {_MAX_VALUE:g}, or the orientation is zero; send finite "
             f"numbers and a unit quaternion"
         )
     pose[3:] /= length

@@ -12,7 +12,7 @@ Clock = Callable[[], float]
 """s from any start, which never goes back"""
 
 
-def claim_processor() -> str:
+def request_realtime_priority() -> str:
     """Let this thread, and those that it starts, run before every program of ordinary priority.
 
     Returns:
@@ -33,10 +33,10 @@ class Pace:
     Args:
         period: s between deadlines.
         clock: of `time.monotonic`'s kind.
-        most_behind: s; what a loop is later than that is lost, so that it does not race to catch up.
+        max_lag: s; what a loop is later than that is lost, so that it does not race to catch up.
     """
 
-    def __init__(self, period: float, clock: Clock = time.monotonic, most_behind: float = 0.1) -> None:
+    def __init__(self, period: float, clock: Clock = time.monotonic, max_lag: float = 0.1) -> None:
         self.period = period
         self.ticks = 0
         """Deadlines that were met or passed over"""
@@ -46,7 +46,7 @@ class Pace:
         """s by which the latest one was missed"""
         self._clock = clock
         self._start = clock()
-        self._most_behind = most_behind
+        self._max_lag = max_lag
 
     @property
     def due(self) -> float:
@@ -64,7 +64,7 @@ class Pace:
         if late < 0.0:
             return False
         self.latest = max(self.latest, late)
-        if late > self._most_behind:
+        if late > self._max_lag:
             missed = int(late / self.period)
             self.ticks += missed
             self.lost += missed

@@ -8,9 +8,9 @@ from quadruped_env.live.pace import Clock
 
 PERIOD: Final = 1.0
 """s; a reason is logged once in that time"""
-MOST_REASONS: Final = 3
+MAX_REASONS: Final = 3
 """Reasons that are logged in that time; further ones are only counted"""
-_LONGEST: Final = 300
+_MAX_CHARACTERS: Final = 300
 """Characters of a reason: a message may hold names of any length"""
 
 
@@ -45,7 +45,7 @@ class Refusals:
             self._since = self._clock()
         if reason in self._counts:
             self._counts[reason] += 1
-        elif len(self._counts) < MOST_REASONS:
+        elif len(self._counts) < MAX_REASONS:
             self._counts[reason] = 0
             self._say(f"refused: {reason}")
         else:
@@ -77,5 +77,5 @@ def _messages(count: int) -> str:
 
 def _line(text: str) -> str:
     """A text as a part of one line: what a terminal would obey is escaped, and what is too long is cut."""
-    short = text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
+    short = text if len(text) <= _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}..."
     return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in short)

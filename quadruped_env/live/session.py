@@ -11,10 +11,10 @@ from typing import Any, Final, Self, TextIO
 
 from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.node import Node, Publisher, Subscription
-from quadruped_env.live.pace import Pace, Rate, claim_processor
+from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
 from quadruped_env.live.refusals import Refusals
 
-LOOK: Final = 0.1
+POLL_PERIOD: Final = 0.1
 """s; the longest wait between two looks at whether to end"""
 STATUS_PERIOD: Final = 1.0
 """s between status lines on a terminal"""
@@ -71,7 +71,7 @@ class Session:
 
     def __init__(self, name: str, arguments: argparse.Namespace, log: TextIO | None = None) -> None:
         # Before DDS starts its threads, which are to have the same priority.
-        refusal = claim_processor() if getattr(arguments, "realtime", False) else ""
+        refusal = request_realtime_priority() if getattr(arguments, "realtime", False) else ""
         self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
@@ -135,18 +135,18 @@ class Session:
         """Let the node end at its next look."""
         self._stopped = True
 
-    def wait(self, seconds: float = LOOK) -> bool:
+    def wait(self, seconds: float = POLL_PERIOD) -> bool:
         """Wait for a message, or for a time, but no longer than until the next look; whether there is a message."""
-        return self.node.wait(min(seconds, LOOK))
+        return self.node.wait(min(seconds, POLL_PERIOD))
 
-    def turns(self, seconds: float = LOOK) -> Iterator[None]:
+    def turns(self, seconds: float = POLL_PERIOD) -> Iterator[None]:
         """The turns of a node's loop: each begins by waiting for a message, or for a time, and ends by taking all.
 
         The turns go on for a moment after the end of the session. Without that, messages would be lost that were
         received, and acknowledged to their publisher, between the last taking and the signal.
 
         Args:
-            seconds: to wait for a message, at most `LOOK`.
+            seconds: to wait for a message, at most `POLL_PERIOD`.
         """
         while self.running:
             self.wait(seconds)

@@ -85,16 +85,16 @@ class SimulatedRobot:
 
     def step(self) -> bool:
         """Advance by one physics step; whether the watchdog let the robot go limp in it."""
-        barked = False
+        watchdog_tripped = False
         if self._commanded_for is not None:
             self._commanded_for += TIMESTEP
-            barked = not self.limp and self._commanded_for > WATCHDOG
-            if barked:
+            watchdog_tripped = not self.limp and self._commanded_for > WATCHDOG
+            if watchdog_tripped:
                 self.limp = True
         # A servo whose target is where it is has nothing to pull at, and what is left of it is its brake.
         target = self.state.joint_position if self.limp else self._target[None]
         self._simulation.step(target, 1)
-        return barked
+        return watchdog_tripped
 
     @property
     def diverged(self) -> bool:

@@ -43,7 +43,7 @@ RANDOMIZATIONS: Final[dict[str, Section | None]] = {
 }
 """Name -> what is random; None is the source's own"""
 
-_LARGEST_LAG: Final = 0.25
+_MAX_LAG: Final = 0.25
 """s of playback that are caught up after a delay; what is beyond is left out"""
 _MESSAGES: Final = 20
 
@@ -313,7 +313,7 @@ class ViewController:
             if self._paused:
                 return 0
             self._budget += elapsed * self._speed
-            left_out = max(0.0, self._budget - _LARGEST_LAG * max(1.0, self._speed))
+            left_out = max(0.0, self._budget - _MAX_LAG * max(1.0, self._speed))
             self._budget -= left_out
             self._lag += left_out
             steps = int(self._budget / self._timestep + 1e-9)

@@ -39,7 +39,7 @@ _BURST: Final = 1.0
 _CLOSE_TIMEOUT: Final = 1.0
 """s that a refused client has to answer the closing frame."""
 _POLICY_VIOLATION, _PROTOCOL_ERROR, _TOO_BIG = 1008, 1002, 1009
-_VISERS_SERVER: Final = "viser.infra._infra"
+_VISER_SERVER_MODULE: Final = "viser.infra._infra"
 _PATCHING: Final = threading.Lock()
 _TITLE: Final = "MiniQuadruped"
 _HEADERS: Final = {
@@ -54,7 +54,7 @@ _Handler = Callable[[ServerConnection], Awaitable[None]]
 _ProcessRequest = Callable[[ServerConnection, Request], Response | None]
 
 
-class NonsenseError(Exception):
+class InvalidMessageError(Exception):
     """A client sent what no page of this server sends."""
 
 
@@ -68,10 +68,10 @@ class MessageFilter:
         """Why a message is to be dropped, or nothing.
 
         Raises:
-            NonsenseError: if it is no message of viser's page.
+            InvalidMessageError: if it is no message of viser's page.
         """
         if not isinstance(raw, bytes):
-            raise NonsenseError("a text message; expected binary ones")
+            raise InvalidMessageError("a text message; expected binary ones")
         try:
             kind = msgspec.msgpack.decode(raw, type=_Kind).type
             message_type = _ACCEPTED.get(kind)
@@ -82,7 +82,7 @@ class MessageFilter:
             _messages.Message.deserialize(raw)
         except Exception as error:
             # Whatever bytes can do to a decoder.
-            raise NonsenseError(f"a message that cannot be read ({type(error).__name__})") from error
+            raise InvalidMessageError(f"a message that cannot be read ({type(error).__name__})") from error
         if isinstance(message, _messages.ViewerCameraMessage):
             return "" if _is_finite(message) else "a camera that is not finite"
         if isinstance(message, _messages.GuiUpdateMessage):
@@ -153,8 +153,8 @@ class GuardedConnection(ServerConnection):
             await self._keep_rate()
             try:
                 problem = self._messages.unwanted(raw)
-            except NonsenseError as nonsense:
-                self._refuse(Refusal("nonsense", f"{nonsense}; the connection is closed"))
+            except InvalidMessageError as error:
+                self._refuse(Refusal("invalid", f"{error}; the connection is closed"))
                 await self.close(_POLICY_VIOLATION, "not a message of this page")
                 continue  # and recv raises what viser expects of a closed connection
             if not problem:
@@ -204,7 +204,7 @@ class Guard:
 
             def serve(handler: _Handler, *args: Any, **options: Any) -> Any:
                 nonlocal calls
-                if handler.__module__ != _VISERS_SERVER:
+                if handler.__module__ != _VISER_SERVER_MODULE:
                     return original(handler, *args, **options)
                 calls += 1
                 return original(partial(self._handle, handler), *args, **self._options(options))

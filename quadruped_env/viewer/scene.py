@@ -22,15 +22,15 @@ _LANE: Final = 0.6
 """m between robots side by side"""
 _FOLLOW_TIME: Final = 0.3
 """s: how far the camera lags behind, so that the picture does not sway with every step"""
-_JUMP: Final = 0.6
+_JUMP_DISTANCE: Final = 0.6
 """m that no robot walks within that time"""
-_STILL: Final = 1e-4
+_STILL_DISTANCE: Final = 1e-4
 """m that nobody sees"""
 _TRAIL_SECONDS: Final = 2.0
 _TRAIL_STRIDE: Final = 2
 """samples a segment"""
 _METRES_PER_NEWTON: Final = 0.006
-_BESIDE: Final = 0.035
+_CONTACT_OFFSET: Final = 0.035
 """m outwards from the contact, where the leg does not hide the arrow"""
 _METRES_PER_VELOCITY: Final = 0.6
 """m of arrow for 1 m/s"""
@@ -130,7 +130,9 @@ class Scene:
             share = 1.0 - math.exp(-(now - self._drawn_at) / _FOLLOW_TIME)
             distance = np.abs(away).max(axis=1, keepdims=True)
             # After a reset the robot is somewhere else at once; and a robot that stands gets a picture that stands.
-            self._offsets[:, :2] += away * np.where((distance > _JUMP) | (distance < _STILL), 1.0, share)
+            self._offsets[:, :2] += away * np.where(
+                (distance > _JUMP_DISTANCE) | (distance < _STILL_DISTANCE), 1.0, share
+            )
             if not self.abreast:
                 self._offsets[:] = self._offsets[watched]
         self._drawn_at = now
@@ -172,7 +174,7 @@ class Scene:
         for i, robot in enumerate(robots):
             left = _direction(robot.heading + math.pi / 2)
             side = np.sign((robot.contact_points - robot.now.base_pose[:3]) @ left)
-            start = robot.contact_points + _BESIDE * side[:, None] * left + shift[i]
+            start = robot.contact_points + _CONTACT_OFFSET * side[:, None] * left + shift[i]
             arrows.append(np.stack([start, start + _METRES_PER_NEWTON * robot.contact_forces], axis=1))
         _draw(self._contacts, np.concatenate(arrows), visible=self.visible["contact forces"])
 
@@ -221,10 +223,10 @@ class Scene:
         direction, strength, _ = self._push
         arrows = []
         for i, robot in enumerate(robots):
-            way = _direction(robot.heading + direction)
+            towards = _direction(robot.heading + direction)
             # It ends where it hits the base.
-            end = robot.now.base_pose[:3] + shift[i] - 0.12 * way
-            arrows.append([end - 0.35 * strength * way, end])
+            end = robot.now.base_pose[:3] + shift[i] - 0.12 * towards
+            arrows.append([end - 0.35 * strength * towards, end])
         _draw(self._pushes, np.array(arrows))
 
     def _draw_labels(self, robots: tuple[RobotView, ...], shift: Points) -> None:

@@ -33,7 +33,7 @@ from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.timestamps import NS_PER_SECOND
 
 _NEEDED: Final = ("positions", "velocities")
-_LOOK: Final = 0.01
+_POLL_PERIOD: Final = 0.01
 """s; how often silence is looked for"""
 _IMU_AGE: Final = 0.02
 """s by which attitude and joints may be apart"""
@@ -75,7 +75,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     velocities = node.subscribe(CMD_VEL)
     inbox = _Inbox(session, states, attitudes)
     while session.running:
-        session.wait(_LOOK)
+        session.wait(_POLL_PERIOD)
         _take_command(session, pilot, velocities)
         received = inbox.measurement()
         answer = None

@@ -18,11 +18,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def start(arguments: argparse.Namespace) -> int:
     """Run the three until one ends."""
-    all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
+    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
     return launch(
         [
-            ["gait", "--preset", arguments.preset, *all_alike],
-            ["state", *all_alike],
-            ["view", "--port", str(arguments.port), *all_alike],
+            ["gait", "--preset", arguments.preset, *shared],
+            ["state", *shared],
+            ["view", "--port", str(arguments.port), *shared],
         ]
     )

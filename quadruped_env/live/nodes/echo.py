@@ -44,7 +44,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         # A text that the terminal's encoding cannot show is printed escaped.
         sys.stdout.reconfigure(errors="backslashreplace")
     for _ in session.turns():
-        listener.look()
+        listener.update()
         for subscription in listener.subscriptions:
             for _, text in subscription.messages(session.refuse):
                 print(text, end="", flush=True)

@@ -28,7 +28,7 @@ from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import message_reader
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
-from quadruped_env.live.sole import SolePublisher
+from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
@@ -93,14 +93,14 @@ class _SteeredGait(AdjustableGait):
 
 
 def _send_states(session: Session, gait: _SteeredGait, period: float) -> None:
-    sole = SolePublisher(session)
-    sole.check()
+    guard = SinglePublisherGuard(session)
+    guard.check()
     states = session.node.publish(JOINT_STATES)
     encode, efforts = Encoder(JOINT_NAMES), np.zeros(len(JOINT_NAMES)).tobytes()
     start, pace = time.time_ns(), Pace(period)
     while session.running:
         session.wait(pace.remaining)
-        sole.watch()
+        guard.watch()
         t = pace.ticks * period
         gait.take(t)
         if pace.tick():

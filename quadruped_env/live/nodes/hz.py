@@ -34,7 +34,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     pace, printed = Pace(PERIOD), 0
     pace.tick()
     for _ in session.turns():
-        listener.look()
+        listener.update()
         for subscription in listener.subscriptions:
             times = arrivals.setdefault(subscription, deque(maxlen=max(2, arguments.window)))
             times.extend(received.taken for received in subscription.take())

@@ -30,7 +30,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         if arguments.verbose:
             for one in ends:
                 print(f"    {_line(graph, one)}")
-    for problem in graph.problems(everybody=True):
+    for problem in graph.problems(all_processes=True):
         print(f"! {problem}")
     if not endpoints:
         session.say(f"nobody is on {session.node.network}")

@@ -43,7 +43,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     path = arguments.output or free_path(Path("results") / "recording")
     with Recorder(path, arguments.storage) as recorder:
         for _ in session.turns():
-            listener.look()
+            listener.update()
             for subscription in listener.subscriptions:
                 for received in subscription.take():
                     recorder.write(subscription.topic, received.data)

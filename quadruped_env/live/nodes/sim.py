@@ -29,17 +29,17 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.live.sole import SolePublisher
+from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 from quadruped_env.timestamps import NS_PER_SECOND
 
 STEPS_PER_STATE: Final = 2
-_HARDEST: Final = 5.0
+_MAX_PUSH: Final = 5.0
 """m/s"""
 _PUSH_LOG_PERIOD: Final = 1.0
 """s between lines about pushes"""
-_OBEYS: Final = 0.5
+_SENDER_TIMEOUT: Final = 0.5
 """s after its last command that a publisher may still be the one that is obeyed"""
 
 
@@ -66,8 +66,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Simulate until the session ends."""
     robot = SimulatedRobot(arguments.seed, arguments.terrain)
-    sole = SolePublisher(session)
-    sole.check()
+    guard = SinglePublisherGuard(session)
+    guard.check()
     sensors = Sensors(session.node)
     commands = _Commands(session, robot)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
@@ -98,7 +98,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             session.say("fallen" if fell else "on its feet")
         if fell and arguments.pick_up is not None and time.monotonic() - fell_at > arguments.pick_up:
             robot.pick_up()
-        sole.watch()
+        guard.watch()
         session.report(
             "limp" if robot.limp else "",
             f"{1e3 * pace.latest:.1f} ms late at most",
@@ -120,7 +120,7 @@ class _Commands:
         )
         self._writer = 0
         self._stamp = 0
-        self._obeyed = -_OBEYS
+        self._accepted_at = -_SENDER_TIMEOUT
 
     def take(self) -> None:
         """Hand on what has come."""
@@ -130,12 +130,12 @@ class _Commands:
                 if refusal:
                     self._session.refuse(f"{subscription.topic.name}: {refusal}")
                     continue
-                self._writer, self._stamp, self._obeyed = received.writer, stamp, received.taken
+                self._writer, self._stamp, self._accepted_at = received.writer, stamp, received.taken
                 self._robot.command(target)
 
     def _refusal(self, received: Received, stamp: int) -> str:
         """Why not to obey a command; empty if it is obeyed."""
-        if received.taken - self._obeyed <= _OBEYS:
+        if received.taken - self._accepted_at <= _SENDER_TIMEOUT:
             if received.writer != self._writer:
                 return "from a second publisher; end one of the two"
             # A stamp of 0 is what `ros2 topic pub` sends.
@@ -157,6 +157,6 @@ def _push(vector: Any) -> NDArray[np.float64]:
     """
     velocity = np.array([vector.x, vector.y, vector.z])
     # Not of the norm: squares of large numbers overflow.
-    if not np.abs(velocity).max() <= _HARDEST or np.linalg.norm(velocity) > _HARDEST:
-        raise QuadrupedError(f"{PUSH.name}: {velocity.tolist()} is not a velocity of at most {_HARDEST:g} m/s")
+    if not np.abs(velocity).max() <= _MAX_PUSH or np.linalg.norm(velocity) > _MAX_PUSH:
+        raise QuadrupedError(f"{PUSH.name}: {velocity.tolist()} is not a velocity of at most {_MAX_PUSH:g} m/s")
     return velocity

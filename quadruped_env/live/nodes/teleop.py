@@ -16,7 +16,7 @@ from quadruped_env.control.config import COMMANDS
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
 from quadruped_env.live.node import Publisher
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.session import LOOK, Session
+from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.live.topics import CMD_VEL
 from quadruped_env.ros import cdr
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
@@ -53,7 +53,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     with Keyboard() as keyboard:
         session.say("arrows or w a s d: go and turn; space: stand; q: end")
         while session.running and not keyboard.gone:
-            keys = keyboard.pressed(min(pace.remaining, LOOK))
+            keys = keyboard.pressed(min(pace.remaining, POLL_PERIOD))
             before = command
             for key in keys:
                 command = after(command, key)

@@ -9,7 +9,7 @@ import argparse
 import time
 
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.session import LOOK, Session
+from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
 from quadruped_env.viewer.server import import_viser
@@ -32,15 +32,15 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         session.say(f"the live robot: {show.address}")
         while session.running:
             began = time.monotonic()
-            show.run(LOOK)
+            show.run(POLL_PERIOD)
             controller.offered = robot.offered()
             if controller.paused and not controller.offered.clock:
                 # The simulation that could be paused has gone, and the button with it.
                 controller.paused = False
-            session.wait_for("" if robot.hears else JOINT_STATES.name)
+            session.wait_for("" if robot.receives_states else JOINT_STATES.name)
             for message in controller.messages():
                 session.say(message)
-            session.report("" if time.monotonic() - began < 2 * LOOK else "slow")
+            session.report("" if time.monotonic() - began < 2 * POLL_PERIOD else "slow")
     finally:
         show.close()
     return 0

@@ -26,11 +26,11 @@ def start(arguments: argparse.Namespace) -> int:
     """Run them all until one ends."""
     keys = sys.stdin.isatty()
     # The terminal is for the keys then.
-    all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
+    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
     nodes = [
-        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *all_alike],
-        ["controller", arguments.policy, *all_alike],
-        ["state", *all_alike],
-        ["view", "--port", str(arguments.port), *all_alike],
+        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *shared],
+        ["controller", arguments.policy, *shared],
+        ["state", *shared],
+        ["view", "--port", str(arguments.port), *shared],
     ]
-    return launch([*nodes, ["teleop", *all_alike]] if keys else nodes)
+    return launch([*nodes, ["teleop", *shared]] if keys else nodes)

@@ -14,7 +14,7 @@ CONTEST: Final = 3.0
 """s after that, in which two that began together decide who stays"""
 
 
-class SolePublisher:
+class SinglePublisherGuard:
     """Listens for others on a topic that this process is about to publish.
 
     Args:
