@@ -140,18 +140,12 @@ NOT_YET = {
     ),
     "quadruped_env/gait.py": "name",
     "quadruped_env/identification": "told stamp alike what mid-air",
-    "quadruped_env/live": (
-        "told asked stamp none is-no one-a somebody who alike beside pulls longest-wait knows-no what mid-air name"
-    ),
     "quadruped_env/replay": "told asked stamp mend beside what mid-air",
     "quadruped_env/reporting": ("way told asked none somebody beside feels to-and-fro what mid-air name"),
     "quadruped_env/robot": "mid-air",
     "quadruped_env/simulation": "asked none anew knows-no what",
     "quadruped_env/task": "row is-no anew what mid-air",
     "quadruped_env/trajectory": "rows asked stamp none what mid-air",
-    "quadruped_env/viewer": (
-        "told asked stamp is-no one-a somebody who anew alike beside longest-wait knows-no what mid-air"
-    ),
     "tests": (
         "rows told asked far-off stamp none is-no one-a mend somebody who anew alike beside likewise feels "
         "knows-no article to-and-fro what mid-air"

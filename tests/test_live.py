@@ -110,8 +110,8 @@ def test_a_latched_topic_reaches_who_comes_late(nodes):
 @pytest.mark.parametrize(
     ("offered", "requested", "words"),
     [
-        (Qos(10, reliable=False), Qos(10), "asks for reliable delivery, the writer offers best effort"),
-        (Qos(1), Qos(1, transient_local=True), "asks for transient local (latched), the writer offers volatile"),
+        (Qos(10, reliable=False), Qos(10), "requests reliable delivery, the writer offers best effort"),
+        (Qos(1), Qos(1, transient_local=True), "requests transient local (latched), the writer offers volatile"),
     ],
 )
 def test_incompatible_qualities_are_said_in_words(nodes, offered, requested, words):

@@ -1,4 +1,4 @@
-"""`/imu/data`: attitude and angular velocity of the base, checked."""
+"""`/imu/data`: orientation and angular velocity of the base, validated."""
 
 from typing import Any, NamedTuple
 
@@ -13,24 +13,24 @@ _NORM_ERROR = 0.05
 
 
 class Imu(NamedTuple):
-    """One message."""
+    """One IMU message."""
 
     stamp: int
-    """ns"""
+    """Timestamp, ns."""
     orientation: NDArray[np.float64]
-    """Unit quaternion wxyz (4,)"""
+    """Unit quaternion wxyz (4,)."""
     angular_velocity: NDArray[np.float64]
-    """rad/s in the base's axes (3,)"""
+    """Angular velocity in the base frame (3,), rad/s."""
 
 
 def read_imu(message: Any) -> Imu:
-    """What a `sensor_msgs/msg/Imu` says of the base.
+    """The IMU measurement of a `sensor_msgs/msg/Imu` message.
 
     Raises:
-        QuadrupedError: if it has no attitude, or a value is not finite or too large.
+        QuadrupedError: if it has no orientation, or a value is not finite or too large.
     """
     if message.orientation_covariance[0] == -1.0:
-        raise QuadrupedError("/imu/data: says that it has no orientation; send one, as from an attitude filter")
+        raise QuadrupedError("/imu/data: is marked as having no orientation; send one, such as from an attitude filter")
     turn, rate = message.orientation, message.angular_velocity
     orientation = np.array([turn.w, turn.x, turn.y, turn.z])
     angular_velocity = np.array([rate.x, rate.y, rate.z])

@@ -1,8 +1,8 @@
-"""The robot of the live topics in the browser: what RViz shows, with plots, and arrow keys that steer it.
+"""The robot of the live topics in the browser: like RViz, with plots, and arrow keys to steer it.
 
-Draws the robot of /joint_states where /odom says it is, or on its feet where nobody says. The sliders and the arrow
-keys send /cmd_vel, the push button /push, the sliders of the scripted gait /gait; each is there while a node takes what
-it sends. The page is for browsers on this machine; the log says its address.
+Draws the robot of /joint_states at the pose of /odom, or standing without /odom. The sliders and the arrow
+keys send /cmd_vel, the push button /push, the sliders of the scripted gait /gait; each control is shown while a node
+subscribes to its topic. The page accepts browsers on this machine only; the log prints its address.
 """
 
 import argparse
@@ -16,8 +16,8 @@ from quadruped_env.viewer.server import import_viser
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Where the page is."""
-    parser.add_argument("--port", type=int, default=PORT, help="the next free one is taken (%(default)s)")
+    """Add the viewer's port."""
+    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
@@ -35,7 +35,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             show.run(POLL_PERIOD)
             controller.offered = robot.offered()
             if controller.paused and not controller.offered.clock:
-                # The simulation that could be paused has gone, and the button with it.
+                # The simulation has ended while paused, and the button that resumes it is hidden.
                 controller.paused = False
             session.wait_for("" if robot.receives_states else JOINT_STATES.name)
             for message in controller.messages():
