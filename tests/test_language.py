@@ -133,15 +133,9 @@ NOT_YET = {
         "rows told asked far-off stamp none mend alike beside likewise happened article what mid-air"
     ),
     "quadruped_env/identification": "told stamp alike what mid-air",
-    "quadruped_env/live": (
-        "told asked stamp none is-no one-a somebody who alike beside pulls longest-wait knows-no what mid-air name"
-    ),
     "quadruped_env/replay": "told asked stamp mend beside what mid-air",
     "quadruped_env/reporting": ("way told asked none somebody beside feels to-and-fro what mid-air name"),
     "quadruped_env/trajectory": "rows asked stamp none what mid-air",
-    "quadruped_env/viewer": (
-        "told asked stamp is-no one-a somebody who anew alike beside longest-wait knows-no what mid-air"
-    ),
     "tests": (
         "rows told asked far-off stamp none is-no one-a mend somebody who anew alike beside likewise feels "
         "knows-no article to-and-fro what mid-air"

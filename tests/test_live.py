@@ -110,8 +110,8 @@ def test_a_latched_topic_reaches_who_comes_late(nodes):
 @pytest.mark.parametrize(
     ("offered", "requested", "words"),
     [
-        (Qos(10, reliable=False), Qos(10), "asks for reliable delivery, the writer offers best effort"),
-        (Qos(1), Qos(1, transient_local=True), "asks for transient local (latched), the writer offers volatile"),
+        (Qos(10, reliable=False), Qos(10), "requests reliable delivery, the writer offers best effort"),
+        (Qos(1), Qos(1, transient_local=True), "requests transient local (latched), the writer offers volatile"),
     ],
 )
 def test_incompatible_qualities_are_said_in_words(nodes, offered, requested, words):
@@ -253,7 +253,7 @@ def test_lateness_does_not_add_up():
 
 def test_what_is_too_late_is_lost_and_the_grid_stays():
     clock = Hands()
-    pace = Pace(0.01, clock, most_behind=0.1)
+    pace = Pace(0.01, clock, max_lag=0.1)
     clock.now = 100.05
     assert sum(pace.tick() for _ in range(20)) == 6  # caught up with
     clock.now = 105.004
@@ -265,8 +265,8 @@ def test_what_is_too_late_is_lost_and_the_grid_stays():
 def test_realtime_is_claimed_or_the_reason_told():
     program = """
 import os
-from quadruped_env.live.pace import claim_processor
-print(claim_processor() or os.sched_getscheduler(0))
+from quadruped_env.live.pace import request_realtime_priority
+print(request_realtime_priority() or os.sched_getscheduler(0))
 """
     said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.strip()
     assert said == str(os.SCHED_FIFO) or "SCHED_FIFO" in said

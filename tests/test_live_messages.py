@@ -13,7 +13,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.refusals import MOST_REASONS, PERIOD, Refusals
+from quadruped_env.live.refusals import MAX_REASONS, PERIOD, Refusals
 from quadruped_env.live.session import Session
 from quadruped_env.live.text import check_field
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_STATES, TOPICS
@@ -178,11 +178,11 @@ def test_refusals_of_endless_different_reasons_stay_few_and_short():
     for i in range(10_000):
         refuse(f"{i}: \x1b[2J\n" + "x" * 10_000)
         clock.now += PERIOD / 1000
-    assert len(said) <= 11 * (2 * MOST_REASONS + 1)
+    assert len(said) <= 11 * (2 * MAX_REASONS + 1)
     assert max(map(len, said)) < 500
     assert "".join(said).isprintable()
     assert any(re.fullmatch(r"refused: \d+ messages for other reasons in 1\.0 s", line) for line in said)
-    assert len(refuse._counts) <= MOST_REASONS
+    assert len(refuse._counts) <= MAX_REASONS
 
 
 def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, monkeypatch):

@@ -15,7 +15,7 @@ from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node, Topic
 from quadruped_env.live.joints import JointReader
-from quadruped_env.live.sole import CONTEST
+from quadruped_env.live.single_publisher import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import STANCE, STANCE_HEIGHT
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
@@ -249,7 +249,7 @@ def test_the_controller_refuses_what_it_cannot_use(start, nodes):
         "unknown 'other' among 8": {"names": ("other", *JOINT_NAMES[1:])},
         "position holds 7 values for 8 names": {"position": STANCE[:7]},
         "needs positions and velocities": {"velocity": ()},
-        "are over 0.02 s apart": {"imu_age": 0.5},
+        "more than 0.02 s apart": {"imu_age": 0.5},
         "the orientation has length 0": {"orientation": {"w": 0.0}},
     }
     for words, changes in bad.items():
@@ -302,7 +302,7 @@ def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, node
 @pytest.mark.slow
 def test_display_begins_and_ends_its_nodes(start):
     display = start("display", "--preset", "walk", "--port", "0")
-    for words in ("[view] the live robot: http://127.0.0.1:", "[state] there: /joint_states"):
+    for words in ("[view] the live robot: http://127.0.0.1:", "[state] found /joint_states"):
         wait_until(lambda words=words: words in display.said, words, alive=display.process)
     assert display.interrupt() == 0
     for name in ("gait", "state", "view"):

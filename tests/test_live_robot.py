@@ -240,7 +240,7 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
             sensors.send(next(stamps), robot.state)
             show.advance(0.02)
 
-        wait_until(lambda: goes_on() or (velocities.writers and live.hears), "both to be heard")
+        wait_until(lambda: goes_on() or (velocities.writers and live.receives_states), "both to be heard")
         show.advance(0.02)
         twist = velocities.decode(received_from(velocities, 1)[-1])
         assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
@@ -283,7 +283,7 @@ def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
             name=list(JOINT_NAMES),
             position=positions,
         )
-        wait_until(lambda: states.send(message) or show.advance(0.02) or live.hears, "the robot's states")
+        wait_until(lambda: states.send(message) or show.advance(0.02) or live.receives_states, "the robot's states")
         show.advance(0.02)
         seen = show.view().robots[0].now
         np.testing.assert_allclose(seen.joint_position, positions)

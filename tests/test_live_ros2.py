@@ -96,12 +96,12 @@ def test_every_reliable_message_arrives_with_equal_values(nodes, ros2):
 @pytest.mark.parametrize(
     ("offered", "requested", "policy", "words"),
     [
-        (Qos(10, reliable=False), Qos(10), "RELIABILITY", "asks for reliable delivery, the writer offers best effort"),
+        (Qos(10, reliable=False), Qos(10), "RELIABILITY", "requests reliable delivery, the writer offers best effort"),
         (
             Qos(1),
             Qos(1, transient_local=True),
             "DURABILITY",
-            "asks for transient local (latched), the writer offers volatile",
+            "requests transient local (latched), the writer offers volatile",
         ),
     ],
 )

@@ -166,7 +166,7 @@ def test_list_names_topics_types_owners_and_what_keeps_them_apart(nodes):
     assert ": best effort, volatile, RIHS01_a13ee3a3" in lines[1]
     assert lines[2].startswith(f"    subscription other (process {os.getpid()} on ")
     assert lines[3].startswith("! /joint_states, from one (process")
-    assert "the reader asks for reliable delivery, the writer offers best effort" in lines[3]
+    assert "the reader requests reliable delivery, the writer offers best effort" in lines[3]
 
 
 def test_rates_are_those_of_the_arrivals():
@@ -328,7 +328,7 @@ def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path):
         output, _ = output_of(process)
     assert writer is not None
     assert process.returncode == 2
-    assert "error: /strange: is of type Strange; known here are builtin_interfaces/msg/Time" in output
+    assert "error: /strange: has the unknown type Strange; known types: builtin_interfaces/msg/Time" in output
 
 
 @pytest.mark.parametrize(
@@ -387,4 +387,4 @@ def test_teleop_needs_a_terminal(domain_id):
     with started("teleop", stdin=subprocess.DEVNULL) as process:
         output, _ = output_of(process)
     assert process.returncode == 2
-    assert "error: the keyboard: standard input is no terminal" in output
+    assert "error: the keyboard: standard input is not a terminal" in output

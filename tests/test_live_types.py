@@ -70,12 +70,12 @@ def test_structures_that_differ_are_named_as_an_obstacle(nodes, participant):
     writer = DataWriter(participant, announced(participant, {"data": str}))
     same = DataReader(participant, announced(participant, {"data": str}))
     wait_until(lambda: len(node.graph.endpoints("/chatter")) == 2)
-    assert node.graph.problems(everybody=True) == []
+    assert node.graph.problems(all_processes=True) == []
     other = DataReader(participant, announced(participant, {"data": str, "more": str}))
     wait_until(lambda: len(node.graph.endpoints("/chatter")) == 3)
-    (problem,) = node.graph.problems(everybody=True)
+    (problem,) = node.graph.problems(all_processes=True)
     assert "/chatter, from plain (process " in problem
-    assert "perhaps nothing will arrive; both announce the structure of std_msgs/msg/String" in problem
+    assert "perhaps no message will arrive; both announce the structure of std_msgs/msg/String" in problem
     assert "fastdds.type_propagation=disabled" in problem
     assert node.graph.problems() == []
     del writer, same, other

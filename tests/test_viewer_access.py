@@ -200,7 +200,7 @@ def test_more_clients_than_the_limit_are_refused(show, monkeypatch):
 
 def test_a_viser_that_starts_its_server_otherwise_is_not_run_unguarded():
     with (
-        pytest.raises(QuadrupedError, match=r"foreign pages could not be kept out; .*pip install"),
+        pytest.raises(QuadrupedError, match=r"foreign pages cannot be refused; .*pip install"),
         Guard("localhost").installed(),
     ):
         pass
@@ -300,7 +300,7 @@ def test_uploads_are_dropped_with_one_line_and_change_nothing(show, refusals):
         assert gui._current_file_upload_states == {}
         assert slider.value == before
     (line,) = refusals()
-    assert "'FileTransferStartUpload' is no message that this page sends; dropped" in line
+    assert "'FileTransferStartUpload' is not a message that this page sends; dropped" in line
 
 
 @pytest.mark.parametrize("kind", ["ShareUrlRequest", "ShareUrlDisconnect", "GetRenderResponseMessage", "Nothing"])
@@ -309,7 +309,7 @@ def test_messages_that_the_page_does_not_need_are_dropped(show, refusals, kind):
         send(socket, type=kind)
         after_all_messages(show, socket)
     (line,) = refusals()
-    assert f"{kind!r} is no message that this page sends" in line
+    assert f"{kind!r} is not a message that this page sends" in line
 
 
 @pytest.mark.parametrize(

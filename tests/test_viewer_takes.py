@@ -108,7 +108,7 @@ def test_a_take_ends_at_the_longest_time_with_a_word(control, tmp_path, monkeypa
     controller.close()
     (path,) = tmp_path.glob("results/view-*/joint_states.csv")
     assert JointTrajectory.load(path).duration == pytest.approx(0.5)
-    assert controller.messages()[0] == "The recording has ended: 0.5 s is the longest; record again"
+    assert controller.messages()[0] == "The recording has ended: the maximum is 0.5 s; record again"
 
 
 def test_the_panel_shows_the_longest_time_of_a_take(control, monkeypatch):

@@ -11,9 +11,9 @@ from quadruped_env.program import CommandFormatter, run_program
 
 _DESCRIPTION = "The robot on live ROS 2 topics, without a ROS installation."
 _EPILOG = """\
-Nodes meet on DDS as those of ROS 2 do, each other and those of a ROS 2 installation: the same topics, types and
-qualities of service. ROS_DOMAIN_ID selects the domain; nothing leaves this machine without --subnet. Ctrl-C ends a
-node. 'mini-quadruped live NODE --help' describes each.
+Nodes discover each other, and the nodes of a ROS 2 installation, over DDS: same topics, types and QoS. ROS_DOMAIN_ID
+selects the domain; without --subnet nothing leaves this machine. Ctrl-C ends a node. 'mini-quadruped live NODE --help'
+describes each node.
 """
 
 
@@ -22,7 +22,7 @@ def make_parser(prog: str | None = None, only: str | None = None) -> argparse.Ar
 
     Args:
         prog: the program's name in usage and errors; by default the command that runs a node from here.
-        only: node whose arguments are needed; the others then have none, and their modules are not imported.
+        only: the node whose arguments are needed; the other nodes get no arguments, and their modules are not imported.
     """
     parser = argparse.ArgumentParser(prog=prog or program_command("live"))
     add_nodes(parser, only)
@@ -30,7 +30,7 @@ def make_parser(prog: str | None = None, only: str | None = None) -> argparse.Ar
 
 
 def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
-    """Give a parser its description and the nodes; `only` as of `make_parser`."""
+    """Add the description and the nodes to a parser; `only` as in `make_parser`."""
     parser.description = _DESCRIPTION
     parser.epilog = pasteable(_EPILOG)
     parser.formatter_class = CommandFormatter
@@ -45,9 +45,9 @@ def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
 
 
 def main(arguments: Sequence[str] | None = None, prog: str | None = None) -> int:
-    """Run the node that the arguments name; the exit status is 0 if it ended well, 2 after an error."""
+    """Run the node that the arguments name. Returns the exit status: 0 on success, 2 after an error."""
     typed = list(sys.argv[1:] if arguments is None else arguments)
-    # A node on a robot does not wait for the imports of the others, nor hold their memory.
+    # Only the node's own module is imported: faster start and less memory on a robot.
     parser = make_parser(prog, only=typed[0] if typed and typed[0] in SUMMARIES else "")
     args = parser.parse_args(typed)
 

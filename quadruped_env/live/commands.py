@@ -1,4 +1,4 @@
-"""Messages of joint targets, on both ends."""
+"""Joint target messages: writing and reading."""
 
 from typing import Any
 
@@ -25,8 +25,8 @@ class CommandWriter:
         """The CDR bytes of one message.
 
         Args:
-            stamp: ns, of the state that the target answers.
-            target: what to do.
+            stamp: timestamp of the state that the target was computed from, ns.
+            target: joint targets in rad (8,), or `LIMP`.
         """
         if target is LIMP:
             return self._encode(stamp, b"", b"", self._zeros)
@@ -34,32 +34,31 @@ class CommandWriter:
 
 
 def read_target(joints: Joints) -> Target:
-    """What a message of `/joint_commands` asks for.
+    """The target of a `/joint_commands` message.
 
     Raises:
-        QuadrupedError: if it asks for anything but positions, or efforts of zero.
+        QuadrupedError: if the message holds neither positions nor efforts of zero alone.
     """
     if joints.positions is not None:
         return joints.positions
     if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
         return LIMP
     raise QuadrupedError(
-        f"{JOINT_COMMANDS.name}: has no positions; send positions in rad, or efforts of 0 alone to let the robot go "
-        "limp"
+        f"{JOINT_COMMANDS.name}: has no positions; send positions in rad, or only efforts of 0 to let the robot go limp"
     )
 
 
 def positions_message(target: NDArray[np.float64]) -> Any:
-    """A message of `/forward_position_controller/commands`.
+    """A `/forward_position_controller/commands` message.
 
     Args:
-        target: rad (8,).
+        target: joint targets, rad (8,).
     """
     return cdr.message(JOINT_POSITIONS.type_name, data=target)
 
 
 def read_positions(message: Any) -> NDArray[np.float64]:
-    """The target that a message of `/forward_position_controller/commands` holds, rad (8,).
+    """The joint targets of a `/forward_position_controller/commands` message, rad (8,).
 
     Raises:
         QuadrupedError: if it does not hold a finite number for each joint.

@@ -1,4 +1,4 @@
-"""The way into DDS: the library, the domain, the network, and the participant of a process."""
+"""DDS setup: the library, the domain, the network, and the participant of a process."""
 
 import os
 import socket
@@ -13,16 +13,16 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 
 DOMAIN_VARIABLE: Final = "ROS_DOMAIN_ID"
 MAX_DOMAIN: Final = 232
-"""Beyond it the ports of DDS would end beyond 65535"""
+"""Highest domain ID whose DDS ports do not exceed 65535."""
 LOOPBACK_INTERFACE: Final = "lo" if sys.platform.startswith("linux") else "lo0"
 
 _PARTICIPANTS: Final = 32
-"""Processes on one machine that find each other without multicast: as many as ROS 2 allows for"""
+"""Maximum number of processes on one machine that discover each other without multicast, as in ROS 2."""
 _ANNOUNCED: Final = "1s"
-"""How often a process tells of itself: a ROS 2 with its usual settings learns of it in no other way"""
+"""Interval of participant announcements. ROS 2 with default settings discovers a process only through these."""
 _RECEIVED: Final = "192 KiB"
-"""of a buffer for what comes in. CycloneDDS fills one to its end before it takes the next; with the 1 MiB that it would
-take, a process seems to grow for half an hour"""
+"""Receive buffer size. CycloneDDS fills one buffer completely before it uses the next; with its default of 1 MiB the
+memory of a process appears to grow for half an hour."""
 _LOOPBACK: Final = f"""
   <General>
     <Interfaces><NetworkInterface name="{LOOPBACK_INTERFACE}" multicast="false"/></Interfaces>
@@ -44,18 +44,18 @@ _SETTINGS_VARIABLE: Final = "CYCLONEDDS_URI"
 _FILES: Final = Path("/proc/self/fd")
 _FIRST_PORT: Final = 7400
 _PORTS: Final = 250
-"""of each domain, as the standard has it"""
+"""Number of ports per domain in the DDSI-RTPS standard."""
 
 
 @dataclass(frozen=True)
 class Network:
-    """Who can be met."""
+    """The domain and network scope that a process communicates in."""
 
     domain_id: int = 0
-    """Only participants of the same domain meet; 0 to 232"""
+    """Domain ID, 0 to 232; only participants of the same domain discover each other."""
     subnet: bool = False
-    """False keeps to this machine, as `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST` does; True meets other machines
-    as well, as CYCLONEDDS_URI says where that is set"""
+    """False: this machine only, like `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`. True: also other machines of the
+    subnet, with the settings of CYCLONEDDS_URI if set."""
 
     def __post_init__(self) -> None:
         if not 0 <= self.domain_id <= MAX_DOMAIN:
@@ -65,10 +65,10 @@ class Network:
     def from_environment(
         cls, domain_id: int | None = None, subnet: bool = False, environment: Mapping[str, str] = os.environ
     ) -> "Network":
-        """The domain that ROS 2 would take: ROS_DOMAIN_ID, or 0.
+        """The domain that ROS 2 would use: ROS_DOMAIN_ID, or 0.
 
         Raises:
-            QuadrupedError: if the variable holds no domain.
+            QuadrupedError: if the variable is not a valid domain ID.
         """
         text = environment.get(DOMAIN_VARIABLE, "").strip()
         if domain_id is not None or not text:
@@ -95,13 +95,13 @@ def import_dds() -> Any:
 
 
 def open_participant(network: Network, name: str) -> Any:
-    """A participant of a domain: what a process needs to be seen, and to see others.
+    """Create a DDS participant, through which a process discovers others and is discovered.
 
-    The first one of a process decides on the network for its domain.
+    The first participant of a process fixes the network of its domain.
 
     Args:
-        network: where to.
-        name: what others may call it.
+        network: the domain and network to join.
+        name: the participant's name, visible to other processes.
 
     Raises:
         MissingExtraError: if cyclonedds is not installed.
@@ -113,19 +113,19 @@ def open_participant(network: Network, name: str) -> Any:
 
     try:
         domain = _domain(network)
-        # What ROS 2 writes there, so that its tools take the process for one without access control.
+        # ROS 2 writes the same user data for a process without access control.
         participant = DomainParticipant(
             network.domain_id, qos=Qos(Policy.Userdata(b"enclave=/;"), Policy.EntityName(name))
         )
     except DDSException as error:
         fault = _SETTINGS_VARIABLE if network.subnet else f"the interface {LOOPBACK_INTERFACE}"
         raise QuadrupedError(
-            f"cannot join {network}: {error}; {fault} may be at fault, or there are {_PARTICIPANTS} processes on the "
+            f"cannot join {network}: {error}; check {fault}, or end a process if {_PARTICIPANTS} are on the "
             f"domain already"
         ) from error
     if not network.subnet:
         _bind_to_loopback(network.domain_id)
-    # The domain's settings live as long as somebody holds it.
+    # The domain's settings exist only as long as the domain object is referenced.
     participant.quadruped_domain = domain
     return participant
 
@@ -149,15 +149,15 @@ def _domain(network: Network) -> Any:
         known = _DOMAINS[network.domain_id] = (network, Domain(network.domain_id, settings))
     if known[0] != network:
         raise QuadrupedError(
-            f"domain {network.domain_id}: this process is on it with {known[0]}; it cannot be on it with {network} too"
+            f"domain {network.domain_id}: this process has joined it with {known[0]}; it cannot join with {network}"
         )
     return known[1]
 
 
 def _bind_to_loopback(domain_id: int) -> None:
-    """Let a domain's sockets hear nothing but the loopback interface.
+    """Restrict a domain's sockets to the loopback interface.
 
-    CycloneDDS sends on the interface that it is told, but listens on all of them.
+    CycloneDDS sends on the configured interface only, but listens on all interfaces.
     """
     if not hasattr(socket, "SO_BINDTODEVICE"):
         return
@@ -179,7 +179,7 @@ def _datagram_sockets() -> Iterator[socket.socket]:
             # Closing the Python object must not close the socket itself.
             duplicate = socket.socket(fileno=os.dup(number))
         except OSError:
-            # It was closed meanwhile.
+            # The descriptor was closed in the meantime.
             continue
         if duplicate.family == socket.AF_INET and duplicate.type == socket.SOCK_DGRAM:
             yield duplicate

@@ -1,4 +1,4 @@
-"""The scripted gait that is published, with settings that come as messages: `/gait` and `/gait/settings`."""
+"""A scripted gait with settings that are changed by messages: `/gait` and `/gait/settings`."""
 
 from typing import Any
 
@@ -16,49 +16,49 @@ _NUMBERS = 2 + len(LEG_NAMES)
 
 
 class AdjustableGait:
-    """A preset with settings that may change at any time; a change of frequency does not make its phase jump.
+    """A gait preset with settings that may change at any time; the phase stays continuous when the frequency changes.
 
     Args:
-        preset: its name.
+        preset: name of the preset.
     """
 
     def __init__(self, preset: str) -> None:
         self._preset = self._gait = SinusoidalGait.preset(preset)
         self._settings = GaitSettings.of(preset)
-        self._ahead = 0.0
-        """s by which the phase is ahead of the time at the present frequency"""
+        self._time_offset = 0.0
+        """Time offset that keeps the phase continuous over frequency changes, s."""
 
     @property
     def settings(self) -> GaitSettings:
-        """What the gait is now."""
+        """The current settings."""
         return self._settings
 
     def change(self, settings: GaitSettings, t: float) -> None:
-        """Take other settings from a time in s on."""
-        self._ahead = (t + self._ahead) * self._settings.frequency / settings.frequency - t
+        """Apply new settings from time `t` (s) on."""
+        self._time_offset = (t + self._time_offset) * self._settings.frequency / settings.frequency - t
         self._settings = settings
         self._gait = edited(self._preset, settings)
 
     def positions(self, t: float) -> NDArray[np.float64]:
-        """Joint positions at a time in s, rad (8,)."""
-        return self._gait.positions(t + self._ahead)
+        """Joint positions at time `t` (s), rad (8,)."""
+        return self._gait.positions(t + self._time_offset)
 
     def velocities(self, t: float) -> NDArray[np.float64]:
-        """Joint velocities at a time in s, rad/s (8,)."""
-        return self._gait.velocities(t + self._ahead)
+        """Joint velocities at time `t` (s), rad/s (8,)."""
+        return self._gait.velocities(t + self._time_offset)
 
     def violations(self) -> list[str]:
-        """Limits of the joints that the gait exceeds, in words."""
+        """Descriptions of the joint limits that the gait exceeds."""
         return self._gait.violations()
 
 
 def settings_message(settings: GaitSettings) -> Any:
-    """A message of `/gait` or `/gait/settings`."""
+    """A `/gait` or `/gait/settings` message."""
     return cdr.message(GAIT.type_name, data=[settings.amplitude, settings.frequency, *settings.phases])
 
 
 def read_settings(message: Any) -> GaitSettings:
-    """The settings that a message of `/gait` or `/gait/settings` holds.
+    """The settings of a `/gait` or `/gait/settings` message.
 
     Raises:
         QuadrupedError: if it does not hold six numbers, or one is outside its range.

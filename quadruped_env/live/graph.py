@@ -1,4 +1,4 @@
-"""Who is on the domain: every publisher and subscription, and why some do not get together."""
+"""The ROS graph of a domain: all publishers and subscriptions, and why some of them do not match."""
 
 import itertools
 from collections.abc import Iterator
@@ -14,23 +14,22 @@ _TAKEN: Final = 256
 
 @dataclass(frozen=True)
 class Endpoint:
-    """A publisher or a subscription of some process."""
+    """A publisher or subscription of a process on the domain."""
 
     topic: str
-    """As ROS 2 names it"""
+    """ROS 2 topic name."""
     type_name: str
-    """`package/msg/Type`, or what DDS says where that is no name of ROS 2"""
+    """`package/msg/Type`, or the DDS type name if it is not a ROS 2 type."""
     writes: bool
     qos: Qos
     type_hash: str
-    """Empty where its maker gives none, as before Iron"""
+    """Type hash, empty if not announced, as before ROS 2 Iron."""
     handle: int
-    """`Received.writer` of what it writes"""
+    """Instance handle, equal to `Received.writer` of the messages that it sends."""
     participant: str
-    """Key of its process"""
+    """Key of the participant that owns it."""
     structure: str = ""
-    """Digest of the XTypes type information that it announces; empty where it announces none, as nodes of this package
-    do"""
+    """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
     @property
     def kind(self) -> str:
@@ -39,51 +38,51 @@ class Endpoint:
 
 
 class Graph:
-    """What a participant has discovered.
+    """The endpoints that a participant has discovered.
 
     Args:
-        participant: of `cyclonedds`.
+        participant: a `cyclonedds` participant.
     """
 
     def __init__(self, participant: Any) -> None:
         from cyclonedds import builtin
 
         self.participant = str(participant.guid)
-        """Key of this process, as `Endpoint.participant`"""
+        """Key of this process's participant, see `Endpoint.participant`."""
         self._readers = {
             True: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsPublication),
             False: builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsSubscription),
         }
-        self._people = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
+        self._participants = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
         self._endpoints: dict[str, Endpoint] = {}
         self._names: dict[str, str] = {}
 
     def endpoints(self, topic: str | None = None) -> list[Endpoint]:
-        """All that is there now, or all of one topic; this process's own too."""
+        """All current endpoints, or those of one topic, including this process's own."""
         self._update()
         found = (one for one in self._endpoints.values() if topic in (None, one.topic))
         return sorted(found, key=lambda one: (one.topic, one.type_name, not one.writes, one.handle))
 
     def is_own(self, endpoint: Endpoint) -> bool:
-        """Whether it is this participant's."""
+        """True if the endpoint belongs to this participant."""
         return endpoint.participant == self.participant
 
     def owner(self, endpoint: Endpoint) -> str:
-        """Whose it is, as far as its process tells: its name, process id and machine."""
+        """Name, process ID and machine of the process that owns an endpoint, as far as announced."""
         self._update()
         return self._names.get(endpoint.participant, "a process that gives no name")
 
-    def problems(self, everybody: bool = False) -> list[str]:
-        """What keeps publishers and subscriptions of the same topic apart, in words, each once.
+    def problems(self, all_processes: bool = False) -> list[str]:
+        """Reasons why publishers and subscriptions of the same topic do not match, without repetition.
 
         Args:
-            everybody: also where neither is this process's.
+            all_processes: include pairs in which neither endpoint belongs to this process.
         """
         found: dict[str, None] = {}
         for _, group in itertools.groupby(self.endpoints(), key=lambda one: one.topic):
             ends = list(group)
             for writer, reader in itertools.product(ends, ends):
-                concerned = everybody or self.is_own(writer) or self.is_own(reader)
+                concerned = all_processes or self.is_own(writer) or self.is_own(reader)
                 if concerned and writer.writes and not reader.writes:
                     found.update(dict.fromkeys(self._apart(writer, reader)))
         return list(found)
@@ -91,21 +90,21 @@ class Graph:
     def _apart(self, writer: Endpoint, reader: Endpoint) -> Iterator[str]:
         where = f"{writer.topic}, from {self._whose(writer)} to {self._whose(reader)}"
         if writer.type_name != reader.type_name:
-            yield f"{where}: nothing will arrive; the types differ: {writer.type_name} and {reader.type_name}"
+            yield f"{where}: no message will arrive; the types differ: {writer.type_name} and {reader.type_name}"
         elif writer.type_hash and reader.type_hash and writer.type_hash != reader.type_hash:
             yield (
-                f"{where}: both call their type {writer.type_name}, and their definitions differ "
-                f"({writer.type_hash} and {reader.type_hash}); what arrives cannot be trusted"
+                f"{where}: both use the type {writer.type_name}, but its definitions differ "
+                f"({writer.type_hash} and {reader.type_hash}); received messages cannot be trusted"
             )
         elif writer.structure and reader.structure and writer.structure != reader.structure:
             yield (
-                f"{where}: perhaps nothing will arrive; both announce the structure of {writer.type_name} (XTypes "
+                f"{where}: perhaps no message will arrive; both announce the structure of {writer.type_name} (XTypes "
                 f"{writer.structure} and {reader.structure}), and Fast DDS 3 (ROS 2 Kilted) and Cyclone DDS cannot "
                 f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
             )
         reason = incompatible(writer.qos, reader.qos)
         if reason:
-            yield f"{where}: nothing will arrive; {reason}"
+            yield f"{where}: no message will arrive; {reason}"
 
     def _whose(self, endpoint: Endpoint) -> str:
         return "this node" if self.is_own(endpoint) else self.owner(endpoint)
@@ -113,10 +112,10 @@ class Graph:
     def _update(self) -> None:
         from cyclonedds.core import InstanceState
 
-        for person in _taken(self._people):
-            key = str(person.key)
-            if person.sample_info.instance_state == InstanceState.Alive:
-                self._names[key] = _name(person.qos)
+        for participant in _taken(self._participants):
+            key = str(participant.key)
+            if participant.sample_info.instance_state == InstanceState.Alive:
+                self._names[key] = _name(participant.qos)
             else:
                 self._names.pop(key, None)
         for writes, reader in self._readers.items():
@@ -138,7 +137,7 @@ class Graph:
 
 
 def _taken(reader: Any) -> Iterator[Any]:
-    """Every change since the last look."""
+    """All changes since the last call."""
     while samples := reader.take(_TAKEN):
         yield from samples
         if len(samples) < _TAKEN:
@@ -156,14 +155,14 @@ def _ros_type(dds_name: str) -> str:
 
 
 def _name(qos: Any) -> str:
-    """What a participant tells about itself; which of it there is depends on the maker of its DDS."""
-    told: dict[str, str] = {}
+    """A participant's name, process and machine; the DDS implementation determines which of them are announced."""
+    properties: dict[str, str] = {}
     for policy in qos:
         if hasattr(policy, "key"):
-            told[policy.key] = policy.value
+            properties[policy.key] = policy.value
         elif policy.__scope__ == "EntityName":
-            told["name"] = policy.name
-    process = told.get("__Pid")
-    where = f"process {process} on {told.get('__Hostname', 'some machine')}" if process else ""
-    name = told.get("name") or told.get("__ProcessName", "")
+            properties["name"] = policy.name
+    process = properties.get("__Pid")
+    where = f"process {process} on {properties.get('__Hostname', 'some machine')}" if process else ""
+    name = properties.get("name") or properties.get("__ProcessName", "")
     return f"{name} ({where})" if name and where else name or where or "a process that gives no name"

@@ -1,4 +1,4 @@
-"""Joint states and joint commands as this robot can use them: checked, and in its own order of joints."""
+"""Joint states and joint commands, validated and in this robot's joint order."""
 
 from collections.abc import Sequence
 from typing import Final, NamedTuple
@@ -10,29 +10,29 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros.joint_state import Decoder, RawJointState
 
-LARGEST: Final = 1e3
-"""rad, or rad/s; larger values come of damage, and computing with them would give NaN"""
+MAX_VALUE: Final = 1e3
+"""Largest accepted position or velocity, rad or rad/s. Larger values indicate corrupt data and would lead to NaN."""
 
 
 class Joints(NamedTuple):
-    """One message in the order of `JOINT_NAMES`; what the message leaves out is None."""
+    """One message in the order of `JOINT_NAMES`; a field that the message leaves out is `None`."""
 
     stamp: int
-    """ns"""
+    """Timestamp, ns."""
     positions: NDArray[np.float64] | None
-    """rad (8,)"""
+    """Joint positions (8,), rad."""
     velocities: NDArray[np.float64] | None
-    """rad/s (8,)"""
+    """Joint velocities (8,), rad/s."""
     efforts: NDArray[np.float64] | None
-    """N m (8,); may hold NaN, which stands for unknown"""
+    """Joint torques (8,), N m; NaN means unknown."""
 
 
 class JointReader:
     """Reads the messages of one topic.
 
     Args:
-        topic: for errors.
-        needs: fields of `Joints` that every message must hold.
+        topic: topic name for error messages.
+        needs: fields of `Joints` that every message must contain.
     """
 
     def __init__(self, topic: str, needs: Sequence[str] = ()) -> None:
@@ -43,11 +43,11 @@ class JointReader:
         self._order = np.empty(0, dtype=np.intp)
 
     def __call__(self, data: bytes) -> Joints:
-        """The joints that CDR bytes of a JointState hold.
+        """Decode the CDR bytes of a JointState.
 
         Raises:
-            QuadrupedError: if they are damaged, the names are not this robot's, there are not as many values as names,
-                a position or velocity is not finite or beyond `LARGEST`, or a field is missing that is needed.
+            QuadrupedError: if the bytes are corrupt, the names are not this robot's, the numbers of values and names
+                differ, a position or velocity is not finite or exceeds `MAX_VALUE`, or a needed field is missing.
         """
         try:
             raw = self._decode(data)
@@ -61,7 +61,7 @@ class JointReader:
                 self._values(raw, "effort", finite=False),
             )
             if any(getattr(joints, field) is None for field in self._needs):
-                raise QuadrupedError(f"needs {' and '.join(self._needs)}; send a value per joint")
+                raise QuadrupedError(f"needs {' and '.join(self._needs)}; send one value per joint")
             return joints
         except QuadrupedError as error:
             raise QuadrupedError(f"{self._topic}: {error}") from error
@@ -71,18 +71,18 @@ class JointReader:
         if not given:
             return None
         if len(given) != len(raw.names):
-            raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one a joint")
+            raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one per joint")
         values = np.array(given)[self._order]
-        if finite and not (np.abs(values) <= LARGEST).all():
-            wrong = int(np.flatnonzero(~(np.abs(values) <= LARGEST))[0])
+        if finite and not (np.abs(values) <= MAX_VALUE).all():
+            wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
             raise QuadrupedError(
-                f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers of at most {LARGEST:g}"
+                f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
             )
         return values
 
 
 def _order(names: tuple[str, ...]) -> NDArray[np.intp]:
-    """Where each of this robot's joints stands among names."""
+    """Index of each of this robot's joints in a list of names."""
     if sorted(names) != sorted(JOINT_NAMES):
         unknown = [name for name in names if name not in JOINT_NAMES]
         missing = [name for name in JOINT_NAMES if name not in names]

@@ -1,4 +1,4 @@
-"""Keys of a terminal as they are pressed."""
+"""Key presses from a terminal."""
 
 import os
 import re
@@ -21,23 +21,23 @@ _READ: Final = 1024
 
 
 class Keyboard:
-    """A context in which a terminal hands on every key at once, and shows none.
+    """Context manager that reads keys from a terminal immediately and without echo.
 
     Args:
-        terminal: file descriptor; without it standard input.
+        terminal: file descriptor; standard input by default.
 
     Raises:
-        QuadrupedError: if it is no terminal.
+        QuadrupedError: if it is not a terminal.
     """
 
     def __init__(self, terminal: int | None = None) -> None:
         self._terminal = sys.stdin.fileno() if terminal is None else terminal
         if not os.isatty(self._terminal):
-            raise QuadrupedError("the keyboard: standard input is no terminal; start this from one")
+            raise QuadrupedError("the keyboard: standard input is not a terminal; start this node from one")
         self._settings: Any = None
         self._rest = b""
         self.gone = False
-        """Whether the terminal was closed"""
+        """True if the terminal was closed."""
 
     def __enter__(self) -> Self:
         import termios
@@ -56,10 +56,10 @@ class Keyboard:
             termios.tcsetattr(self._terminal, termios.TCSADRAIN, self._settings)
 
     def pressed(self, seconds: float) -> list[str]:
-        """The keys pressed since the last call, after waiting for one if there is none: characters, or `UP` to `RIGHT`.
+        """Keys pressed since the last call: characters, or `UP`, `DOWN`, `LEFT`, `RIGHT`. Waits if there are none.
 
         Args:
-            seconds: to wait at most.
+            seconds: timeout, s.
         """
         if self.gone or not select.select([self._terminal], [], [], max(0.0, seconds))[0]:
             return []
@@ -73,7 +73,7 @@ class Keyboard:
 
 
 def split_keys(data: bytes) -> tuple[list[str], bytes]:
-    """The keys that a terminal sent as bytes, and the bytes of one that is not complete yet."""
+    """The keys in a terminal's bytes, and the remaining bytes of an incomplete key sequence."""
     unfinished = _UNFINISHED.search(data)
     rest = unfinished[0] if unfinished else b""
     keys = []

@@ -1,4 +1,4 @@
-"""Several nodes by one command, as a launch file: they begin together and end together."""
+"""Several nodes from one command, like a launch file: they start together and end together."""
 
 import signal
 import subprocess
@@ -6,35 +6,35 @@ import sys
 import time
 from collections.abc import Sequence
 
-from quadruped_env.live.session import CLEAR_LINE, LOOK
+from quadruped_env.live.session import CLEAR_LINE, POLL_PERIOD
 
 _GRACE = 5.0
-"""s that a node has to end by itself"""
+"""Time for a node to end before it is killed, s."""
 
 
 def launch(nodes: Sequence[Sequence[str]]) -> int:
-    """Run nodes, each a process, until one of them ends or Ctrl-C ends them all.
+    """Run each node in its own process until one of them ends or Ctrl-C ends all.
 
     Args:
-        nodes: arguments of `python -m quadruped_env.live`, one list a node.
+        nodes: arguments of `python -m quadruped_env.live`, one list per node.
 
     Returns:
-        0 if they ended as asked, else what the first that ended by itself returned.
+        0 after Ctrl-C, otherwise the exit status of the node that ended first.
     """
-    asked: list[int] = []
+    signals: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda number, _: asked.append(number))
+        signal.signal(number, lambda number, _: signals.append(number))
     processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in nodes]  # noqa: S603
     ended: list[tuple[str, int]] = []
-    while not asked and not ended:
-        time.sleep(LOOK)
+    while not signals and not ended:
+        time.sleep(POLL_PERIOD)
         ended = [
             (node[0], process.returncode)
             for node, process in zip(nodes, processes, strict=True)
             if process.poll() is not None
         ]
     if ended:
-        _say(f"{ended[0][0]} ended; so do the others")
+        _say(f"{ended[0][0]} ended; ending the other nodes")
     for process in processes:
         if process.poll() is None:
             process.send_signal(signal.SIGINT)
@@ -42,7 +42,7 @@ def launch(nodes: Sequence[Sequence[str]]) -> int:
         try:
             process.wait(_GRACE)
         except subprocess.TimeoutExpired:
-            _say(f"{node[0]} does not end by itself; it is killed")
+            _say(f"{node[0]} has not ended within {_GRACE:g} s; killing it")
             process.kill()
             process.wait()
     return ended[0][1] if ended else 0
@@ -53,7 +53,7 @@ def _say(text: str) -> None:
 
 
 def common(domain_id: int | None, subnet: bool, seconds: float | None, quiet: bool) -> list[str]:
-    """What all nodes of a launch are told alike: the arguments of `add_common_arguments`."""
-    told = [] if domain_id is None else ["--domain-id", str(domain_id)]
-    told += ["--subnet"] * subnet + ["--quiet"] * quiet
-    return told if seconds is None else [*told, "--seconds", str(seconds)]
+    """Arguments that all nodes of a launch share, see `add_common_arguments`."""
+    arguments = [] if domain_id is None else ["--domain-id", str(domain_id)]
+    arguments += ["--subnet"] * subnet + ["--quiet"] * quiet
+    return arguments if seconds is None else [*arguments, "--seconds", str(seconds)]

@@ -1,4 +1,4 @@
-"""Subscriptions to topics as their publishers appear: of their type, and of the quality that all of them offer."""
+"""Subscriptions that follow the publishers of a topic: their type, and a QoS that all of them offer."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -13,21 +13,21 @@ from quadruped_env.live.topics import TOPICS, Topic
 from quadruped_env.ros import MESSAGE_TYPES, Qos
 
 DISCOVERY: Final = 1.5
-"""s in which those who are on the domain already are found, with time to spare"""
+"""Time within which existing publishers are discovered, with a margin, s."""
 _DEPTH: Final = 1000
-"""Messages that may wait to be taken"""
+"""Queue depth of the subscriptions, messages."""
 _DEFAULT_DEPTH: Final = 10
-_LOOK_PERIOD: Final = 0.1
-"""s"""
+_UPDATE_PERIOD: Final = 0.1
+"""Time between checks for new publishers, s."""
 
 
 class Listener:
-    """Subscribes to topics of others, whenever they appear.
+    """Subscribes to topics of other processes as soon as they are published.
 
     Args:
-        session: of the process.
-        names: of the topics, with or without the leading slash; none stands for all whose types are known here.
-        read: makes the `read` of a topic's subscription; without it messages stay bytes.
+        session: the session of this process.
+        names: topic names, with or without the leading slash; by default all topics of known types.
+        read: returns the `read` function of a topic's subscription; by default messages stay bytes.
     """
 
     def __init__(
@@ -36,15 +36,15 @@ class Listener:
         self._session = session
         self._read = read
         self._names = tuple(f"/{name.lstrip('/')}" for name in names)
-        self._pace = Pace(_LOOK_PERIOD)
+        self._pace = Pace(_UPDATE_PERIOD)
         self.subscriptions: list[Subscription[Any]] = []
-        """One a topic that is published; each says what its publishers offer as `topic.qos`"""
+        """One subscription per published topic; `topic.qos` is the QoS that its publishers offer."""
 
-    def look(self) -> None:
-        """Subscribe to what has appeared. To be called often: it looks at the time itself.
+    def update(self) -> None:
+        """Subscribe to topics that have appeared. Call this often; it limits its own rate.
 
         Raises:
-            QuadrupedError: if a topic that was asked for has a type that is not known here.
+            QuadrupedError: if a requested topic has an unknown type.
         """
         if not self._pace.tick():
             return
@@ -55,7 +55,7 @@ class Listener:
 
     @property
     def missing(self) -> str:
-        """What there is to wait for, in words: the topics that nobody publishes; empty if there are none."""
+        """Description of the requested topics without a publisher; empty if there are none."""
         heard = {subscription.topic.name for subscription in self.subscriptions}
         if not self._names:
             return "" if heard else "any publisher"
@@ -73,10 +73,10 @@ class Listener:
     def _subscribe(self, name: str, publishers: Sequence[Endpoint]) -> None:
         known = [endpoint for endpoint in publishers if endpoint.type_name in MESSAGE_TYPES]
         if not known:
-            problem = f"{name}: is of type {publishers[0].type_name}; known here are {', '.join(MESSAGE_TYPES)}"
+            problem = f"{name}: has the unknown type {publishers[0].type_name}; known types: {', '.join(MESSAGE_TYPES)}"
             if self._names:
                 raise QuadrupedError(problem)
-            self._session.say_once(f"left out: {problem}")
+            self._session.say_once(f"skipped: {problem}")
             return
         offered = common_qos([endpoint.qos for endpoint in known], name)
         topic = Topic(name, known[0].type_name, offered)
@@ -85,9 +85,9 @@ class Listener:
 
 
 def common_qos(offers: Sequence[Qos], name: str) -> Qos:
-    """What a subscription may ask for to hear all publishers of a topic, as ROS 2's tools do.
+    """The QoS with which a subscription matches all publishers of a topic, as in ROS 2's tools.
 
-    The depth is that of this robot's topic of the name: publishers need not tell theirs.
+    The depth is that of this robot's topic of the same name, since publishers need not announce theirs.
     """
     depth = TOPICS[name].qos.depth if name in TOPICS else _DEFAULT_DEPTH
     return Qos(

@@ -1,4 +1,4 @@
-"""The viewer as a follower: it draws the robot where the messages say, and sends commands and pushes as messages."""
+"""The robot of the live topics in the viewer: drawn from received messages, commanded and pushed by messages."""
 
 import math
 import time
@@ -26,29 +26,29 @@ from quadruped_env.viewer.sample import Sample
 NAME: Final = "live robot"
 _ROW: Final = np.zeros(1, dtype=np.intp)
 _TIMESTEP: Final = 0.02
-"""s between samples"""
+"""Time between samples, s."""
 _SMOOTHING: Final = 1.0 - math.exp(-_TIMESTEP / 0.2)
-"""Share of a new velocity in the average over about a gait cycle, as in the simulated robot's plots"""
+"""Filter gain of the velocity average over about one gait cycle, as in the simulated robot's plots."""
 _CONTACT: Final = 1.0
-"""N; a foot that presses harder is on the ground"""
-_ODOMETRY_LASTS: Final = 1.0
-"""s; without a newer one the robot is drawn resting on its feet where it was"""
-_STOP: Final = 1.0
-"""s for which a zero command is repeated; then others may steer"""
+"""Contact force above which a foot counts as on the ground, N."""
+_ODOMETRY_TIMEOUT: Final = 1.0
+"""Age of the last odometry after which the robot is drawn standing at its last position, s."""
+_STOP_PERIOD: Final = 1.0
+"""Time for which a zero command is repeated, so that other publishers may take over afterwards, s."""
 _COMMAND_PERIOD: Final = 0.1
-_CHANGING: Final = 1.0
-"""s after a change of the gait's settings"""
-_FARTHEST: Final = 1e6
-"""m, m/s or rad/s; nothing is drawn beyond"""
-_SHORTEST: Final = 1e-3
-"""Length of a quaternion that still says where to"""
+_SETTINGS_HOLD: Final = 1.0
+"""Time after a change of the gait's settings during which received settings are ignored, s."""
+_MAX_VALUE: Final = 1e6
+"""Largest accepted value, m, m/s or rad/s."""
+_MIN_NORM: Final = 1e-3
+"""Smallest quaternion norm that still defines an orientation."""
 
 
 class LiveRobot:
-    """`quadruped_env.viewer.robot.ViewedRobot` that is where the topics say, and is steered by messages.
+    """A `quadruped_env.viewer.robot.ViewedRobot` that takes its state from topics and sends commands as messages.
 
     Args:
-        node: that listens, and publishes commands and pushes.
+        node: the node that subscribes, and publishes commands and pushes.
         refused: called with the reason for each message that cannot be drawn.
     """
 
@@ -65,13 +65,13 @@ class LiveRobot:
         self._gaits = node.publish(GAIT)
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read_settings))
         self._settings: GaitSettings | None = None
-        self._changed_at = -_CHANGING
+        self._changed_at = -_SETTINGS_HOLD
         self._joints = Joints(0, STANCE, np.zeros(8), None)
         self._pose = resting_pose(STANCE)
         self._twist = np.zeros(6)
-        self._odometry_at = -_ODOMETRY_LASTS
+        self._odometry_at = -_ODOMETRY_TIMEOUT
         self._command = np.zeros(2)
-        self._moved_at = -_STOP
+        self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
         self._simulation = SingleSimulation(load_model())
@@ -87,11 +87,11 @@ class LiveRobot:
 
     @property
     def data(self) -> mujoco.MjData:
-        """MuJoCo's data: where the messages say that the robot is."""
+        """MuJoCo's data, set to the received state."""
         return self._simulation.data
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
-        """Begin the plots again, under a command; the robot stays where it is."""
+        """Clear the plots and set the command; the robot stays where it is."""
         self._command = np.array(command)
         self._steps = 0
         self._smooth_velocity[:] = 0.0
@@ -99,11 +99,11 @@ class LiveRobot:
         self._place()
 
     def set_command(self, command: tuple[float, float]) -> None:
-        """Command a forward velocity in m/s and a yaw rate in rad/s, with the next message."""
+        """Set the velocity command: forward velocity in m/s and yaw rate in rad/s. Sent with the next message."""
         self._command = np.array(command)
 
     def push(self, velocity: tuple[float, float]) -> None:
-        """Send a push: a velocity (forwards, to the left) in m/s, as the robot faces, to be added to its base."""
+        """Send a push: a velocity (forwards, left) in the robot's heading frame, m/s, that is added to its base."""
         x, y, z = world_velocity(velocity, heading(self.data)).tolist()
         self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
 
@@ -114,14 +114,14 @@ class LiveRobot:
         self._steer(self._command, now)
         positions = self._joints.positions
         assert positions is not None
-        if now - self._odometry_at > _ODOMETRY_LASTS:
+        if now - self._odometry_at > _ODOMETRY_TIMEOUT:
             resting = resting_pose(positions)
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
         return self._place()
 
     def _place(self) -> Sample:
-        """Put the model where the last messages say."""
+        """Set the model to the last received state."""
         positions, velocities, efforts = self._joints.positions, self._joints.velocities, self._joints.efforts
         assert positions is not None
         qpos = np.concatenate([self._pose, positions])
@@ -159,17 +159,17 @@ class LiveRobot:
         self._settings, self._changed_at = settings, time.monotonic()
 
     def complaints(self) -> list[str]:
-        """Nothing: the `gait` node says which limits its gait exceeds."""
+        """An empty list: the `gait` node itself reports the limits that its gait exceeds."""
         return []
 
     def offered(self) -> Offered:
-        """What a person can do: commands and pushes where a node takes them; the clock is that of a simulation."""
+        """The available controls: those with a subscriber; the clock only with a simulation."""
         commands, pushes = bool(self._velocities.readers), bool(self._pushes.readers)
         return Offered(command=commands, push=pushes, clock=pushes, sources=False)
 
     @property
-    def hears(self) -> bool:
-        """Whether joint states have come."""
+    def receives_states(self) -> bool:
+        """True once joint states have been received."""
         return self._states.count > 0
 
     def _listen(self, now: float) -> None:
@@ -181,15 +181,15 @@ class LiveRobot:
             self._odometry_at = now
             self._pose, self._twist = newest[1]
         settings = self._gait_settings.newest(self._refused)
-        # While a slider is dragged, what comes is what it was before.
-        if settings is not None and now - self._changed_at > _CHANGING:
+        # While a slider is dragged, received settings are older than the slider.
+        if settings is not None and now - self._changed_at > _SETTINGS_HOLD:
             self._settings = settings[1]
 
     def _steer(self, command: NDArray[np.float64], now: float) -> None:
-        """Send the viewer's command, for as long as it asks for something and a little longer."""
+        """Send the viewer's command while it is not zero, and zero for a moment afterwards."""
         if command.any():
-            self._moved_at = now
-        if now - self._moved_at > _STOP or now - self._sent_at < _COMMAND_PERIOD:
+            self._commanded_at = now
+        if now - self._commanded_at > _STOP_PERIOD or now - self._sent_at < _COMMAND_PERIOD:
             return
         self._sent_at = now
         twist = {"linear": {"x": command[0]}, "angular": {"z": command[1]}}
@@ -197,10 +197,10 @@ class LiveRobot:
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Pose (7,) and velocities (6,) of the base, as MuJoCo has them, of a message of `/odom`.
+    """Base pose (7,) and velocity (6,) of an `/odom` message, in MuJoCo's conventions.
 
     Raises:
-        QuadrupedError: if a value is not finite or too large, or the orientation has no length.
+        QuadrupedError: if a value is not finite or too large, or the orientation is zero.
     """
     place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
     linear, angular = odometry.twist.twist.linear, odometry.twist.twist.angular
@@ -208,9 +208,9 @@ def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float
     velocity = np.array([linear.x, linear.y, linear.z])
     rate = np.array([angular.x, angular.y, angular.z])
     length = float(np.linalg.norm(pose[3:]))
-    if not (np.abs(np.concatenate([pose, velocity, rate])) <= _FARTHEST).all() or length < _SHORTEST:
+    if not (np.abs(np.concatenate([pose, velocity, rate])) <= _MAX_VALUE).all() or length < _MIN_NORM:
         raise QuadrupedError(
-            f"{ODOMETRY.name}: a value is not finite or over {_FARTHEST:g}, or the orientation is zero; send finite "
+            f"{ODOMETRY.name}: a value is not finite or over {_MAX_VALUE:g}, or the orientation is zero; send finite "
             f"numbers and a unit quaternion"
         )
     pose[3:] /= length

@@ -1,4 +1,4 @@
-"""A node: publishers and subscriptions of one process, and waiting for messages or for the time.
+"""A node: publishers and subscriptions of one process, and waiting for messages with a timeout.
 
 node = Node("listener", Network.from_environment())
 states = node.subscribe(JOINT_STATES)
@@ -29,35 +29,35 @@ _TAKEN: Final = 256
 _LATENCIES: Final = 1000
 
 T = TypeVar("T")
-"""Of what the messages of a subscription are read as"""
+"""Type that the messages of a subscription are decoded to."""
 Read = Callable[[bytes], T]
-"""Reads CDR bytes; raises a QuadrupedError, or anything, if they do not hold what is expected"""
+"""Decodes CDR bytes; may raise a QuadrupedError, or any other exception, for invalid bytes."""
 Refused = Callable[[str], object]
-"""Called with the reason for each message that cannot be read"""
+"""Called with the reason for each message that cannot be decoded."""
 
 
 class Received(NamedTuple):
-    """One message as it came."""
+    """One received message, not yet decoded."""
 
     data: bytes
-    """CDR"""
+    """CDR bytes."""
     sent: int
-    """ns of the sender's clock"""
+    """Source timestamp, by the sender's clock, ns."""
     writer: int
-    """Who sent it: `Endpoint.handle`"""
+    """Handle of the publisher, see `Endpoint.handle`."""
     taken: float = 0.0
-    """s of `time.monotonic` when it was taken, before anything was read"""
+    """`time.monotonic` at which the message was taken, before decoding, s."""
 
 
 class Publisher:
-    """Sends messages on a topic. Made by `Node.publish`."""
+    """Sends messages on a topic. Created by `Node.publish`."""
 
     def __init__(self, participant: Any, topic: Topic, qos: Qos) -> None:
         from cyclonedds.pub import DataWriter
 
         self.topic = topic
         self.count = 0
-        """Messages sent"""
+        """Number of messages sent."""
         self._wire = wire_type(topic.type_name)
         self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type))
 
@@ -74,10 +74,10 @@ class Publisher:
         self.send_bytes(cdr.serialize(message))
 
     def send_bytes(self, data: bytes) -> None:
-        """Send a message that is CDR bytes already.
+        """Send a message that is already serialized to CDR.
 
         Raises:
-            QuadrupedError: if they do not hold a message of the topic's type; DDS looks.
+            QuadrupedError: if DDS rejects the bytes as a message of the topic's type.
         """
         from cyclonedds.core import DDSException
 
@@ -91,20 +91,20 @@ class Publisher:
 
     @property
     def readers(self) -> int:
-        """How many subscriptions it reaches."""
+        """Number of matched subscriptions."""
         return len(self._writer.get_matched_subscriptions())
 
     def wait_until_read(self, seconds: float) -> bool:
-        """Wait until every reliable reader has what was sent; whether that came about in time."""
+        """Wait until every reliable reader has acknowledged all messages. Returns False on timeout."""
         try:
             return bool(self._writer.wait_for_acks(round(seconds * NS_PER_SECOND)))
         except AttributeError:
-            # What cyclonedds 11.0.1 makes of a time that ran out: it looks for the code in a class without it.
+            # cyclonedds 11.0.1 fails with this error on a timeout: it looks up the return code in the wrong class.
             return False
 
 
 class Subscription(Generic[T]):
-    """Receives messages on a topic. Made by `Node.subscribe`."""
+    """Receives messages on a topic. Created by `Node.subscribe`."""
 
     def __init__(self, participant: Any, topic: Topic, qos: Qos, read: Read[T], ignore_own: bool = False) -> None:
         from cyclonedds.core import InstanceState, ReadCondition, SampleState, ViewState
@@ -112,21 +112,21 @@ class Subscription(Generic[T]):
 
         self.topic = topic
         self.count = 0
-        """Messages received"""
+        """Number of messages received."""
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
-        """s from sending to taking, of the last ones; across machines as true as their clocks are"""
+        """Latencies from sending to taking of the last messages, s. Between machines they include the clock offset."""
         self._read = read
         self._reader = DataReader(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type, ignore_own))
         self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
 
     def take(self) -> list[Received]:
-        """All that has come since the last call, in the order of its coming."""
+        """All messages received since the last call, in order of arrival."""
         taken: list[Received] = []
         while samples := self._reader.take(_TAKEN):
-            # After the call, which may have been held up: a message cannot be older than this says.
+            # Read the clock after the call, which may have been delayed, so that no message seems younger than it is.
             now, at = time.time_ns(), time.monotonic()
             for sample in samples:
-                # A sample without data says only that a publisher went.
+                # A sample without data only reports that a publisher has left.
                 if sample.sample_info.valid_data:
                     sent = sample.sample_info.source_timestamp
                     taken.append(Received(sample.data, sent, sample.sample_info.publication_handle, at))
@@ -137,17 +137,17 @@ class Subscription(Generic[T]):
         return taken
 
     def latest(self) -> Received | None:
-        """The last one that has come since the last call."""
+        """The last message received since the last call, or None."""
         taken = self.take()
         return taken[-1] if taken else None
 
     def messages(self, refused: Refused) -> Iterator[tuple[Received, T]]:
-        """All messages since the last call that can be read, in the order of their coming.
+        """All messages since the last call that can be decoded, in order of arrival.
 
-        The one way in which nodes read what others send: no message of any size or content raises here.
+        Nodes use this to read messages of other processes: no message raises here, whatever its size or content.
 
         Args:
-            refused: is called with the reason for every message that cannot be read.
+            refused: called with the reason for each message that cannot be decoded.
         """
         for received in self.take():
             try:
@@ -158,15 +158,15 @@ class Subscription(Generic[T]):
                 yield received, message
 
     def newest(self, refused: Refused) -> tuple[Received, T] | None:
-        """The last message since the last call that can be read; arguments as of `messages`."""
+        """The last message since the last call that can be decoded; arguments as in `messages`."""
         messages = list(self.messages(refused))
         return messages[-1] if messages else None
 
     def decode(self, received: Received) -> T:
-        """What a message that was received is read as: a message of `quadruped_env.ros.cdr`, or the result of `read`.
+        """Decode a received message with `read`, by default to a message of `quadruped_env.ros.cdr`.
 
         Raises:
-            QuadrupedError: if it cannot be read; the message names the topic.
+            QuadrupedError: if it cannot be decoded; the error names the topic.
             MissingExtraError: if rosbags is not installed.
         """
         try:
@@ -175,7 +175,7 @@ class Subscription(Generic[T]):
             raise
         except QuadrupedError as error:
             reason = str(error)
-        # Bytes come from outside, and a reader may fail on them in ways that nobody has thought of.
+        # The bytes are untrusted, and a reader may fail on them with any exception.
         except Exception as error:
             reason = f"{len(received.data)} bytes cannot be read: {type(error).__name__}: {error}"
         prefix = f"{self.topic.name}: "
@@ -183,7 +183,7 @@ class Subscription(Generic[T]):
 
     @property
     def writers(self) -> int:
-        """How many publishers it hears."""
+        """Number of matched publishers."""
         return len(self._reader.get_matched_publications())
 
     @property
@@ -193,11 +193,11 @@ class Subscription(Generic[T]):
 
 
 class Node:
-    """One node of the system.
+    """A node on a DDS domain.
 
     Args:
-        name: what others may call it.
-        network: where to meet them; without it as ROS_DOMAIN_ID says, on this machine only.
+        name: the node's name, visible to other processes.
+        network: the domain and network; by default ROS_DOMAIN_ID on this machine only.
 
     Raises:
         MissingExtraError: if cyclonedds is not installed.
@@ -216,7 +216,7 @@ class Node:
         self._waitset = WaitSet(self._participant)
 
     def publish(self, topic: Topic, qos: Qos | None = None) -> Publisher:
-        """A publisher of a topic, which offers the topic's quality of service or another one."""
+        """Create a publisher of a topic; `qos` replaces the topic's quality of service."""
         _prepare(topic.type_name, None)
         publisher = Publisher(self._participant, topic, qos or topic.qos)
         self.publishers.append(publisher)
@@ -233,16 +233,15 @@ class Node:
     def subscribe(
         self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, read: Read[Any] | None = None
     ) -> Subscription[Any]:
-        """A subscription to a topic, which asks for the topic's quality of service or another one.
+        """Create a subscription to a topic.
 
-        One message of the type is read beforehand: the first reading takes up to a second, and messages would be late.
+        One message of the type is decoded beforehand: the first decoding takes up to a second and would delay messages.
 
         Args:
-            topic: what to hear.
-            qos: what to ask for.
-            ignore_own: hear only others, not what this node itself publishes.
-            read: reads the CDR bytes; without it they become messages of `quadruped_env.ros.cdr`. Where it is `bytes`,
-                they stay bytes.
+            topic: the topic to subscribe to.
+            qos: requested quality of service; by default the topic's.
+            ignore_own: ignore messages that this node itself publishes.
+            read: decodes the CDR bytes; by default to messages of `quadruped_env.ros.cdr`; `bytes` keeps them.
         """
         if read is None:
             read = message_reader(topic, lambda message: message)
@@ -254,23 +253,23 @@ class Node:
         return subscription
 
     def wait(self, seconds: float) -> bool:
-        """Wait until a message is there to take, or for a time; whether there is one."""
+        """Wait for a message, with a timeout in s. Returns True if a message is available."""
         seconds = max(0.0, seconds)
         if not self.subscriptions:
-            # DDS does not wait for nothing.
+            # A DDS wait set without conditions returns at once.
             time.sleep(seconds)
             return False
         return bool(self._waitset.wait(round(seconds * NS_PER_SECOND)) > 0)
 
     def close(self) -> None:
-        """Leave the domain, so that others learn of it at once."""
+        """Leave the domain, so that other processes are notified at once."""
         participant, self._participant = self._participant, None
         if participant is not None:
             participant._delete(participant._ref)
 
 
 def message_reader(topic: Topic, convert: Callable[[Any], T]) -> Read[T]:
-    """Reads a topic's CDR bytes as what a function makes of the message; it may raise a QuadrupedError."""
+    """Returns a `Read` that decodes a topic's messages and converts them; `convert` may raise a QuadrupedError."""
     return lambda data: convert(cdr.deserialize(data, topic.type_name))
 
 
@@ -281,13 +280,13 @@ def _example(type_name: str) -> bytes:
 
 
 def _prepare(type_name: str, read: Read[Any] | None) -> None:
-    """Write and read one message of a type: rosbags compiles its code at the first of each."""
+    """Encode and decode one message of a type: rosbags compiles its code on first use."""
     try:
         example = _example(type_name)
         if read is not None:
             read(example)
     except (QuadrupedError, MissingExtraError):
-        # No joint states without names for this robot's reader. Who needs rosbags is told when it is needed.
+        # This robot's reader refuses joint states without names. A missing rosbags is reported when it is needed.
         pass
 
 

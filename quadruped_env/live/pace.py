@@ -1,4 +1,4 @@
-"""Real time: loops that keep to a grid of deadlines, and meters of rate."""
+"""Real time: periodic deadlines and rate measurement."""
 
 import os
 import time
@@ -6,65 +6,65 @@ from collections.abc import Callable
 from typing import Final
 
 _PRIORITY: Final = 10
-"""of 1 to 99; those of the system's own threads lie above"""
+"""SCHED_FIFO priority, 1 to 99; kernel threads have higher priorities."""
 
 Clock = Callable[[], float]
-"""s from any start, which never goes back"""
+"""A monotonic clock, s from an arbitrary start."""
 
 
-def claim_processor() -> str:
-    """Let this thread, and those that it starts, run before every program of ordinary priority.
+def request_realtime_priority() -> str:
+    """Give this thread, and the threads that it starts, real-time priority (SCHED_FIFO).
 
     Returns:
-        Why not, where the system does not allow it; else empty.
+        The reason if the system refuses it, otherwise an empty string.
     """
     if not hasattr(os, "sched_setscheduler"):
-        return "this system knows no SCHED_FIFO"
+        return "this system does not support SCHED_FIFO"
     try:
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(_PRIORITY))
     except PermissionError:
-        return "no right to SCHED_FIFO; 'ulimit -r' must be at least 10, or the program be root's"
+        return "no permission for SCHED_FIFO; raise 'ulimit -r' to at least 10, or run as root"
     return ""
 
 
 class Pace:
-    """Deadlines at equal distances from a start, so that lateness never adds up.
+    """Periodic deadlines on a fixed grid, so that delays do not accumulate.
 
     Args:
-        period: s between deadlines.
-        clock: of `time.monotonic`'s kind.
-        most_behind: s; what a loop is later than that is lost, so that it does not race to catch up.
+        period: time between deadlines, s.
+        clock: a monotonic clock such as `time.monotonic`.
+        max_lag: delay beyond which deadlines are skipped instead of caught up, s.
     """
 
-    def __init__(self, period: float, clock: Clock = time.monotonic, most_behind: float = 0.1) -> None:
+    def __init__(self, period: float, clock: Clock = time.monotonic, max_lag: float = 0.1) -> None:
         self.period = period
         self.ticks = 0
-        """Deadlines that were met or passed over"""
+        """Number of deadlines met or skipped."""
         self.lost = 0
-        """Deadlines that were passed over"""
+        """Number of deadlines skipped."""
         self.latest = 0.0
-        """s by which the latest one was missed"""
+        """Largest delay of a deadline so far, s."""
         self._clock = clock
         self._start = clock()
-        self._most_behind = most_behind
+        self._max_lag = max_lag
 
     @property
     def due(self) -> float:
-        """The next deadline, on the clock."""
+        """The next deadline, by the clock, s."""
         return self._start + self.ticks * self.period
 
     @property
     def remaining(self) -> float:
-        """Seconds to the next deadline; negative once it has passed."""
+        """Time to the next deadline, s; negative once it has passed."""
         return self.due - self._clock()
 
     def tick(self) -> bool:
-        """Whether a deadline has come, which then counts as met."""
+        """Returns True if a deadline has come, and counts it as met."""
         late = -self.remaining
         if late < 0.0:
             return False
         self.latest = max(self.latest, late)
-        if late > self._most_behind:
+        if late > self._max_lag:
             missed = int(late / self.period)
             self.ticks += missed
             self.lost += missed
@@ -73,11 +73,11 @@ class Pace:
 
 
 class Rate:
-    """How fast a count grows, from look to look.
+    """Rate of a counter between calls.
 
     Args:
-        clock: of `time.monotonic`'s kind.
-        since: when the count was 0, on the clock; None is now.
+        clock: a monotonic clock such as `time.monotonic`.
+        since: time by the clock at which the count was 0; None means now.
     """
 
     def __init__(self, clock: Clock = time.monotonic, since: float | None = None) -> None:
@@ -86,7 +86,7 @@ class Rate:
         self._count = 0
 
     def per_second(self, count: int) -> float:
-        """Growth per second since the last call."""
+        """Increase per second since the last call."""
         now = self._clock()
         elapsed, self._then = now - self._then, now
         grown, self._count = count - self._count, count

@@ -1,20 +1,20 @@
-"""Qualities of service for `cyclonedds`, and what keeps two ends of a topic apart, in words."""
+"""Quality-of-service profiles for `cyclonedds`, and their compatibility."""
 
 from typing import Any, Final
 
 from quadruped_env.ros import MessageType, Qos
 
 _BLOCKING: Final = 100_000_000
-"""ns that a reliable writer waits for a slow reader, which is what DDS takes by default"""
+"""Maximum time that a reliable writer blocks on a slow reader, the DDS default, ns."""
 
 
 def dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
-    """What an endpoint is created with; its user data carries the type hash, as ROS 2 does from Iron on.
+    """The DDS QoS for an endpoint; its user data carries the type hash, as in ROS 2 Iron and later.
 
     Args:
         qos: the profile.
-        kind: the type of its messages.
-        ignore_own: whether it is kept apart from what the same participant has.
+        kind: the message type.
+        ignore_own: ignore endpoints of the same participant.
     """
     from cyclonedds.core import Policy
     from cyclonedds.core import Qos as DdsQos
@@ -29,7 +29,7 @@ def dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
 
 
 def read_qos(qos: Any) -> Qos:
-    """The profile of an endpoint that was discovered; a depth of 0 keeps all."""
+    """The profile of a discovered endpoint; depth 0 means keep all."""
     from cyclonedds.core import Policy
 
     policies = {policy.__scope__: policy for policy in qos}
@@ -41,7 +41,7 @@ def read_qos(qos: Any) -> Qos:
 
 
 def read_type_hash(qos: Any) -> str:
-    """The type hash in the user data of an endpoint that was discovered; empty where it has none."""
+    """The type hash in the user data of a discovered endpoint; empty if it has none."""
     for policy in qos:
         if policy.__scope__ == "Userdata":
             for entry in policy.data.decode("ascii", "replace").split(";"):
@@ -52,10 +52,10 @@ def read_type_hash(qos: Any) -> str:
 
 
 def incompatible(offered: Qos, requested: Qos) -> str:
-    """Why a reader gets nothing from a writer, in words; empty if it does."""
+    """The reason why a reader receives nothing from a writer; empty if the profiles are compatible."""
     reasons = []
     if requested.reliable and not offered.reliable:
-        reasons.append("the reader asks for reliable delivery, the writer offers best effort")
+        reasons.append("the reader requests reliable delivery, the writer offers best effort")
     if requested.transient_local and not offered.transient_local:
-        reasons.append("the reader asks for transient local (latched), the writer offers volatile")
+        reasons.append("the reader requests transient local (latched), the writer offers volatile")
     return " and ".join(reasons)

@@ -1,4 +1,4 @@
-"""A bag that grows while messages come: their bytes as they came."""
+"""Records received messages into a bag, as the bytes that arrived."""
 
 import sqlite3
 import time
@@ -14,37 +14,38 @@ from quadruped_env.live.topics import Topic
 from quadruped_env.trajectory.formats.bag_writer import BagOptions, check_target, connect, open_bag, save_progress
 
 _SAVE_EVERY: Final = 500_000
-"""Bytes of messages after which a killed recorder must not lose them"""
+"""Message bytes after which the recording is saved, so that a killed recorder does not lose them."""
 
 
 class Recorder:
-    """A context that writes what it is given into a new bag; without a message there is none.
+    """Context manager that writes messages into a new bag; without a message no bag is created.
 
-    The bag grows in a directory named `<path>.part`, and comes to its place when it is whole. What was written when the
-    process is killed or the disk is full stays there; `--salvage` reads it back, but for the last MB at most.
+    The bag is written in a directory named `<path>.part` and moved to its place when it is complete. If the process is
+    killed or the disk is full, it stays there;
+    `--salvage` recovers all but at most the last MB.
 
     Args:
-        path: of the bag, a directory.
+        path: the bag's directory.
         storage: `mcap` or `sqlite3`.
 
     Raises:
-        QuadrupedError: if there is something at the path already, or an unfinished recording next to it.
+        QuadrupedError: if the path already exists, or there is an unfinished recording next to it.
     """
 
     def __init__(self, path: Path, storage: str = "mcap") -> None:
         check_target(path, overwrite=False)
         self.path = path
         self._part = path.with_name(path.name + PART) / path.name
-        """The bag while it grows. Storage files are called as their bag is, so it has its name already."""
+        """The bag while it is written. It already has its final name, since storage files are named after it."""
         if self._part.parent.exists():
             raise QuadrupedError(
                 f"{self._part.parent}: holds a recording that was cut short; read it back "
                 f"({program_command('convert', self._part, 'OUT', '--salvage')}) and remove it, or name another place"
             )
         self.count = 0
-        """Messages"""
+        """Number of messages written."""
         self.size = 0
-        """Bytes of messages"""
+        """Size of the messages written, bytes."""
         self._options = BagOptions(storage)
         self._stack = ExitStack()
         self._writer: Any = None
@@ -53,11 +54,11 @@ class Recorder:
         self._last = 0
 
     def write(self, topic: Topic, data: bytes) -> None:
-        """Write a message, at the time of now: later than the one before, so that their order stays.
+        """Write a message with the current time, which is strictly increasing to preserve the order.
 
         Args:
-            topic: whose it is; its quality of service is kept in the bag.
-            data: CDR.
+            topic: the message's topic; its quality of service is stored in the bag.
+            data: CDR bytes.
 
         Raises:
             QuadrupedError: if the bag cannot be written.
@@ -80,7 +81,7 @@ class Recorder:
 
     @property
     def topics(self) -> int:
-        """How many have had a message."""
+        """Number of topics with at least one message."""
         return len(self._connections)
 
     def __enter__(self) -> Self:
@@ -90,7 +91,7 @@ class Recorder:
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
         try:
-            # Whatever happened elsewhere, the bag is closed as a whole one: what came before is good.
+            # Complete the bag even after an error elsewhere: the messages so far are valid.
             self._stack.close()
             if self._writer is not None and not self._failed:
                 check_target(self.path, overwrite=False)

@@ -1,4 +1,4 @@
-"""The log of refused messages: each reason once a second, with a count, however many messages come."""
+"""Log of refused messages: each reason at most once per second, with a count."""
 
 import time
 from collections.abc import Callable
@@ -7,37 +7,37 @@ from typing import Final
 from quadruped_env.live.pace import Clock
 
 PERIOD: Final = 1.0
-"""s; a reason is logged once in that time"""
-MOST_REASONS: Final = 3
-"""Reasons that are logged in that time; further ones are only counted"""
-_LONGEST: Final = 300
-"""Characters of a reason: a message may hold names of any length"""
+"""Time between log lines for the same reason, s."""
+MAX_REASONS: Final = 3
+"""Maximum number of reasons logged per period; further reasons are only counted."""
+_MAX_CHARACTERS: Final = 300
+"""Maximum length of a logged reason in characters, since a message may contain names of any length."""
 
 
 class Refusals:
     """Counts refused messages by reason, and writes them to the log.
 
-    The first message of a reason is logged at once. Those that follow are logged once a second, with their number.
-    What is kept is bounded, whatever the messages hold.
+    The first message of a reason is logged at once. Later ones are logged once per second, with their number.
+    Memory use is bounded, whatever the messages contain.
 
     Args:
         say: writes one line to the log.
-        clock: of `time.monotonic`'s kind.
+        clock: a monotonic clock such as `time.monotonic`.
     """
 
     def __init__(self, say: Callable[[str], None], clock: Clock = time.monotonic) -> None:
         self._say = say
         self._clock = clock
         self._counts: dict[str, int] = {}
-        """Reason -> messages that have not been logged"""
+        """Reason -> number of messages not logged yet."""
         self._others = 0
-        """Messages of further reasons that have not been logged"""
+        """Number of messages with further reasons that have not been logged yet."""
         self._since = 0.0
         self.count = 0
-        """Messages refused"""
+        """Number of messages refused."""
 
     def __call__(self, reason: str) -> None:
-        """Count a message that was refused, and log it if it is time for that."""
+        """Count a refused message, and log it if the period allows it."""
         self.report()
         self.count += 1
         reason = _line(reason)
@@ -45,17 +45,17 @@ class Refusals:
             self._since = self._clock()
         if reason in self._counts:
             self._counts[reason] += 1
-        elif len(self._counts) < MOST_REASONS:
+        elif len(self._counts) < MAX_REASONS:
             self._counts[reason] = 0
             self._say(f"refused: {reason}")
         else:
             self._others += 1
 
     def report(self, last: bool = False) -> None:
-        """Log what was counted, if it is time for that. To be called often.
+        """Log the counts if the period is over. Call this often.
 
         Args:
-            last: log it even if the second is not over.
+            last: log them even if the period is not over.
         """
         elapsed = self._clock() - self._since
         if not self._counts or (elapsed < PERIOD and not last):
@@ -65,7 +65,7 @@ class Refusals:
                 self._say(f"refused: {reason} ({_messages(count)} in {elapsed:.1f} s)")
         if self._others:
             self._say(f"refused: {_messages(self._others)} for other reasons in {elapsed:.1f} s")
-        # A reason that goes on is logged with its count; one that did not occur is new when it comes again.
+        # A reason that did not occur in this period counts as new when it occurs again.
         self._counts = {reason: 0 for reason, count in self._counts.items() if count}
         self._others = 0
         self._since = self._clock()
@@ -76,6 +76,6 @@ def _messages(count: int) -> str:
 
 
 def _line(text: str) -> str:
-    """A text as a part of one line: what a terminal would obey is escaped, and what is too long is cut."""
-    short = text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
+    """A text as part of one line: control characters are escaped, and long texts are truncated."""
+    short = text if len(text) <= _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}..."
     return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in short)

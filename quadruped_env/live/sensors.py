@@ -1,4 +1,4 @@
-"""What a robot publishes about itself, from a simulation's readings."""
+"""The robot's sensor topics, published from a simulation's readings."""
 
 from typing import Any, Final
 
@@ -19,10 +19,10 @@ _BASE: Final = LINK_NAMES[0]
 
 
 class Sensors:
-    """The robot's publishers: joints, attitude, odometry, the base's transform and the clock.
+    """The robot's publishers: joint states, IMU, odometry, the base's transform and the clock.
 
     Args:
-        node: that publishes.
+        node: the publishing node.
     """
 
     def __init__(self, node: Node) -> None:
@@ -35,11 +35,11 @@ class Sensors:
         self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=_BASE)
 
     def send(self, stamp: int, state: Readings) -> None:
-        """Send everything about one time.
+        """Send all messages of one time step.
 
         Args:
-            stamp: ns.
-            state: one row.
+            stamp: timestamp, ns.
+            state: readings of a single env.
         """
         position, (w, x, y, z) = state.base_position[0], state.orientation[0].tolist()
         rate, velocity = state.angular_velocity_b[0], state.linear_velocity_b[0]
@@ -54,7 +54,7 @@ class Sensors:
         _write_vector(imu.linear_acceleration, state.linear_acceleration_b[0])
         self._imu.send(imu)
 
-        # Behind the attitude, as a controller takes the two together; before the rest, as it waits for them.
+        # After the IMU message, since a controller uses both; before the others, since the controller waits for it.
         self._joints.send_bytes(
             self._encode_joints(
                 stamp,

@@ -1,4 +1,4 @@
-"""A node as a program: it says what it does and waits for, keeps a status line, and ends cleanly."""
+"""A node as a program: log, status line, and clean shutdown."""
 
 import argparse
 import shutil
@@ -11,58 +11,61 @@ from typing import Any, Final, Self, TextIO
 
 from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.node import Node, Publisher, Subscription
-from quadruped_env.live.pace import Pace, Rate, claim_processor
+from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
 from quadruped_env.live.refusals import Refusals
 
-LOOK: Final = 0.1
-"""s; the longest wait between two looks at whether to end"""
+POLL_PERIOD: Final = 0.1
+"""Maximum time between checks whether to end, s."""
 STATUS_PERIOD: Final = 1.0
-"""s between status lines on a terminal"""
+"""Time between status lines on a terminal, s."""
 STATUS_PERIOD_LOG: Final = 10.0
-"""s between status lines elsewhere"""
+"""Time between status lines in a log file, s."""
 PROBLEMS_PERIOD: Final = 1.0
-"""s between looks at who is on the domain"""
+"""Time between checks of the ROS graph for problems, s."""
 CLEAR_LINE: Final = "\r\x1b[K"
-"""Clears the line of a terminal that the cursor is in"""
+"""Control sequence that clears the terminal line of the cursor."""
 _SAME_SIGNAL: Final = 0.5
-"""s"""
+"""Time within which repeated signals count as one Ctrl-C, s."""
 _ARRIVING: Final = 0.05
-"""s that the turns go on after the end: what was acknowledged may take a moment to be there"""
+"""Time for which the loop continues after the end, since acknowledged messages may still be in delivery, s."""
 _REMEMBERED: Final = 256
-"""Lines that `say_once` keeps"""
+"""Number of lines that `say_once` remembers."""
 
 
 def add_common_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments that every node takes."""
+    """Add the arguments that all nodes share."""
     group = parser.add_argument_group("every node")
     group.add_argument(
-        "--domain-id", type=int, metavar="N", help=f"whom to meet: those of the same domain ({DOMAIN_VARIABLE}, or 0)"
+        "--domain-id",
+        type=int,
+        metavar="N",
+        help=f"DDS domain ID, 0 to 232 ({DOMAIN_VARIABLE}, or 0)",
     )
     group.add_argument(
         "--subnet",
         action="store_true",
-        help="meet other machines of the subnet as well; without it nothing leaves or enters this machine",
+        help="communicate with other machines of the subnet; without it, with this machine only",
     )
-    group.add_argument("--seconds", type=float, metavar="S", help="end after this time (with Ctrl-C)")
+    group.add_argument("--seconds", type=float, metavar="S", help="end after S seconds (default: with Ctrl-C)")
     group.add_argument("--quiet", action="store_true", help="no status line")
 
 
 def add_realtime_argument(parser: argparse.ArgumentParser) -> None:
-    """The argument of nodes that have deadlines."""
+    """Add the argument of nodes with real-time deadlines."""
     parser.add_argument(
         "--realtime",
         action="store_true",
-        help="run before all programs of ordinary priority (SCHED_FIFO), where the system gives the right to it",
+        help="run with real-time priority (SCHED_FIFO), if the system permits it",
     )
 
 
 class Session:
-    """A running node: a context that ends with Ctrl-C, a time, or `stop`.
+    """A running node: a context manager that ends with Ctrl-C, after a time, or by `stop`.
 
     Args:
-        name: of the node.
-        arguments: with those of `add_common_arguments`.
-        log: where it says what happens.
+        name: the node's name.
+        arguments: parsed arguments, including those of `add_common_arguments`.
+        log: text stream for log and status line; by default standard error.
 
     Raises:
         MissingExtraError: if cyclonedds is not installed.
@@ -70,8 +73,8 @@ class Session:
     """
 
     def __init__(self, name: str, arguments: argparse.Namespace, log: TextIO | None = None) -> None:
-        # Before DDS starts its threads, which are to have the same priority.
-        refusal = claim_processor() if getattr(arguments, "realtime", False) else ""
+        # Before DDS starts its threads, so that they inherit the priority.
+        refusal = request_realtime_priority() if getattr(arguments, "realtime", False) else ""
         self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
@@ -90,10 +93,10 @@ class Session:
         self._handlers: dict[int, Any] = {}
         self._status_pace.tick()
         if refusal:
-            self.say(f"--realtime: {refusal}; goes on without")
+            self.say(f"--realtime: {refusal}; continuing with normal priority")
 
     def __enter__(self) -> Self:
-        # Only Python's main thread may have signals; a test runs a node in another one.
+        # Signal handlers can be set in the main thread only; tests run nodes in other threads.
         try:
             for number in (signal.SIGINT, signal.SIGTERM):
                 self._handlers[number] = signal.signal(number, self._interrupted)
@@ -109,7 +112,7 @@ class Session:
             signal.signal(number, handler)
         self.refuse.report(last=True)
         if self._log.isatty():
-            # What is printed about an error does not follow a status line.
+            # Clear the status line before an error is printed.
             self._log.write(CLEAR_LINE)
         if kind is None:
             counts = [
@@ -123,30 +126,30 @@ class Session:
 
     @property
     def running(self) -> bool:
-        """Whether to go on."""
+        """True until the session has to end."""
         return not self._stopped and (self._end is None or time.monotonic() < self._end)
 
     @property
     def elapsed(self) -> float:
-        """Seconds since the start."""
+        """Time since the start, s."""
         return time.monotonic() - self._start
 
     def stop(self) -> None:
-        """Let the node end at its next look."""
+        """Request the node to end at its next check."""
         self._stopped = True
 
-    def wait(self, seconds: float = LOOK) -> bool:
-        """Wait for a message, or for a time, but no longer than until the next look; whether there is a message."""
-        return self.node.wait(min(seconds, LOOK))
+    def wait(self, seconds: float = POLL_PERIOD) -> bool:
+        """Wait for a message, for at most `seconds` and `POLL_PERIOD`. Returns True if a message is available."""
+        return self.node.wait(min(seconds, POLL_PERIOD))
 
-    def turns(self, seconds: float = LOOK) -> Iterator[None]:
-        """The turns of a node's loop: each begins by waiting for a message, or for a time, and ends by taking all.
+    def turns(self, seconds: float = POLL_PERIOD) -> Iterator[None]:
+        """Iterate over the turns of a node's loop. Each turn waits for a message; the caller then takes all messages.
 
-        The turns go on for a moment after the end of the session. Without that, messages would be lost that were
-        received, and acknowledged to their publisher, between the last taking and the signal.
+        The turns continue for a moment after the end of the session. Otherwise messages would be lost that were
+        received, and acknowledged to their publisher, between the last turn and the signal.
 
         Args:
-            seconds: to wait for a message, at most `LOOK`.
+            seconds: timeout for a message, at most `POLL_PERIOD`, s.
         """
         while self.running:
             self.wait(seconds)
@@ -161,7 +164,7 @@ class Session:
         self._write(f"[{self.node.name}] {text}\n")
 
     def say_once(self, text: str) -> None:
-        """Write a line unless it was written before; only the last ones are remembered."""
+        """Write a line to the log unless it is among the last lines written by this method."""
         if text not in self._said:
             if len(self._said) >= _REMEMBERED:
                 del self._said[next(iter(self._said))]
@@ -169,18 +172,22 @@ class Session:
             self.say(text)
 
     def wait_for(self, what: str) -> None:
-        """Say what the node waits for, when that changes; nothing when it waits no more."""
+        """Log what the node waits for, when that changes.
+
+        Args:
+            what: description of what is missing; empty if nothing is.
+        """
         if what == self._waiting_for:
             return
         now = time.monotonic()
         if what:
             self.say(f"waiting for {what}")
         else:
-            self.say(f"there: {self._waiting_for}, after {now - self._waiting_since:.1f} s")
+            self.say(f"found {self._waiting_for} after {now - self._waiting_since:.1f} s")
         self._waiting_for, self._waiting_since = what, now
 
     def report(self, *details: str) -> None:
-        """Keep the status line, and say what keeps nodes apart. To be called often: it looks at the time itself."""
+        """Update the status line, and log problems of the ROS graph. Call this often; it limits its own rate."""
         self.refuse.report()
         if self._problems_pace.tick():
             for problem in self.node.graph.problems():
@@ -202,19 +209,19 @@ class Session:
         if not self._log.isatty():
             self.say(text)
             return
-        # A line that the terminal breaks could not be cleared.
+        # A line that wraps could not be cleared.
         width = shutil.get_terminal_size().columns - 1
         self._log.write(f"{CLEAR_LINE}{f'[{self.node.name}] {text}'[:width]}")
         self._log.flush()
 
     def _write(self, line: str) -> None:
-        # Other nodes may share the terminal, and have their status line where this one is to be.
+        # Other nodes may share the terminal and have a status line on the current line.
         self._log.write(f"{CLEAR_LINE}{line}" if self._log.isatty() else line)
         self._log.flush()
 
     def _interrupted(self, number: int, frame: FrameType | None) -> None:
         now = time.monotonic()
-        # A terminal and a launcher may both pass one Ctrl-C on; a second one means that something hangs.
+        # A terminal and a launcher may both forward the same Ctrl-C; a later one means that the node hangs.
         if self._stopped and now - self._stopped_at > _SAME_SIGNAL:
             raise KeyboardInterrupt
         if not self._stopped:

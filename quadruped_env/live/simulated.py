@@ -1,4 +1,4 @@
-"""The simulated robot with what surrounds it on a real one: motors that obey commands, and a watchdog."""
+"""The simulated robot with motors that follow commands, and a watchdog as in a real motor driver."""
 
 import math
 from typing import Final
@@ -13,18 +13,18 @@ from quadruped_env.rotations import from_yaw
 from quadruped_env.simulation import SingleSimulation
 
 TIMESTEP: Final = 0.005
-"""s of a physics step"""
+"""Duration of a physics step, s."""
 WATCHDOG: Final = 1.0
-"""s without a command after which motors that were commanded go limp"""
+"""Time without a command after which commanded motors go limp, s."""
 _ROW: Final = np.zeros(1, dtype=np.intp)
 
 
 class SimulatedRobot:
-    """One robot on its ground, standing at first.
+    """One robot on its terrain, initially standing.
 
     Args:
-        seed: of where it faces, and of the ground.
-        terrain: one of `TERRAINS`.
+        seed: seed of the initial heading and of the terrain.
+        terrain: name of the terrain, one of `TERRAINS`.
 
     Raises:
         QuadrupedError: if there is no such terrain.
@@ -37,21 +37,21 @@ class SimulatedRobot:
         self._generator = np.random.default_rng(seed)
         self._target = STANCE.copy()
         self.limp = False
-        """Whether the motors pull no more: like motors whose windings are shorted, they only brake"""
+        """True if the motors are disabled: they only brake, like motors with shorted windings."""
         self._commanded_for: float | None = None
-        """s since the last command; None before the first"""
+        """Time since the last command, s; None before the first."""
         self.reset()
 
     def reset(self) -> None:
-        """Put the robot on its feet, at the origin."""
+        """Put the robot on its feet at the origin, with a random heading."""
         heading = from_yaw(self._generator.uniform(-math.pi, math.pi))
         self.put(np.concatenate([[0.0, 0.0, STANCE_HEIGHT], heading, STANCE]))
 
     def put(self, qpos: NDArray[np.float64]) -> None:
-        """Put the robot somewhere, still, its motors on as if it had just begun.
+        """Set the robot's pose, at rest, with motors enabled as at the start.
 
         Args:
-            qpos: position in m and quaternion wxyz of the base, and joint positions in rad, (15,).
+            qpos: base position in m, base quaternion wxyz, and joint positions in rad (15,).
         """
         self._simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
         self._target = qpos[7:].copy()
@@ -59,7 +59,7 @@ class SimulatedRobot:
         self.limp = False
 
     def command(self, target: Target) -> None:
-        """Obey a command from the next physics step on; targets beyond the joints' range are brought into it."""
+        """Apply a command from the next physics step on; targets are clipped to the joints' range."""
         self._commanded_for = 0.0
         if target is LIMP:
             self.limp = True
@@ -68,7 +68,7 @@ class SimulatedRobot:
         self.limp = False
 
     def pick_up(self) -> None:
-        """Put the robot on its feet where it is, motors on, as a person would."""
+        """Put the robot on its feet at its current position, with motors enabled."""
         place = self.state.base_position[0, :2]
         height = STANCE_HEIGHT + self._terrain.under(place)
         self.put(np.concatenate([place, [height], self._facing(), STANCE]))
@@ -80,28 +80,28 @@ class SimulatedRobot:
         return np.array([math.cos(0.5 * yaw), 0.0, 0.0, math.sin(0.5 * yaw)])
 
     def push(self, velocity: NDArray[np.float64]) -> None:
-        """Add a velocity (3,) in m/s to the base's, in the world's axes."""
+        """Add a velocity (3,) in the world frame, m/s, to the base's velocity."""
         self._simulation.push(_ROW, velocity[None])
 
     def step(self) -> bool:
-        """Advance by one physics step; whether the watchdog let the robot go limp in it."""
-        barked = False
+        """Advance by one physics step. Returns True if the watchdog disabled the motors in it."""
+        watchdog_tripped = False
         if self._commanded_for is not None:
             self._commanded_for += TIMESTEP
-            barked = not self.limp and self._commanded_for > WATCHDOG
-            if barked:
+            watchdog_tripped = not self.limp and self._commanded_for > WATCHDOG
+            if watchdog_tripped:
                 self.limp = True
-        # A servo whose target is where it is has nothing to pull at, and what is left of it is its brake.
+        # With its own position as target, a position servo applies only its damping.
         target = self.state.joint_position if self.limp else self._target[None]
         self._simulation.step(target, 1)
-        return barked
+        return watchdog_tripped
 
     @property
     def diverged(self) -> bool:
-        """Whether MuJoCo gave up."""
+        """True if the simulation has diverged."""
         return bool(self._simulation.diverged()[0])
 
     @property
     def fallen(self) -> bool:
-        """Whether the robot leans further than it could recover from."""
+        """True if the robot is tilted by more than 1 rad, from which it cannot recover."""
         return bool(self.state.up_b[0, 2] < np.cos(1.0))

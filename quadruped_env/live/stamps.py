@@ -1,4 +1,4 @@
-"""Times in messages."""
+"""Timestamps in ROS messages."""
 
 from typing import Any
 
@@ -6,10 +6,10 @@ from quadruped_env.timestamps import NS_PER_SECOND
 
 
 def write_stamp(time: Any, stamp: int) -> None:
-    """Write ns into a `builtin_interfaces/msg/Time`."""
+    """Write a timestamp in ns into a `builtin_interfaces/msg/Time`."""
     time.sec, time.nanosec = divmod(stamp, NS_PER_SECOND)
 
 
 def read_stamp(time: Any) -> int:
-    """The ns that a `builtin_interfaces/msg/Time` holds."""
+    """The timestamp of a `builtin_interfaces/msg/Time`, ns."""
     return int(time.sec) * NS_PER_SECOND + int(time.nanosec)

@@ -1,4 +1,4 @@
-"""Ground that is not flat, for the simulated robot."""
+"""Uneven terrain for the simulated robot."""
 
 from dataclasses import dataclass
 from typing import Final
@@ -13,30 +13,30 @@ from quadruped_env.robot import asset_path
 TERRAINS: Final = ("flat", "rough", "hills")
 
 SIZE: Final = 40.0
-"""m along each side, around the start; flat beyond"""
+"""Side length of the terrain around the start, m; the ground is flat beyond it."""
 CELL: Final = 0.05
-"""m between the points of the ground"""
+"""Grid spacing of the height field, m."""
 _SHAPES: Final = {"rough": (0.01, 0.2), "hills": (0.08, 2.5)}
-"""Terrain -> greatest height, and distance of its random points, m: a policy of flat ground walks there"""
+"""Terrain -> maximum height and distance of its random points, m. Policies trained on flat ground can walk on them."""
 _START: Final = (0.4, 1.2)
-"""m from the start within which the ground is flat, and from which on it has its full height"""
+"""Distances from the start up to which the ground is flat, and from which it has full height, m."""
 _EDGE: Final = 1.0
-"""m over which it goes down to the flat ground around it"""
+"""Width of the transition to the flat ground around the terrain, m."""
 _STANDING: Final = 0.25
-"""m from the middle of a robot to the ground that it stands on, at most"""
+"""Maximum horizontal distance from a robot's centre to the ground under its feet, m."""
 
 
 @dataclass(frozen=True)
 class Terrain:
-    """Heights of the ground."""
+    """A height field."""
 
     name: str
     heights: NDArray[np.float64]
-    """m over the flat ground, rows along y and columns along x, (P, P); empty where all is flat"""
+    """Heights above the flat ground (P, P), rows along y and columns along x, m; empty if flat."""
 
     @classmethod
     def make(cls, name: str, seed: int) -> "Terrain":
-        """A terrain of `TERRAINS`; the same seed gives the same ground.
+        """Create a terrain of `TERRAINS`; the same seed gives the same heights.
 
         Raises:
             QuadrupedError: if there is no such terrain.
@@ -57,10 +57,10 @@ class Terrain:
         return cls(name, heights)
 
     def model(self, timestep: float) -> mujoco.MjModel:
-        """The robot on this ground, compiled.
+        """Compile a model of the robot on this terrain.
 
         Args:
-            timestep: physics step in s.
+            timestep: physics timestep, s.
         """
         spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
         spec.option.timestep = timestep
@@ -88,7 +88,7 @@ class Terrain:
         return spec.compile()
 
     def under(self, place: NDArray[np.float64], radius: float = _STANDING) -> float:
-        """Greatest height in m of the ground around a place (2,) in m; without a radius, under a robot there."""
+        """Maximum ground height within `radius` of a position (2,), m; by default under a robot there."""
         if not self.heights.size:
             return 0.0
         low, high = (
@@ -99,13 +99,13 @@ class Terrain:
 
 
 def _step(x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """From 0 to 1 as x does, smoothly."""
+    """Smoothstep function: from 0 to 1 while x goes from 0 to 1."""
     x = np.clip(x, 0.0, 1.0)
     return x * x * (3.0 - 2.0 * x)
 
 
 def _smooth(knots: NDArray[np.float64], at: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Knots (K, K), interpolated smoothly at every pair of places (P,) in units of their distance: (P, P)."""
+    """Knots (K, K) interpolated smoothly on the grid of coordinates `at` (P,), in units of the knot spacing: (P, P)."""
     index = np.minimum(at.astype(int), len(knots) - 2)
     share = _step(at - index)
     along = knots[index] * (1.0 - share[:, None]) + knots[index + 1] * share[:, None]

@@ -7,11 +7,11 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.ros import message_type
 
 _WIDTH: Final = 2**31 - 1
-"""Characters in a line: as many as YAML's library counts, so that none is broken"""
+"""Maximum line width in characters: the largest that the YAML library accepts, so that no line is broken."""
 
 
 def plain(message: Any) -> dict[str, Any]:
-    """A message of `quadruped_env.ros.cdr` as dicts, lists, numbers and texts, in the order of its type."""
+    """A message of `quadruped_env.ros.cdr` as dicts, lists, numbers and strings, in the field order of its type."""
     values = {}
     for field in message_type(message.__msgtype__).fields:
         value = getattr(message, field.name)
@@ -24,11 +24,11 @@ def plain(message: Any) -> dict[str, Any]:
 
 
 def field_at(values: Any, path: str) -> Any:
-    """One field of what `plain` made.
+    """One field of a message.
 
     Args:
-        values: all of a message.
-        path: names with dots between them; a number chooses from a list. Empty is everything.
+        values: the result of `plain`.
+        path: field names separated by dots; a number indexes a list. Empty means the whole message.
 
     Raises:
         QuadrupedError: if there is no such field.
@@ -45,11 +45,11 @@ def field_at(values: Any, path: str) -> Any:
 
 
 def check_field(type_name: str, path: str) -> None:
-    """Check that messages of a type have a field; whether its lists are long enough only a message can tell.
+    """Check that messages of a type have a field. The lengths of its lists are known only from a message.
 
     Args:
         type_name: `package/msg/Type`.
-        path: as of `field_at`.
+        path: as in `field_at`.
 
     Raises:
         QuadrupedError: if there is no such field.
@@ -59,7 +59,7 @@ def check_field(type_name: str, path: str) -> None:
 
 
 def _shape(type_name: str) -> dict[str, Any]:
-    """A message of a type as `plain` makes it, with one item in each list, and without values."""
+    """The structure of a type as returned by `plain`, with one item in each list and without values."""
     values: dict[str, Any] = {}
     for field in message_type(type_name).fields:
         value = _shape(field.base) if field.is_message else None
@@ -68,7 +68,7 @@ def _shape(type_name: str) -> dict[str, Any]:
 
 
 def as_yaml(values: Any) -> str:
-    """YAML, a list item a line, with the line that ends a message.
+    """YAML with one line per list item, and the `---` line that ends a message.
 
     Raises:
         MissingExtraError: if PyYAML is not installed.
@@ -80,12 +80,12 @@ def as_yaml(values: Any) -> str:
     text = yaml.dump(
         values, Dumper=yaml.CSafeDumper, default_flow_style=False, sort_keys=False, allow_unicode=True, width=_WIDTH
     )
-    # A single value would end with the mark that a document ends.
+    # For a single value PyYAML adds the end-of-document mark.
     return text.removesuffix("...\n") + "---\n"
 
 
 def as_csv(values: Any) -> str:
-    """One line of all values; an empty list is one empty cell."""
+    """All values in one CSV line; an empty list becomes one empty cell."""
     return f"{','.join(_cells(values))}\n"
 
 

@@ -8,16 +8,16 @@ from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, MessageType
 
 @dataclass(frozen=True)
 class Topic:
-    """One topic, as ROS 2 names it."""
+    """A ROS 2 topic."""
 
     name: str
     type_name: str
     qos: Qos
-    """What its publisher offers, and a subscriber asks for unless it says otherwise"""
+    """Quality of service that publishers offer, and that subscriptions request by default."""
 
     @property
     def dds_name(self) -> str:
-        """What ROS 2 calls it on DDS."""
+        """The topic's name on DDS."""
         return f"rt{self.name}"
 
     @property
@@ -27,12 +27,12 @@ class Topic:
 
 
 def ros_name(dds_name: str) -> str:
-    """The name in ROS 2 of a topic on DDS; empty if ROS 2 would not show it."""
+    """The ROS 2 name of a DDS topic; empty if it is not a ROS 2 topic."""
     return dds_name.removeprefix("rt") if dds_name.startswith("rt/") else ""
 
 
 _DEFAULT: Final = Qos(depth=10)
-"""What rclcpp and `ros2 topic pub` take"""
+"""Default of rclcpp and `ros2 topic pub`."""
 _LATEST: Final = Qos(depth=1)
 
 JOINT_STATES: Final = Topic("/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
@@ -44,15 +44,15 @@ CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=
 ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LATCHED_QOS)
 CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
 JOINT_COMMANDS: Final = Topic("/joint_commands", "sensor_msgs/msg/JointState", _LATEST)
-"""Joint targets: names with positions in rad; names with efforts of zero and no positions let the robot go limp"""
+"""Joint targets: names with positions in rad. Names with efforts of zero and no positions let the robot go limp."""
 JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msgs/msg/Float64MultiArray", _LATEST)
-"""Joint targets as `forward_position_controller` of ros2_control takes them: rad, in the order of `JOINT_NAMES`"""
+"""Joint targets for the `forward_position_controller` of ros2_control: rad, in the order of `JOINT_NAMES`."""
 PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
-"""To `sim`: velocity in m/s that is added to the base's, in the world's axes"""
+"""To `sim`: velocity in the world frame, m/s, that is added to the base's."""
 GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST)
-"""To `gait`: amplitude as a multiple of the preset's, frequency in Hz, phases of LF, RF, LH and RH in cycles"""
+"""To `gait`: amplitude as a multiple of the preset's, frequency in Hz, phases of LF, RF, LH and RH in cycles."""
 GAIT_SETTINGS: Final = Topic("/gait/settings", "std_msgs/msg/Float64MultiArray", LATCHED_QOS)
-"""From `gait`: the same numbers, as they are now"""
+"""From `gait`: the current settings, in the same format."""
 
 TOPICS: Final = {
     topic.name: topic

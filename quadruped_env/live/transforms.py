@@ -21,8 +21,8 @@ class TransformWriter:
         """The CDR bytes of one message.
 
         Args:
-            stamp: ns.
-            positions: of the joints, rad (8,).
+            stamp: timestamp, ns.
+            positions: joint positions, rad (8,).
         """
         transforms = joint_transforms(positions)
         self._encode = self._encode or tf_encoder(transforms)
@@ -36,5 +36,5 @@ def fixed_message(stamp: int) -> bytes:
 
 
 def description_message() -> Any:
-    """The message of `/robot_description`: the URDF."""
+    """The `/robot_description` message, which contains the URDF."""
     return cdr.message("std_msgs/msg/String", data=asset_path("mini_quadruped.urdf").read_text())

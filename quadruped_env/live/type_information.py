@@ -1,9 +1,10 @@
 """Publishers and subscriptions that announce no XTypes type information.
 
-Two DDS peers that both announce the structure of their type compare the two, and ask each other for the types that it
-holds. CycloneDDS 11 and Fast DDS 3 (ROS 2 Kilted) do not understand each other's answers: nothing arrives for any type
-that holds another type or a sequence. A peer that gets no structure compares the type names instead, as every release
-of Fast DDS, Cyclone DDS and ROS 2 can. ROS 2's own comparison, the type hash in the user data, does not depend on it.
+Two DDS peers that both announce the structure of their type compare the two, and request the nested types from each
+other. CycloneDDS 11 and Fast DDS 3 (ROS 2 Kilted) do not understand each other's answers: no message arrives of any
+type that contains another type or a sequence. A peer that gets no structure compares the type names instead, as every
+release of Fast DDS, Cyclone DDS and ROS 2 can. ROS 2's own comparison, the type hash in the user data, does not depend
+on it.
 """
 
 import ctypes
@@ -11,7 +12,7 @@ from typing import Any, Final
 
 
 class _Operations(ctypes.Structure):
-    """`struct ddsi_sertype_ops` of CycloneDDS: the functions of a type. Its layout goes with `version`."""
+    """`struct ddsi_sertype_ops` of CycloneDDS: the functions of a type. Its layout depends on `version`."""
 
     _fields_ = [
         (name, ctypes.c_void_p)
@@ -41,19 +42,19 @@ class _Type(ctypes.Structure):
 
 
 _KEPT: Final[list[_Operations]] = []
-"""CycloneDDS may use a type for as long as the process lives."""
+"""Function tables kept alive, because CycloneDDS may use a type until the process ends."""
 
 
 def withhold_type_information(topic: Any) -> bool:
-    """Let the publishers and subscriptions that are made of a topic from now on announce no type information.
+    """Stop publishers and subscriptions created later with a topic from announcing type information.
 
-    CycloneDDS itself needs the information while the topic is made, and has no setting for this.
+    CycloneDDS itself needs the information while it creates the topic, and has no setting for this.
 
     Args:
-        topic: of `cyclonedds`; before anything is made of it.
+        topic: a `cyclonedds` topic without publishers and subscriptions.
 
     Returns:
-        Whether that was possible: False for a CycloneDDS that describes types in another way.
+        True on success, False for a CycloneDDS release with another layout of type descriptions.
     """
     from cyclonedds.internal import DDS
 
@@ -66,7 +67,7 @@ def withhold_type_information(topic: Any) -> bool:
     operations = found.contents.operations.contents
     if operations.version != ctypes.cast(version, ctypes.c_void_p).value:
         return False
-    # A table of its own for each topic: CycloneDDS merges types whose tables are the same.
+    # Each topic needs its own table, because CycloneDDS merges types with identical tables.
     own = _Operations.from_buffer_copy(operations)
     own.type_id = own.type_map = own.type_info = None
     _KEPT.append(own)

@@ -1,7 +1,7 @@
-"""Message types as DDS knows them: name, structure, and bytes that pass through untouched.
+"""Message types for DDS: name and structure, with CDR bytes that are passed through unchanged.
 
-The structure is declared so that peers can compare types. The bytes come from `quadruped_env.ros`, which writes bags
-with them as well.
+The structure is declared so that peers can compare types. The bytes come from `quadruped_env.ros`, which also writes
+bags.
 """
 
 from functools import cache
@@ -13,7 +13,7 @@ from quadruped_env.ros import Field, message_type
 
 @cache
 def wire_type(type_name: str) -> Any:
-    """A class of `cyclonedds` for a message type: an instance holds one message's CDR bytes as `data`.
+    """The `cyclonedds` class of a message type; an instance holds the CDR bytes of one message as `data`.
 
     Args:
         type_name: `package/msg/Type`.
@@ -36,12 +36,12 @@ def wire_type(type_name: str) -> Any:
         def deserialize(cls, data: bytes, *_: Any, **__: Any) -> Any:
             return cls(data)
 
-        # What a reader gets of a publisher that went.
+        # Called for the samples that report that a publisher has left.
         deserialize_key = deserialize
 
     kind = message_type(type_name)
     fields = {field.name: _member(field) for field in kind.fields}
-    # cyclonedds makes a `::` of every dot.
+    # cyclonedds replaces every dot by `::`.
     scoped = kind.dds_name.replace("::", ".")
     made = make_idl_struct(scoped.rpartition(".")[2], scoped, fields, dataclassify=False, bases=(Carrier,))
     return annotations.final(made)

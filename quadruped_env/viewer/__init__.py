@@ -1,4 +1,4 @@
-"""What it looks like, live: a browser viewer over a controller that knows no browser."""
+"""Live viewer in the browser, on top of a controller that does not depend on the browser."""
 
 from quadruped_env.viewer.controller import RobotView, View, ViewController
 from quadruped_env.viewer.server import LOOPBACK, PORT

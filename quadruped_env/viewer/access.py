@@ -1,10 +1,10 @@
-"""Requests that the viewer's server accepts: those of its own page, asked for by one of its own names.
+"""Access rules of the viewer's server: it accepts requests from its own page, addressed to one of its own host names.
 
-A browser lets any page open a websocket to any address, and tells the server only whose page it is: the `Origin`. And a
-page whose host name is made to resolve to this machine (DNS rebinding) has the same origin as this server, but its
-`Host` is a name that the server does not have. So both headers are checked, of pages and of websockets.
+A browser lets any page open a websocket to any address; only the `Origin` header identifies the page. A page whose host
+name is made to resolve to this machine (DNS rebinding) has the same origin as this server, but its `Host` is not one of
+the server's names. Therefore both headers are checked, for pages and for websockets.
 
-A client that sends no `Origin` is no browser's page: a program of this machine, which could send any. It is accepted.
+A client without an `Origin` header is not a browser page but a program, which could send any header. It is accepted.
 """
 
 import ipaddress
@@ -19,18 +19,18 @@ from typing import Final
 
 LOG: Final = logging.getLogger("quadruped_env.viewer")
 LOG_PERIOD: Final = 10.0
-"""s between two lines about refusals of the same kind"""
+"""Minimum time between log lines about refusals of the same kind, s."""
 
 _LOOPBACK_NAMES: Final = frozenset({"localhost", "127.0.0.1", "::1"})
 _HOST: Final = re.compile(r"(?:\[(?P<address>[0-9a-f:.]+)\]|(?P<name>[a-z0-9._-]+))(?::(?P<port>[0-9]{1,5}))?")
 _HTTP_PORT: Final = 80
 _SHOWN: Final = 80
-"""Characters of a header that a line of the log shows"""
+"""Maximum number of characters of a header in a log line."""
 
 
 @dataclass(frozen=True)
 class Refusal:
-    """A request that is refused: what of, and why."""
+    """A refused request: its kind and the reason."""
 
     kind: str
     reason: str
@@ -39,8 +39,8 @@ class Refusal:
 class AccessRules:
     """The hosts and origins that a server accepts.
 
-    A server of this machine alone accepts the loopback's names. One that other machines reach accepts the name that it
-    was given, this machine's name, and addresses in figures, which no page can make its own host's name.
+    A loopback server accepts the loopback names. A server that other machines can reach accepts the configured name,
+    this machine's name, and numeric addresses, which DNS rebinding cannot fake.
 
     Args:
         host: the address that the server listens on.
@@ -55,16 +55,16 @@ class AccessRules:
         self._names = _LOOPBACK_NAMES | own
 
     def refusal(self, port: int, hosts: Sequence[str], origins: Sequence[str]) -> Refusal | None:
-        """Why a request is refused, or None.
+        """The reason to refuse a request, or None.
 
         Args:
-            port: that the request came to.
+            port: the port that received the request.
             hosts: values of its `Host` headers.
             origins: values of its `Origin` headers.
         """
         host = hosts[0].lower() if len(hosts) == 1 else ""
         if not self._accepts_host(host, port):
-            return Refusal("host", f"Host is {_shown(hosts)}, which is no name of this server")
+            return Refusal("host", f"Host is {_shown(hosts)}, which is not a name of this server")
         if origins and [origin.lower() for origin in origins] != [f"http://{host}"]:
             return Refusal("origin", f"Origin is {_shown(origins)}: a foreign page")
         return None
@@ -81,7 +81,7 @@ class AccessRules:
 
 
 class RefusalLog:
-    """Logs what is refused: the first of a kind at once, and then a line every `LOG_PERIOD` with a count."""
+    """Logs refusals: the first of a kind at once, then one line per `LOG_PERIOD` with a count."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -89,10 +89,10 @@ class RefusalLog:
         self._left_out: dict[str, int] = {}
 
     def add(self, refusal: Refusal, who: str) -> None:
-        """Take note of a refusal.
+        """Log or count a refusal.
 
         Args:
-            refusal: of what, and why.
+            refusal: its kind and reason.
             who: the client's address.
         """
         now = time.monotonic()
@@ -107,7 +107,7 @@ class RefusalLog:
 
 
 def page_address(host: str, port: int) -> str:
-    """The page's address for a browser of this machine, which a server on all addresses has under the loopback's."""
+    """The page's URL for a browser on this machine; for a server on all addresses, the loopback address."""
     address = _address(host)
     if address is not None and address.is_unspecified:
         host = "127.0.0.1" if address.version == 4 else "::1"

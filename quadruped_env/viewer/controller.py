@@ -1,4 +1,4 @@
-"""The show without its browser: robots, their command, a clock, and everything that a person may ask of them.
+"""The viewer's logic without the browser: robots, their command, a clock, and all user actions.
 
 Every method may be called from any thread.
 """
@@ -28,11 +28,11 @@ from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
 
 MAX_ROBOTS: Final = 3
 SPEEDS: Final = (0.1, 4.0)
-"""Playback, as a multiple of real time"""
+"""Range of the playback speed, as a multiple of real time."""
 MAX_PUSH: Final = 1.5
-"""m/s"""
+"""Maximum velocity change by a push, m/s."""
 RESTART_AFTER: Final = 2.0
-"""s that a robot lies where it fell"""
+"""Time after a fall until the robot restarts, s."""
 RANDOMIZATIONS: Final[dict[str, Section | None]] = {
     "off": STILL,
     "start": RandomizationConfig(),
@@ -41,10 +41,10 @@ RANDOMIZATIONS: Final[dict[str, Section | None]] = {
     ),
     "as trained": None,
 }
-"""Name -> what is random; None is the source's own"""
+"""Name -> randomization; None is the source's own."""
 
-_LARGEST_LAG: Final = 0.25
-"""s of playback that are caught up after a delay; what is beyond is left out"""
+_MAX_LAG: Final = 0.25
+"""Maximum playback time that is caught up after a delay, s; the rest is skipped."""
 _MESSAGES: Final = 20
 
 Command = tuple[float, float]
@@ -52,85 +52,85 @@ Command = tuple[float, float]
 
 @dataclass(frozen=True)
 class Offered:
-    """What a person can do here. Not everything has an effect on a robot that only sends messages."""
+    """The controls that have an effect. Some have none on a robot that is only observed through messages."""
 
     command: bool = True
     push: bool = True
     clock: bool = True
-    """Pause, step and reset"""
+    """Pause, step and reset."""
     sources: bool = True
-    """Choose what drives the robots, how fast they are played and what is random; fixed from the start"""
+    """Choice of the controllers, the playback speed and the randomization; fixed from the start."""
 
 
 @dataclass(frozen=True)
 class RobotView:
-    """A robot at one moment, to draw it; copies."""
+    """Snapshot of a robot to draw; all arrays are copies."""
 
     source: str
     body_position: NDArray[np.float64]
-    """m, world (bodies, 3)"""
+    """Body positions in the world frame (bodies, 3), m."""
     body_rotation: NDArray[np.float64]
-    """World (bodies, 3, 3)"""
+    """Body rotation matrices in the world frame (bodies, 3, 3)."""
     heading: float
-    """rad from the world's x"""
+    """Heading from the world's x axis, rad."""
     contact_points: NDArray[np.float64]
-    """m, world (K, 3)"""
+    """Contact points in the world frame (K, 3), m."""
     contact_forces: NDArray[np.float64]
-    """N, world (K, 3)"""
+    """Contact forces in the world frame (K, 3), N."""
     history: tuple[Sample, ...]
-    """The last seconds, oldest first, the present last"""
+    """Samples of the last seconds, oldest first."""
     timestep: float
-    """s between them"""
+    """Time between samples, s."""
     term_names: tuple[str, ...]
-    """Of the samples' reward terms"""
+    """Names of the samples' reward terms."""
     gait: GaitSettings | None
     complaints: tuple[str, ...]
-    """What its gait asks for beyond the limits of the joints"""
+    """Descriptions of the joint limits that its gait exceeds."""
     fell_at: float | None
-    """s of its episode, or None while it is on its feet"""
+    """Episode time of the fall, s; None if it has not fallen."""
 
     @property
     def now(self) -> Sample:
-        """The present."""
+        """The latest sample."""
         return self.history[-1]
 
 
 @dataclass(frozen=True)
 class View:
-    """Everything at one moment."""
+    """Snapshot of the whole viewer state."""
 
     time: float
-    """s since the last reset"""
+    """Time since the last reset, s."""
     paused: bool
     speed: float
     command: Command
     robots: tuple[RobotView, ...]
     watched: int
-    """The robot that plots and camera follow"""
+    """Index of the robot that plots and camera follow."""
     recorded: float | None
-    """s of the take that is being made, or None"""
+    """Duration of the current recording, s; None if there is none."""
     lag: float
-    """s of playback that were left out since the last reset, because the machine was too slow"""
+    """Playback time skipped since the last reset because the machine was too slow, s."""
 
 
 @dataclass
 class _Slot:
     robot: ViewedRobot
     clock: float
-    """s of the show that the robot has done"""
+    """Playback time that the robot has simulated, s."""
 
 
 Source = ControllerSpec | Callable[[], ViewedRobot]
 
 
 class ViewController:
-    """Robots under one command.
+    """Robots that follow the same velocity command.
 
     Args:
-        sources: what there is to choose from, by name: controllers of a simulated robot, or functions that make another
-            kind of robot.
-        chosen: the names of the sources to begin with, one a robot.
-        results: where recordings go.
+        sources: selectable sources by name: controllers of a simulated robot, or functions that create another kind of
+            robot.
+        chosen: names of the initial sources, one per robot.
+        results: directory for recordings.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit this robot.
@@ -169,20 +169,20 @@ class ViewController:
             return tuple(slot.robot.name for slot in self._slots)
 
     def set_source(self, index: int, name: str | None) -> None:
-        """Let another source drive a robot, from a new start of that robot; None takes the robot away.
+        """Change the source of a robot and restart it; None removes the robot.
 
-        An index one beyond the last robot adds one.
+        The index after the last robot adds one.
 
         Raises:
-            QuadrupedError: if there is no such robot or source, or the source does not fit this robot; nothing has
-                changed then.
+            QuadrupedError: if there is no such robot or source, or the source does not fit this robot. Nothing
+                changes then.
         """
         robot = None if name is None else self._make(name)
         with self._lock:
             if not 0 <= index <= min(len(self._slots), MAX_ROBOTS - 1):
                 raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)} of up to {MAX_ROBOTS}")
             if robot is None and not index:
-                raise QuadrupedError("robot 1: cannot be taken away; choose another source for it")
+                raise QuadrupedError("robot 1: cannot be removed; choose another source for it")
             if index == self._watched:
                 self.stop_recording()
             if robot is not None:
@@ -193,7 +193,7 @@ class ViewController:
                 self.watch(min(self._watched, len(self._slots) - 1))
 
     def watch(self, index: int) -> None:
-        """Let plots, camera, gait settings and recordings be of this robot."""
+        """Select the robot for plots, camera, gait settings and recordings."""
         with self._lock:
             if not 0 <= index < len(self._slots):
                 raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)}")
@@ -205,7 +205,7 @@ class ViewController:
         """Change the scripted gait of the watched robot.
 
         Raises:
-            QuadrupedError: if it has none.
+            QuadrupedError: if it has no scripted gait.
         """
         with self._lock:
             self._watched_robot.gait = settings
@@ -218,12 +218,12 @@ class ViewController:
 
     @property
     def randomization(self) -> str:
-        """What is random, a key of `RANDOMIZATIONS`."""
+        """The randomization, a key of `RANDOMIZATIONS`."""
         with self._lock:
             return self._randomization
 
     def set_randomization(self, name: str) -> None:
-        """Choose what is random, a key of `RANDOMIZATIONS`, and begin again."""
+        """Choose the randomization, a key of `RANDOMIZATIONS`, and restart all robots."""
         if name not in RANDOMIZATIONS:
             raise QuadrupedError(f"randomization: there is no {name!r}; there are {', '.join(RANDOMIZATIONS)}")
         with self._lock:
@@ -236,12 +236,12 @@ class ViewController:
 
     @property
     def command(self) -> Command:
-        """Forward velocity in m/s and yaw rate in rad/s that every robot is asked for."""
+        """Velocity command of all robots: forward velocity in m/s and yaw rate in rad/s."""
         with self._lock:
             return self._command
 
     def set_command(self, forward_velocity: float, yaw_rate: float) -> Command:
-        """Ask every robot for a forward velocity in m/s and a yaw rate in rad/s, cut to their ranges.
+        """Set the velocity command of all robots, forward velocity in m/s and yaw rate in rad/s, clipped to its ranges.
 
         Raises:
             QuadrupedError: if a number is not finite.
@@ -256,19 +256,19 @@ class ViewController:
             return self._command
 
     def nudge(self, forward: int, left: int) -> Command:
-        """Change the command by a number of steps, as a key does; it stays on whole steps."""
+        """Change the command by a number of steps, like a key press; the result is a multiple of the step."""
         with self._lock:
             velocity, yaw_rate = self._command
             return self.set_command(next_step(velocity, FORWARD_STEP, forward), next_step(yaw_rate, TURN_STEP, left))
 
     def set_speed(self, speed: float) -> None:
-        """Play slower or faster than real time."""
+        """Set the playback speed, as a multiple of real time."""
         with self._lock:
             self._speed = _cut(speed, SPEEDS)
 
     @property
     def paused(self) -> bool:
-        """Whether the clock stands."""
+        """True if playback is paused."""
         with self._lock:
             return self._paused
 
@@ -279,13 +279,13 @@ class ViewController:
             self._budget = 0.0
 
     def toggle_pause(self) -> bool:
-        """Stop or start the clock; says whether it stands now."""
+        """Pause or resume playback. Returns True if it is now paused."""
         with self._lock:
             self.paused = not self._paused
             return self._paused
 
     def reset(self) -> None:
-        """Put every robot back to the start and the clock to zero."""
+        """Reset all robots and the clock."""
         with self._lock:
             self.stop_recording()
             self._seed += 1
@@ -295,25 +295,25 @@ class ViewController:
                 slot.clock = 0.0
 
     def step(self) -> None:
-        """Advance by one control step and stay there."""
+        """Advance by one control step and pause."""
         with self._lock:
             self.paused = True
             self._tick()
 
     def advance(self, elapsed: float) -> int:
-        """Let time pass.
+        """Advance playback.
 
         Args:
-            elapsed: s of real time since the last call.
+            elapsed: real time since the last call, s.
 
         Returns:
-            How many control steps that made.
+            The number of control steps.
         """
         with self._lock:
             if self._paused:
                 return 0
             self._budget += elapsed * self._speed
-            left_out = max(0.0, self._budget - _LARGEST_LAG * max(1.0, self._speed))
+            left_out = max(0.0, self._budget - _MAX_LAG * max(1.0, self._speed))
             self._budget -= left_out
             self._lag += left_out
             steps = int(self._budget / self._timestep + 1e-9)
@@ -323,11 +323,11 @@ class ViewController:
             return steps
 
     def push(self, direction: float, strength: float) -> None:
-        """Push every robot.
+        """Push all robots.
 
         Args:
-            direction: where to, rad to the left of where the robot faces.
-            strength: velocity that the base gains, m/s.
+            direction: direction relative to the robot's heading, positive to the left, rad.
+            strength: velocity added to the base, m/s.
         """
         strength = _cut(strength, (0.0, MAX_PUSH))
         velocity = (strength * math.cos(direction), strength * math.sin(direction))
@@ -338,7 +338,7 @@ class ViewController:
     # --- recordings
 
     def start_recording(self) -> None:
-        """Begin to record the watched robot; does nothing while one is recorded.
+        """Start recording the watched robot; no effect during a recording.
 
         Raises:
             QuadrupedError: if too many recordings are being saved, or were made.
@@ -350,7 +350,7 @@ class ViewController:
                 self._take = Take(robot.name, robot.timestep, [robot.history[-1]])
 
     def stop_recording(self) -> None:
-        """End the recording, if there is one, and have it saved."""
+        """End the current recording, if any, and save it in the background."""
         with self._lock:
             take, self._take = self._take, None
             if take is not None:
@@ -358,12 +358,12 @@ class ViewController:
 
     @property
     def saving(self) -> bool:
-        """Whether something is recorded, or not saved yet."""
+        """True during a recording and until it is saved."""
         with self._lock:
             return self._take is not None or self._saver.busy
 
     def messages(self) -> list[str]:
-        """What there is to say since the last call."""
+        """Messages for the user since the last call."""
         said = []
         while self._messages:
             said.append(self._messages.popleft())
@@ -374,10 +374,10 @@ class ViewController:
         self.stop_recording()
         self._saver.close()
 
-    # --- what there is to see
+    # --- snapshots
 
     def view(self) -> View:
-        """A copy of everything that is drawn."""
+        """A snapshot of everything that is drawn."""
         with self._lock:
             return View(
                 self._time,
@@ -391,7 +391,7 @@ class ViewController:
             )
 
     def model(self) -> mujoco.MjModel:
-        """A model like the robots', of the caller's own."""
+        """A copy of the robots' MuJoCo model."""
         with self._lock:
             return copy.copy(self._slots[0].robot.model)
 
@@ -423,7 +423,7 @@ class ViewController:
         if index == self._watched and self._take is not None:
             self._take.samples.append(moment)
             if self._take.seconds >= MAX_SECONDS:
-                self._messages.append(f"The recording has ended: {MAX_SECONDS:g} s is the longest; record again")
+                self._messages.append(f"The recording has ended: the maximum is {MAX_SECONDS:g} s; record again")
                 self.stop_recording()
         fallen_for = 0.0 if robot.fell_at is None else moment.time - robot.fell_at
         if robot.diverged or (self.restart_after_fall and fallen_for >= RESTART_AFTER):
@@ -433,7 +433,7 @@ class ViewController:
 
 
 def _view(robot: ViewedRobot) -> RobotView:
-    # A control step ends before the forces of its last state are known: they are found on a copy.
+    # The contact forces of the last state are computed on a copy, since a control step ends before they are known.
     data = copy.copy(robot.data)
     points, forces = contact_forces(robot.model, data)
     return RobotView(

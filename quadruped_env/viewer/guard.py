@@ -1,8 +1,8 @@
-"""Checks in front of viser's server: who asks, and what the browsers send.
+"""Checks in front of viser's server: the origin of requests, and the messages of browsers.
 
-viser accepts every websocket, lets each of its messages change any field of a control, and keeps uploads in memory. Of
-its messages the page of this package needs three: where the camera is, the value of a control, a key or command. Only
-these pass, with values that the control can have.
+viser accepts every websocket, lets messages change any field of a control, and keeps uploads in memory. The page of
+this package needs three kinds of messages: camera pose, control value, and key or command. Only these pass, with values
+that are valid for the control.
 """
 
 import asyncio
@@ -30,20 +30,20 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.viewer.access import LOG, AccessRules, Refusal, RefusalLog, page_address
 
 MAX_MESSAGE: Final = 16 * 1024
-"""Bytes; a camera's message, the longest of the three, has about 300."""
+"""Maximum message size, bytes; camera messages, the longest, have about 300."""
 MAX_CLIENTS: Final = 32
 MAX_RATE: Final = 500.0
-"""Messages per second of one client; more of them wait in the client."""
+"""Maximum messages per second and client; further ones wait in the client."""
 _BURST: Final = 1.0
-"""s that a client may be ahead of `MAX_RATE`"""
+"""Burst allowance of a client over `MAX_RATE`, s."""
 _CLOSE_TIMEOUT: Final = 1.0
-"""s that a refused client has to answer the closing frame."""
+"""Time for a refused client to answer the close frame, s."""
 _POLICY_VIOLATION, _PROTOCOL_ERROR, _TOO_BIG = 1008, 1002, 1009
-_VISERS_SERVER: Final = "viser.infra._infra"
+_VISER_SERVER_MODULE: Final = "viser.infra._infra"
 _PATCHING: Final = threading.Lock()
 _TITLE: Final = "MiniQuadruped"
 _HEADERS: Final = {
-    # No page of another server shows this one in a frame, to have it clicked unseen.
+    # Prevents clickjacking: pages of other servers cannot embed this one in a frame.
     "Content-Security-Policy": "frame-ancestors 'self'",
     "X-Frame-Options": "SAMEORIGIN",
     "Cross-Origin-Resource-Policy": "same-origin",
@@ -54,35 +54,35 @@ _Handler = Callable[[ServerConnection], Awaitable[None]]
 _ProcessRequest = Callable[[ServerConnection, Request], Response | None]
 
 
-class NonsenseError(Exception):
-    """A client sent what no page of this server sends."""
+class InvalidMessageError(Exception):
+    """A client sent a message that this server's page never sends."""
 
 
 class MessageFilter:
-    """Lets the messages pass that the page needs. `gui` is the server's, once it has one."""
+    """Passes only the messages that the page needs. `gui` is set once the server has started."""
 
     def __init__(self) -> None:
         self.gui: viser.GuiApi | None = None
 
     def unwanted(self, raw: object) -> str:
-        """Why a message is to be dropped, or nothing.
+        """The reason to drop a message; empty if it passes.
 
         Raises:
-            NonsenseError: if it is no message of viser's page.
+            InvalidMessageError: if it is not a message of viser's page.
         """
         if not isinstance(raw, bytes):
-            raise NonsenseError("a text message; expected binary ones")
+            raise InvalidMessageError("a text message; expected binary ones")
         try:
             kind = msgspec.msgpack.decode(raw, type=_Kind).type
             message_type = _ACCEPTED.get(kind)
             if message_type is None:
-                return f"{kind[:40]!r} is no message that this page sends"
+                return f"{kind[:40]!r} is not a message that this page sends"
             message = msgspec.msgpack.decode(raw, type=message_type)
-            # What viser makes of it, for what else it may stumble over.
+            # Decode it as viser does, to catch everything else that viser would fail on.
             _messages.Message.deserialize(raw)
         except Exception as error:
-            # Whatever bytes can do to a decoder.
-            raise NonsenseError(f"a message that cannot be read ({type(error).__name__})") from error
+            # Untrusted bytes may make a decoder raise any exception.
+            raise InvalidMessageError(f"a message that cannot be read ({type(error).__name__})") from error
         if isinstance(message, _messages.ViewerCameraMessage):
             return "" if _is_finite(message) else "a camera that is not finite"
         if isinstance(message, _messages.GuiUpdateMessage):
@@ -92,12 +92,12 @@ class MessageFilter:
     def _unwanted_update(self, message: _messages.GuiUpdateMessage) -> str:
         handle = None if self.gui is None else self.gui._gui_input_handle_from_uuid.get(message.uuid)
         if handle is None:
-            # It was removed meanwhile, and viser finds none either.
+            # The control was removed in the meantime; viser ignores the message too.
             return ""
         if list(message.updates) != ["value"]:
             return "an update of more than a control's value"
         value = message.updates["value"]
-        return "" if _can_have(handle, value) else f"{repr(value)[:40]} is no value of that control"
+        return "" if _can_have(handle, value) else f"{repr(value)[:40]} is not a valid value of that control"
 
 
 class _Kind(msgspec.Struct):
@@ -116,10 +116,10 @@ def _is_finite(camera: _messages.ViewerCameraMessage) -> bool:
 
 
 def _can_have(handle: Any, value: Any) -> bool:
-    """Whether a control can have a value."""
+    """True if the value is valid for the control."""
     match handle:
         case viser.GuiSliderHandle():
-            # Steps are added up in the browser, with errors of rounding.
+            # The browser accumulates steps with rounding errors.
             slack = 1e-6 * (handle.max - handle.min)
             number = isinstance(value, (int, float)) and not isinstance(value, bool)
             return number and handle.min - slack <= value <= handle.max + slack
@@ -133,11 +133,11 @@ def _can_have(handle: Any, value: Any) -> bool:
 
 
 class GuardedConnection(ServerConnection):
-    """A websocket of which viser sees the messages that pass a filter.
+    """A websocket that hands only filtered messages to viser.
 
     Args:
         messages: the filter.
-        refusals: where it is logged that a message did not pass, once for each connection.
+        refusals: log of dropped messages, one line per connection.
     """
 
     def __init__(self, messages: MessageFilter, refusals: RefusalLog, *args: Any, **kwargs: Any) -> None:
@@ -153,10 +153,10 @@ class GuardedConnection(ServerConnection):
             await self._keep_rate()
             try:
                 problem = self._messages.unwanted(raw)
-            except NonsenseError as nonsense:
-                self._refuse(Refusal("nonsense", f"{nonsense}; the connection is closed"))
+            except InvalidMessageError as error:
+                self._refuse(Refusal("invalid", f"{error}; the connection is closed"))
                 await self.close(_POLICY_VIOLATION, "not a message of this page")
-                continue  # and recv raises what viser expects of a closed connection
+                continue  # recv then raises the exception that viser expects from a closed connection
             if not problem:
                 return raw
             self._refuse(Refusal("message", f"{problem}; dropped"))
@@ -174,7 +174,7 @@ class GuardedConnection(ServerConnection):
 
 
 class Guard:
-    """Everything that stands before viser's server.
+    """All checks in front of viser's server.
 
     Args:
         host: the address that the server listens on.
@@ -191,11 +191,10 @@ class Guard:
     def installed(self) -> Iterator[None]:
         """A context in which a server that viser starts is guarded.
 
-        viser has no parameter for any of this, so for the time of its start `websockets.asyncio.server.serve` is
-        another function for viser.
+        viser has no parameter for this, so `websockets.asyncio.server.serve` is patched while viser starts.
 
         Raises:
-            QuadrupedError: if viser started no server in the way that is known.
+            QuadrupedError: if viser did not start its server through `serve`.
         """
         module: Any = websockets.asyncio.server
         calls = 0
@@ -204,7 +203,7 @@ class Guard:
 
             def serve(handler: _Handler, *args: Any, **options: Any) -> Any:
                 nonlocal calls
-                if handler.__module__ != _VISERS_SERVER:
+                if handler.__module__ != _VISER_SERVER_MODULE:
                     return original(handler, *args, **options)
                 calls += 1
                 return original(partial(self._handle, handler), *args, **self._options(options))
@@ -216,12 +215,12 @@ class Guard:
                 module.serve = original
         if not calls:
             raise QuadrupedError(
-                f"viser {viser.__version__} starts its server in another way than viser 1.1, so that foreign pages "
-                f"could not be kept out; {pip_command()} 'viser~=1.1.1'"
+                f"viser {viser.__version__} starts its server in another way than viser 1.1, so foreign pages "
+                f"cannot be refused; {pip_command()} 'viser~=1.1.1'"
             )
 
     def _options(self, options: dict[str, Any]) -> dict[str, Any]:
-        """Those of `serve`, called in the server's event loop."""
+        """Options of `serve`; called in the server's event loop."""
         asyncio.get_running_loop().set_exception_handler(_log_error)
         return {
             **options,
@@ -245,12 +244,14 @@ class Guard:
         if response is not None:
             return self._page(response)
         if len(connection.server.connections) >= MAX_CLIENTS:
-            self._refusals.add(Refusal("clients", f"{MAX_CLIENTS} browsers look already"), _client(connection))
-            return _answer(HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_CLIENTS} browsers look already; close one.\n")
+            self._refusals.add(Refusal("clients", f"{MAX_CLIENTS} browsers are connected already"), _client(connection))
+            return _answer(
+                HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_CLIENTS} browsers are connected already; close one.\n"
+            )
         return None
 
     def _page(self, response: Response) -> Response:
-        """The page of viser, under this project's title."""
+        """Page of viser with this project's title and security headers."""
         for name, value in _HEADERS.items():
             response.headers[name] = value
         if not response.headers.get("Content-Type", "").startswith("text/html") or response.body is None:
@@ -268,8 +269,8 @@ class Guard:
     async def _handle(self, then: _Handler, connection: ServerConnection) -> None:
         version = (connection.subprotocol or "viser-vunknown").removeprefix("viser-v")
         if version != viser.__version__:
-            # viser would print a line for each.
-            reason = f"a page of viser {version[:20]}, and this is viser {viser.__version__}; reload the page"
+            # viser would print one line per connection.
+            reason = f"the page is of viser {version[:20]}, the server of viser {viser.__version__}; reload the page"
             self._refusals.add(Refusal("version", reason), _client(connection))
             await connection.close(
                 _PROTOCOL_ERROR, f"Version mismatch. Client: {version[:20]}, Server: {viser.__version__}"
@@ -286,7 +287,7 @@ class Guard:
             self._refusals.add(Refusal("size", reason), _client(connection))
 
     def _logger(self) -> logging.Logger:
-        """For websockets, which logs every client that does not speak HTTP with a traceback."""
+        """Logger for websockets, which would print a traceback for every client that does not speak HTTP."""
         logger = logging.Logger("quadruped_env.viewer.websockets", logging.ERROR)
         logger.addHandler(_Refuser(self._refusals))
         return logger
@@ -319,5 +320,5 @@ def _answer(status: HTTPStatus, text: str) -> Response:
 
 
 def _log_error(_: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
-    """In place of asyncio's own handler, which prints a traceback for each message that viser stumbles over."""
+    """Replaces asyncio's handler, which prints a traceback for each message that viser fails on."""
     LOG.warning("viewer: %.200s", context.get("exception") or context["message"])

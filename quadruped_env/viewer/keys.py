@@ -1,10 +1,10 @@
-"""The one script that the page runs for this package: arrow keys and the space bar command the robot."""
+"""Script on the page that makes arrow keys and the space bar control the robot."""
 
 from typing import Final
 
-# viser turns its own camera with the arrow keys, sliders and buttons take keys that they have the focus of, and a key
-# that is held repeats. So these keys are taken before anybody sees them, and handed to the hotkeys alone, which listen
-# on the document's element. Text that is being typed keeps them.
+# viser moves its camera with the arrow keys, focused sliders and buttons consume keys, and held keys repeat. Therefore
+# the script captures these keys before other listeners and dispatches them only to the hotkeys, which listen on the
+# document element. Text fields keep their keys.
 _SCRIPT: Final = """
 if (!window.quadrupedKeys) {
   window.quadrupedKeys = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Space'];
@@ -22,8 +22,8 @@ if (!window.quadrupedKeys) {
 }
 """  # noqa: E501
 
-# HTML that is put into a page later runs no <script>; an image that has loaded tells.
+# HTML inserted into a page later does not run <script> elements; the load event of an image does.
 _PIXEL: Final = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
 
 ARROWS_FIRST: Final = f'<img alt="" hidden src="{_PIXEL}" onload="{" ".join(_SCRIPT.split())}">'
-"""HTML that makes it so; twice does no harm."""
+"""HTML that installs the script; inserting it twice has no effect."""

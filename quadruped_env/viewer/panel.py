@@ -1,4 +1,4 @@
-"""The controls in the browser: each hands a value on to the `ViewController`, and knows nothing else."""
+"""The controls in the browser. Each one only passes its value to the `ViewController`."""
 
 import math
 import threading
@@ -30,24 +30,24 @@ _KEYS: Final = (
     "<b>Space</b> pause &ensp; <b>N</b> step &ensp; <b>R</b> reset &ensp; <b>P</b> push &ensp; <b>V</b> record"
 )
 _WIDTH: Final = 310
-"""pixels"""
+"""Panel width, pixels."""
 _SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
 
 
 class Panel:
-    """The controls of one show.
+    """The control panel of the viewer.
 
     Args:
-        server: where they are shown.
-        controller: what they act on.
-        scene: what shows and hides the overlays.
+        server: the server of the page.
+        controller: the controller that the controls act on.
+        scene: the scene, for showing and hiding overlays.
     """
 
     def __init__(self, server: "viser.ViserServer", controller: ViewController, scene: Scene) -> None:
         self._server = server
         self._controller = controller
         self._scene = scene
-        # Held by whoever changes controls or acts on them: browsers, and the show that keeps them up to date.
+        # Held while controls are changed or handled: by browser callbacks and by the show's updates.
         self._lock = threading.RLock()
         self._setting = False
         self._shown_command = controller.command
@@ -83,7 +83,7 @@ class Panel:
         self._show_robots()
 
     def tell(self, message: str, bad: bool = False) -> None:
-        """Say something in every browser, without this machine's directories."""
+        """Show a notification in every browser, without this machine's directories."""
         message = without_directories(message)
         for client in self._server.get_clients().values():
             client.add_notification(
@@ -94,14 +94,14 @@ class Panel:
             )
 
     def update(self, view: View) -> None:
-        """Show how things are."""
+        """Show the current state."""
         _set(self._status, "content", _status(view))
         _set(self._clock_buttons, "options", (RESUME if view.paused else PAUSE, STEP, RESET))
         _set(self._record, "label", RECORD if view.recorded is None else SAVE)
         if self._server.get_clients():
             for message in self._controller.messages():
                 self.tell(message)
-        # The show goes on while a browser's wish takes its time.
+        # Do not block the show while a browser callback takes long.
         if self._lock.acquire(blocking=False):
             try:
                 self._show_offered()
@@ -148,7 +148,7 @@ class Panel:
             self._sources = [
                 gui.add_dropdown(f"Robot {i + 1}", names if not i else (NONE, *names)) for i in range(MAX_ROBOTS)
             ]
-            self._watched = gui.add_dropdown("Watch", ("1",), hint="Whom the camera, the plots and a recording follow")
+            self._watched = gui.add_dropdown("Watch", ("1",), hint="The robot that camera, plots and recordings follow")
         for index, dropdown in enumerate(self._sources):
             self._on(dropdown, partial(self._choose, index))
         self._on(self._watched, self._watch)
@@ -185,7 +185,9 @@ class Panel:
             self._on(box, partial(self._show_overlay, name, box))
         follow = gui.add_checkbox("Camera follows", True)
         abreast = gui.add_checkbox(
-            "Keep robots abreast", True, hint="Draw every robot in its lane, however far ahead another one is."
+            "Keep robots abreast",
+            True,
+            hint="Draw every robot in its lane next to the others, whatever the distance between them.",
         )
         self._on(abreast, lambda: setattr(self._scene, "abreast", abreast.value))
         self._on(follow, lambda: setattr(self._scene, "follow", follow.value))
@@ -206,7 +208,7 @@ class Panel:
             command = self._server.gui.add_command(label, hotkey=key)
             command.on_trigger(self._guarded(action))
 
-    # --- what they do
+    # --- actions
 
     def _press(self, button: str) -> None:
         if not self._controller.offered.clock:
@@ -266,10 +268,10 @@ class Panel:
     def _shown_phases(self) -> tuple[float, ...]:
         return tuple(slider.value for slider in self._phases)
 
-    # --- what they show
+    # --- displayed values
 
     def _show_command(self) -> None:
-        """Set the sliders to the command, if somebody else has changed it."""
+        """Set the sliders to the command, if it was changed elsewhere."""
         command = self._controller.command
         if command == self._shown_command:
             return
@@ -281,7 +283,7 @@ class Panel:
         self._show(show)
 
     def _show_offered(self) -> None:
-        """Hide what would have no effect."""
+        """Hide controls without an effect."""
         offered = self._controller.offered
         _set(self._clock_buttons, "visible", offered.clock)
         _set(self._command_folder, "visible", offered.command)
@@ -313,7 +315,7 @@ class Panel:
         self._show(show)
 
     def _show(self, change: Callable[[], object]) -> None:
-        """Change controls without doing what they would do if a person changed them."""
+        """Change control values without triggering their actions."""
         self._setting = True
         try:
             change()
@@ -339,7 +341,7 @@ class Panel:
 
 
 def _set(control: Any, name: str, value: Any) -> None:
-    """Set a property where it differs: browsers draw anew what is set."""
+    """Set a property if it differs, since browsers redraw it whenever it is set."""
     if getattr(control, name) != value:
         setattr(control, name, value)
 
@@ -362,6 +364,6 @@ def _status(view: View) -> str:
         warnings.append(f"&#9679; recording, {view.recorded:.1f} of at most {MAX_SECONDS:g} s")
     if robot.complaints:
         more = f", and {len(robot.complaints) - 1} more" if len(robot.complaints) > 1 else ""
-        warnings.append(escape(f"The gait asks too much: {robot.complaints[0]}{more}"))
+        warnings.append(escape(f"The gait exceeds limits: {robot.complaints[0]}{more}"))
     lines += [f'<span style="color:{LIMIT}">{warning}</span>' for warning in warnings]
     return f'<div style="{_SMALL};padding-top:8px;min-height:80px;color:{INK}" data-status>{"<br>".join(lines)}</div>'

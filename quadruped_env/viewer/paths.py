@@ -1,4 +1,4 @@
-"""Paths as the page shows them: without the directories of this machine."""
+"""Paths for display on the page, without this machine's directories."""
 
 import re
 from pathlib import Path
@@ -10,7 +10,7 @@ _ABSOLUTE: Final = re.compile(r"(?<![\w./])/(?:[^\s/'\"]+/)+[^\s/'\",;]*")
 
 
 def without_directories(text: str) -> str:
-    """A text whose absolute paths are as `shown_path` shows them."""
-    # First those whose names may have spaces.
+    """Replace absolute paths in a text as `shown_path` does."""
+    # First the known directories, whose names may contain spaces.
     text = text.replace(f"{Path.cwd()}/", "").replace(f"{Path.home()}/", "")
     return _ABSOLUTE.sub(lambda match: shown_path(Path(match[0])), text)

@@ -19,14 +19,14 @@ if TYPE_CHECKING:
     import viser
 
 GAIT_SECONDS: Final = 2.5
-"""s that the gait diagram looks back"""
+"""Time span of the gait diagram, s."""
 _WIDTH: Final = 350
-"""pixels"""
+"""Panel width, pixels."""
 _CHART_HEIGHT: Final = 150
 _REWARD_SECONDS: Final = 1.0
-"""s that the reward's bars are a mean over"""
+"""Averaging time of the reward bars, s."""
 _POINTS: Final = 125
-"""in a line of a chart"""
+"""Maximum number of points per line of a chart."""
 
 
 class Plots:
@@ -121,7 +121,7 @@ class _Chart:
 
 
 def gait_diagram(history: Sequence[Sample], timestep: float) -> str:
-    """Which feet were on the ground, as SVG: a bar a foot and stance, time to the right, the present at the edge."""
+    """Gait diagram as SVG: one bar per foot and stance phase, time to the right, the present at the right edge."""
     left, right, top, row, bar = 30, 360, 4, 22, 14
     bottom = top + row * len(LEG_NAMES)
     scale = (right - left) / GAIT_SECONDS

@@ -1,4 +1,4 @@
-"""One robot of the viewer: a source, the task that it runs on, and what it did lately."""
+"""One robot of the viewer: its source, its task, and its recent history."""
 
 from collections import deque
 from dataclasses import replace
@@ -28,17 +28,17 @@ class ViewedRobot(Protocol):
     """A robot that the viewer shows and steers: a simulated one, or one that sends messages."""
 
     name: str
-    """Of what drives it"""
+    """Name of its source."""
     timestep: float
-    """s between samples"""
+    """Time between samples, s."""
     history: deque[Sample]
-    """The last seconds, the present last"""
+    """Samples of the last seconds, the latest last."""
     fell_at: float | None
-    """s of the episode, or None while it is on its feet"""
+    """Episode time of the fall, s; None if it has not fallen."""
     diverged: bool
-    """Whether a simulation has to begin again"""
+    """True if the simulation diverged and has to be reset."""
     term_names: tuple[str, ...]
-    """Of the samples' reward terms"""
+    """Names of the samples' reward terms."""
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -47,7 +47,7 @@ class ViewedRobot(Protocol):
 
     @property
     def data(self) -> mujoco.MjData:
-        """MuJoCo's data: where it is."""
+        """MuJoCo's data with the current state."""
         ...
 
     @property
@@ -59,19 +59,19 @@ class ViewedRobot(Protocol):
     def gait(self, settings: GaitSettings) -> None: ...
 
     def complaints(self) -> list[str]:
-        """Limits of the joints that its scripted gait exceeds, in words."""
+        """Descriptions of the joint limits that its scripted gait exceeds."""
         ...
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
-        """Begin again, under a command."""
+        """Start again with a velocity command."""
         ...
 
     def set_command(self, command: tuple[float, float]) -> None:
-        """Command a forward velocity in m/s and a yaw rate in rad/s."""
+        """Set the velocity command: forward velocity in m/s and yaw rate in rad/s."""
         ...
 
     def push(self, velocity: tuple[float, float]) -> None:
-        """Add a velocity (forwards, to the left) in m/s, as the robot faces, to its base."""
+        """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
         ...
 
     def step(self) -> Sample:
@@ -80,11 +80,11 @@ class ViewedRobot(Protocol):
 
 
 class Robot:
-    """A simulated robot on its own ground, which no other robot is on.
+    """A simulated robot in its own simulation.
 
     Args:
-        source: what drives it.
-        randomization: in place of the source's own, if given.
+        source: its controller.
+        randomization: replaces the source's own randomization.
 
     Raises:
         QuadrupedError: if the source does not fit this robot.
@@ -103,7 +103,7 @@ class Robot:
         self.timestep = config.control_timestep
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
         self.fell_at: float | None = None
-        """s of the episode, or None while it is on its feet"""
+        """Episode time of the fall, s; None if it has not fallen."""
         self.diverged = False
         self.reset(0, (0.0, 0.0))
 
@@ -130,15 +130,15 @@ class Robot:
     @gait.setter
     def gait(self, settings: GaitSettings) -> None:
         if not isinstance(self._controller, HasGait) or self._controller.settings is None:
-            raise QuadrupedError(f"gait: {self.name!r} is no scripted gait; choose one to change its gait")
+            raise QuadrupedError(f"gait: {self.name!r} has no scripted gait; choose one to change its gait")
         self._controller.settings = settings
 
     def complaints(self) -> list[str]:
-        """What its scripted gait asks for beyond the limits of the joints."""
+        """Descriptions of the joint limits that its scripted gait exceeds."""
         return self._controller.complaints() if isinstance(self._controller, HasGait) else []
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
-        """Begin an episode at the origin, facing along x. Robots with the same seed start alike."""
+        """Begin an episode at the origin, facing along x. Robots with the same seed start identically."""
         self.task.reset(_ROW, seeds=[seed], command=self._within(command))
         self._face_ahead()
         self.observation = self.task.observe()
@@ -147,12 +147,12 @@ class Robot:
         self.fell_at, self.diverged = None, False
 
     def set_command(self, command: tuple[float, float]) -> None:
-        """Ask for a forward velocity in m/s and a yaw rate in rad/s, or the nearest that its task knows."""
+        """Set the velocity command, forward velocity in m/s and yaw rate in rad/s, clipped to its task's ranges."""
         self.task.set_command(_ROW, self._within(command))
         self.observation = self.task.observe()
 
     def push(self, velocity: tuple[float, float]) -> None:
-        """Add a velocity (forwards, to the left) in m/s, as the robot faces, to its base."""
+        """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
         self._simulation.push(_ROW, world_velocity(velocity, heading(self.data))[None])
         self.observation = self.task.observe()
 
@@ -175,7 +175,7 @@ class Robot:
         return float(np.clip(command[0], slow, fast)), float(np.clip(command[1], right, left))
 
     def _face_ahead(self) -> None:
-        """Turn the start, which faces anywhere, to the x direction, the velocity of the base with it."""
+        """Rotate the initial state, which has a random heading, and its base velocity to face along x."""
         qpos, qvel = self.data.qpos.copy(), self.data.qvel.copy()
         back = from_yaw(-heading(self.data))
         qpos[3:7] = multiply(back, qpos[3:7])
@@ -185,21 +185,21 @@ class Robot:
 
 
 def heading(data: mujoco.MjData) -> float:
-    """Direction that a robot faces, rad from the world's x."""
+    """Heading of a robot from the world's x axis, rad."""
     return float(yaw(data.qpos[3:7]))
 
 
 def world_velocity(velocity: tuple[float, float], heading: float) -> NDArray[np.float64]:
-    """A horizontal velocity (forwards, to the left) of a robot that faces somewhere (rad), in the world (3,)."""
+    """A horizontal velocity (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
     return rotate(from_yaw(heading), [*velocity, 0.0])
 
 
 def contact_forces(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Where the ground presses on the robot, m (K, 3), and with what force, N (K, 3), in the world.
+    """Ground contact points (K, 3), m, and forces on the robot (K, 3), N, in the world frame.
 
     Args:
-        model: the robot on its ground.
-        data: where it is; overwritten with the forces there.
+        model: model of the robot and the ground.
+        data: its state; the derived quantities are recomputed in place.
     """
     mujoco.mj_forward(model, data)
     points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))

@@ -1,4 +1,4 @@
-"""One moment of a robot, as plots and recordings keep it."""
+"""Samples of a robot's state for plots and recordings."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,38 +13,38 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """The readings at the end of a control step; copies."""
+    """Readings at the end of a control step, copied."""
 
     time: float
-    """s since the episode began"""
+    """Time since the start of the episode, s."""
     command: Floats
-    """Forward velocity in m/s and yaw rate in rad/s (2,)"""
+    """Commanded forward velocity in m/s and yaw rate in rad/s (2,)."""
     velocity: Floats
-    """What they are (2,)"""
+    """Measured forward velocity and yaw rate (2,), same units."""
     smooth_velocity: Floats
-    """What they are over about a gait cycle (2,)"""
+    """Forward velocity and yaw rate averaged over about one gait cycle (2,), same units."""
     base_pose: Floats
     """Position in m and quaternion wxyz in the world (7,)"""
     joint_position: Floats
-    """rad (8,)"""
+    """Joint positions (8,), rad."""
     joint_velocity: Floats
-    """rad/s (8,)"""
+    """Joint velocities (8,), rad/s."""
     joint_torque: Floats
-    """N m (8,)"""
+    """Joint torques (8,), N m."""
     foot_position: Floats
-    """Centre of each foot's ball in the world, m (4, 3)"""
+    """Centre of each foot's sphere in the world frame (4, 3), m."""
     contact: NDArray[np.bool_]
-    """Whether each foot is on the ground (4,)"""
+    """True for each foot on the ground (4,)."""
     reward_terms: Floats
     """Weighted terms of the last step, in the task's order (T,); zeros at the start"""
 
 
 def sample(task: Task, transition: Transition | None = None) -> Sample:
-    """The present moment of a task with one row.
+    """The current sample of a task with a single env.
 
     Args:
         task: the task.
-        transition: what its last step gave; None at the start of an episode.
+        transition: result of its last step; None at the start of an episode.
     """
     state = task.simulation.readings
     terms = np.zeros(len(task.term_names)) if transition is None else transition.terms[0].copy()

@@ -19,44 +19,44 @@ if TYPE_CHECKING:
 OVERLAYS: Final = ("contact forces", "velocity arrows", "foot trails", "names")
 
 _LANE: Final = 0.6
-"""m between robots side by side"""
+"""Distance between robots next to each other, m."""
 _FOLLOW_TIME: Final = 0.3
-"""s: how far the camera lags behind, so that the picture does not sway with every step"""
-_JUMP: Final = 0.6
-"""m that no robot walks within that time"""
-_STILL: Final = 1e-4
-"""m that nobody sees"""
+"""Time constant of the camera, which filters the sway of each step, s."""
+_JUMP_DISTANCE: Final = 0.6
+"""Distance above which the camera jumps, as after a reset, m."""
+_STILL_DISTANCE: Final = 1e-4
+"""Distance below which the camera does not move visibly, m."""
 _TRAIL_SECONDS: Final = 2.0
 _TRAIL_STRIDE: Final = 2
-"""samples a segment"""
+"""Number of samples per trail segment."""
 _METRES_PER_NEWTON: Final = 0.006
-_BESIDE: Final = 0.035
-"""m outwards from the contact, where the leg does not hide the arrow"""
+_CONTACT_OFFSET: Final = 0.035
+"""Outward offset of force arrows from the contact, so that the leg does not hide them, m."""
 _METRES_PER_VELOCITY: Final = 0.6
-"""m of arrow for 1 m/s"""
+"""Arrow length for 1 m/s, m."""
 _ARROW_HEIGHT: Final = 0.14
-"""m over the base's centre"""
+"""Height of velocity arrows above the base's centre, m."""
 _TURN_RADII: Final = (0.30, 0.33)
-"""m of the arcs on the ground that span the turn in a second, commanded and actual"""
+"""Radii of the ground arcs that show the turn in one second, commanded and actual, m."""
 _TURN_HEIGHT: Final = 0.004
-"""m over the ground"""
+"""Height of the arcs above the ground, m."""
 _ARC_POINTS: Final = 16
 _PUSH_SHOWN: Final = 0.8
-"""s"""
+"""Time for which a push is shown, s."""
 _LABEL_HEIGHT: Final = 0.24
-"""m over the base's centre"""
+"""Height of labels above the base's centre, m."""
 _CAMERAS: Final = ((0.75, -1.45, 0.62), (1.1, -1.9, 1.0), (1.35, -2.3, 1.3))
-"""Where the camera begins, m from the middle of one, two or three robots"""
+"""Initial camera positions relative to the centre of one, two or three robots, m."""
 
 Points = NDArray[np.float64]
 
 
 class Scene:
-    """Draws views.
+    """Draws views in the 3D scene.
 
     Args:
-        server: where to.
-        model: a model that is drawn with and changed.
+        server: the server of the page.
+        model: the robot's model; it is modified.
     """
 
     def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel) -> None:
@@ -98,7 +98,7 @@ class Scene:
         self._labels: list[Any] = []
 
     def show_push(self, direction: float, strength: float) -> None:
-        """Show for a moment that the robots were pushed; see `ViewController.push`."""
+        """Show an arrow for a push for a moment; see `ViewController.push`."""
         self._push = direction, strength, time.monotonic() + _PUSH_SHOWN
 
     def update(self, view: View) -> None:
@@ -119,8 +119,8 @@ class Scene:
     def _go_along(self, positions: Points, watched: int) -> None:
         """Move each robot's world so that its position (2,) is in the middle of its lane.
 
-        The worlds move, and not the cameras of the browsers, which people turn as they like. Robots that are not
-        kept abreast share the watched one's world.
+        The worlds are moved instead of the cameras, which users control. Robots that are not kept abreast share the
+        world of the watched one.
         """
         now = time.monotonic()
         if len(self._offsets) != len(positions):
@@ -129,14 +129,16 @@ class Scene:
             away = -positions - self._offsets[:, :2]
             share = 1.0 - math.exp(-(now - self._drawn_at) / _FOLLOW_TIME)
             distance = np.abs(away).max(axis=1, keepdims=True)
-            # After a reset the robot is somewhere else at once; and a robot that stands gets a picture that stands.
-            self._offsets[:, :2] += away * np.where((distance > _JUMP) | (distance < _STILL), 1.0, share)
+            # Not filtered after a reset, nor below a visible distance, so that the picture of a standing robot is still.
+            self._offsets[:, :2] += away * np.where(
+                (distance > _JUMP_DISTANCE) | (distance < _STILL_DISTANCE), 1.0, share
+            )
             if not self.abreast:
                 self._offsets[:] = self._offsets[watched]
         self._drawn_at = now
 
     def _aim(self, robots: int) -> None:
-        """Choose where a browser that comes now begins to look from."""
+        """Set the initial camera of browsers that connect from now on."""
         self._server.initial_camera.position = _CAMERAS[robots - 1]
 
     def _ground(self) -> None:
@@ -172,7 +174,7 @@ class Scene:
         for i, robot in enumerate(robots):
             left = _direction(robot.heading + math.pi / 2)
             side = np.sign((robot.contact_points - robot.now.base_pose[:3]) @ left)
-            start = robot.contact_points + _BESIDE * side[:, None] * left + shift[i]
+            start = robot.contact_points + _CONTACT_OFFSET * side[:, None] * left + shift[i]
             arrows.append(np.stack([start, start + _METRES_PER_NEWTON * robot.contact_forces], axis=1))
         _draw(self._contacts, np.concatenate(arrows), visible=self.visible["contact forces"])
 
@@ -181,7 +183,7 @@ class Scene:
         for i, robot in enumerate(robots):
             above = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _ARROW_HEIGHT)
             for lane, (velocity, yaw_rate) in enumerate((robot.now.command, robot.now.smooth_velocity)):
-                # Side by side, or one would hide the other.
+                # Offset vertically, so that one does not hide the other.
                 origin = above + np.array([0.0, 0.0, 0.028 * lane])
                 tip = _METRES_PER_VELOCITY * velocity * _direction(robot.heading)
                 arrows.append([origin, origin + tip])
@@ -189,7 +191,7 @@ class Scene:
                 angles = robot.heading + yaw_rate * np.linspace(0.0, 1.0, _ARC_POINTS + 1)
                 arc = centre + _TURN_RADII[lane] * _direction(angles)
                 arcs.append(np.stack([arc[:-1], arc[1:]], axis=1))
-                # A short piece past the end turns the head along the arc.
+                # A short segment beyond the end aligns the arrowhead with the arc.
                 beyond = _TURN_RADII[lane] * _direction(angles[-1] + math.copysign(0.17, yaw_rate))
                 heads.append([arc[-1], centre + beyond])
         visible = self.visible["velocity arrows"]
@@ -221,10 +223,10 @@ class Scene:
         direction, strength, _ = self._push
         arrows = []
         for i, robot in enumerate(robots):
-            way = _direction(robot.heading + direction)
-            # It ends where it hits the base.
-            end = robot.now.base_pose[:3] + shift[i] - 0.12 * way
-            arrows.append([end - 0.35 * strength * way, end])
+            towards = _direction(robot.heading + direction)
+            # The arrow ends at the base.
+            end = robot.now.base_pose[:3] + shift[i] - 0.12 * towards
+            arrows.append([end - 0.35 * strength * towards, end])
         _draw(self._pushes, np.array(arrows))
 
     def _draw_labels(self, robots: tuple[RobotView, ...], shift: Points) -> None:
@@ -245,14 +247,14 @@ class Scene:
 
 
 def _direction(angle: Any) -> Any:
-    """Level unit vectors (..., 3) at angles (...,) in rad from x."""
+    """Horizontal unit vectors (..., 3) at angles (...,) from the x axis, rad."""
     return np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
 
 
 def _draw(handle: Any, points: Points, colours: NDArray[np.uint8] | None = None, visible: bool = True) -> None:
-    """Give arrows or segments (N, 2, 3) to a handle; none of them are hidden, as viser cannot draw nothing.
+    """Set the arrows or segments (N, 2, 3) of a handle. An empty set is hidden, since viser cannot draw empty arrays.
 
-    What is there already is not sent again: a picture that stands costs the browser nothing.
+    Unchanged data is not sent again, so that a still picture causes no traffic.
     """
     visible = visible and bool(len(points))
     points = points.astype(np.float32)

@@ -1,4 +1,4 @@
-"""The colours of films and reports, as the browser's scene takes them."""
+"""The colours of films and reports for the browser's scene."""
 
 from typing import Final
 

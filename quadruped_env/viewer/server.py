@@ -1,4 +1,4 @@
-"""The web server of the viewer: on this machine only, unless asked, and never shared through another."""
+"""The web server of the viewer: on this machine only by default, and never shared through viser's public relay."""
 
 import contextlib
 import errno
@@ -17,11 +17,11 @@ _PORTS_TRIED: Final = 100
 
 
 def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
-    """A server on the first free port from `port` on, for this project's page alone (see `access` and `guard`).
+    """Start a server on the first free port from `port` on, for this project's page only (see `access` and `guard`).
 
     Args:
-        host: the address to listen on; anything but loopback lets other machines control the show.
-        port: 0 takes any free one.
+        host: the address to listen on; any other than loopback lets other machines control the viewer.
+        port: first port to try; 0 takes any free port.
 
     Raises:
         MissingExtraError: if viser is not installed.
@@ -30,14 +30,14 @@ def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
 
     class LocalServer(import_viser().ViserServer):  # type: ignore[misc]
         def request_share_url(self, verbose: bool = True) -> None:
-            """Refuse: a browser may ask for a public address even where it shows no button for it."""
+            """Ignore the request: browsers may send it even without a share button."""
 
-    # It needs viser.
+    # Imported here because it needs viser.
     from quadruped_env.viewer.guard import Guard
 
     guard = Guard(host)
     port = _free_port(host, port)
-    # viser prints a panel of its own.
+    # viser prints its own banner.
     with contextlib.redirect_stdout(io.StringIO()), guard.installed():
         server: viser.ViserServer = LocalServer(host, port, label="MiniQuadruped", verbose=False)
     guard.messages.gui = server.gui
@@ -46,7 +46,7 @@ def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
 
 
 def stop_server(server: "viser.ViserServer") -> None:
-    """End the server without a word."""
+    """Stop the server without printing."""
     with contextlib.redirect_stdout(io.StringIO()):
         server.stop()
 

@@ -1,4 +1,4 @@
-"""The viewer: a `ViewController` in real time, its scene, controls and plots in every browser that looks."""
+"""The viewer: a `ViewController` in real time, its scene, controls and plots in every connected browser."""
 
 import threading
 import time
@@ -17,23 +17,23 @@ from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_serv
 from quadruped_env.viewer.take import RESULTS
 
 TICK: Final = 0.02
-"""s between looks at the clock: a control step at normal speed"""
+"""Loop period, one control step at normal speed, s."""
 TICKS_PER_FRAME: Final = 2
 TICKS_PER_PLOT: Final = 5
 
 
 @dataclass(frozen=True)
 class Pace:
-    """How a stretch of the show kept time."""
+    """Timing of a part of the show."""
 
     seconds: float
-    """of real time"""
+    """Real time, s."""
     processor_seconds: float
-    """that this process computed"""
+    """Processor time of this process, s."""
     control_steps: int
     frames: int
     overrun: float
-    """s by which the longest tick was longer than `TICK`"""
+    """Largest overrun of a tick over `TICK`, s."""
 
     def __str__(self) -> str:
         return (
@@ -47,9 +47,9 @@ class Show:
     """A running viewer.
 
     Args:
-        controller: what is shown; `close` closes it too.
+        controller: the controller to show; `close` also closes it.
         host: the address to listen on.
-        port: the first one to try.
+        port: the first port to try.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -69,20 +69,20 @@ class Show:
 
     @property
     def port(self) -> int:
-        """Where it listens."""
+        """Port that the server listens on."""
         return self._server.get_port()
 
     @property
     def address(self) -> str:
-        """What a browser of this machine opens."""
+        """URL of the page for a browser on this machine."""
         return page_address(self._host, self.port)
 
     def clients(self) -> list[Any]:
-        """The browsers that look, as viser's client handles."""
+        """The connected browsers, as viser client handles."""
         return list(self._server.get_clients().values())
 
     def draw(self, view: View) -> None:
-        """Draw everything."""
+        """Draw a view: scene, panel and plots."""
         self._scene.update(view)
         self.panel.update(view)
         self._plots.update(view.robots[view.watched])
@@ -110,23 +110,23 @@ class Show:
             if late > 0.0:
                 overrun = max(overrun, late)
                 if late > TICK:
-                    # What was missed is missed: the controller catches up by itself.
+                    # Skip the missed ticks; the controller itself catches up.
                     ticks += int(late / TICK)
             else:
                 self._stop.wait(-late)
         return Pace(last - start, time.process_time() - processor, steps, frames, overrun)
 
     def stop(self) -> None:
-        """Let `run` return; may be called from a signal handler."""
+        """Make `run` return; may be called from a signal handler."""
         self._stop.set()
 
     def close(self) -> None:
-        """Save what is being recorded, and end the server."""
+        """Save the current recording and stop the server."""
         self.controller.close()
         stop_server(self._server)
 
     def _left(self) -> None:
-        """A browser went: with the last one nobody is left to end a recording."""
+        """End the recording when the last browser disconnects, since no user is left to end it."""
         if not self.clients():
             self.controller.stop_recording()
 
@@ -139,20 +139,20 @@ def open_show(
     results: Path = RESULTS,
     task_file: Path | None = None,
 ) -> Show:
-    """A show of what a person asked for, ready to run.
+    """Open a show of the requested sources, ready to run.
 
     Args:
-        asked: up to three of: a run's directory, a shipped policy, a scripted gait, a file of joint states. With
-            nothing it is the latest run, or else the shipped policy.
-        command: forward velocity in m/s and yaw rate in rad/s to begin with.
+        asked: up to three of: a run's directory, a shipped policy, a scripted gait, a file of joint states. By
+            default the latest run, or else the shipped policy.
+        command: initial forward velocity in m/s and yaw rate in rad/s.
         host: the address to listen on.
-        port: the first one to try; 0 takes any.
-        results: where recordings go.
-        task_file: the user's file of terms that the runs were trained with; it is executed.
+        port: the first port to try; 0 takes any free port.
+        results: directory for recordings.
+        task_file: Python file of the custom terms that the runs were trained with; it is executed.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
-        QuadrupedError: if something that was asked for cannot be used.
+        QuadrupedError: if a requested source cannot be used.
     """
     import_viser()
     controller = ViewController(*find_controllers(asked, task_file=task_file), results)

@@ -22,11 +22,11 @@ from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.viewer.sample import Sample, over_time
 
 MAX_SECONDS: Final = 300.0
-"""A longer take ends by itself."""
+"""Maximum duration of a take, s; a longer one ends automatically."""
 MAX_WAITING: Final = 3
-"""Takes that are being saved, beyond which none is begun: each waits in memory."""
+"""Maximum number of takes being saved, each in memory, before a new one is refused."""
 MAX_TAKES: Final = 100
-"""Takes of one show; each may put some megabytes on the disk."""
+"""Maximum number of takes per show; each may use some megabytes on disk."""
 _NICENESS: Final = 10
 RESULTS: Final = Path("results")
 TRAJECTORY_FILE: Final = "joint_states.csv"
@@ -35,20 +35,20 @@ VIDEO_FILE: Final = "video.mp4"
 
 @dataclass
 class Take:
-    """What one robot did while it was recorded."""
+    """The recorded samples of one robot."""
 
     title: str
     timestep: float
-    """s between samples"""
+    """Time between samples, s."""
     samples: list[Sample] = field(default_factory=list)
 
     @property
     def seconds(self) -> float:
-        """Time from its first sample to its last."""
+        """Time from the first to the last sample, s."""
         return (len(self.samples) - 1) * self.timestep
 
     def trajectory(self) -> JointTrajectory:
-        """The joints as measured; the stamps begin at 0."""
+        """The measured joint states; timestamps start at 0."""
         stamps = np.rint(np.arange(len(self.samples)) * self.timestep * NS_PER_SECOND).astype(np.int64)
         return JointTrajectory(
             stamps,
@@ -59,7 +59,7 @@ class Take:
         )
 
     def motion(self) -> Motion:
-        """The robot over time, as a film shows it."""
+        """The motion for a film."""
         return Motion(
             self.title,
             self.timestep,
@@ -72,11 +72,11 @@ class Take:
 
 
 class TakeSaver:
-    """Saves takes one after the other, beside the running simulation.
+    """Saves takes one after the other in a thread, next to the running simulation.
 
     Args:
-        results: the directory to make each take's own directory in.
-        tell: is told, from the saver's thread, what was saved and what was not.
+        results: parent of the takes' directories.
+        tell: called from the saver's thread with a message for each saved or failed file.
     """
 
     def __init__(self, results: Path, tell: Callable[[str], None]) -> None:
@@ -84,24 +84,24 @@ class TakeSaver:
         self._tell = tell
         self._takes: queue.Queue[Take | None] = queue.Queue()
         self._count = 0
-        # A daemon, so that who cannot wait for a long film may leave.
+        # A daemon thread, so that the process can end without waiting for a long film.
         self._thread = threading.Thread(target=self._run, name="take saver", daemon=True)
         self._thread.start()
 
     @property
     def busy(self) -> bool:
-        """Whether a take is not saved yet."""
+        """True while a take is being saved."""
         return self._takes.unfinished_tasks > 0
 
     def check_room(self) -> None:
-        """Raise a QuadrupedError if no other take is to be begun."""
+        """Raise a QuadrupedError if no further take may be started."""
         if self._takes.unfinished_tasks >= MAX_WAITING:
             raise QuadrupedError(f"record: {MAX_WAITING} recordings are still being saved; record again after them")
         if self._count >= MAX_TAKES:
             raise QuadrupedError(f"record: {MAX_TAKES} recordings were made; start the viewer again to make more")
 
     def save(self, take: Take) -> None:
-        """Save a take soon."""
+        """Queue a take to be saved."""
         self._count += 1
         self._takes.put(take)
 
@@ -112,7 +112,7 @@ class TakeSaver:
 
     def _run(self) -> None:
         if sys.platform == "linux":
-            # Where a thread has a niceness of its own, films give way to the show.
+            # On Linux each thread has its own niceness: films yield to the show.
             os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
         while (take := self._takes.get()) is not None:
             directory = free_path(self._results / time.strftime("view-%Y%m%d-%H%M%S"))

@@ -1,15 +1,15 @@
-"""Drive the robot with a policy, 50 times a second: from /joint_states, /imu/data and /cmd_vel to /joint_commands.
+"""Control the robot with a policy at 50 Hz: /joint_states, /imu/data and /cmd_vel in, /joint_commands out.
 
     mini-quadruped live controller              the shipped policy
-    mini-quadruped live controller runs/latest  a run's
+    mini-quadruped live controller runs/latest  the policy of a training run
     mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
-    mini-quadruped live controller --arrays     to a robot with ros2_control
+    mini-quadruped live controller --arrays     for a robot with ros2_control
 
-Waits for fresh states, goes slowly from where the joints are to the stance, and then follows /cmd_vel; without one
-newer than 0.5 s it stands. Holds when no state comes for 0.2 s, and lets the robot go limp after 1 s, or when it has
-fallen; afterwards it waits for fresh states again. Never asks for more than the joints' range and 5 rad/s. States with
-NaN, other names or counts, or stamps that are old or repeated are refused, and said; while the robot is limp, states
-that are all late are taken as they come after 0.5 s. Each command bears the stamp of the state that it answers.
+Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
+a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
+after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and 5 rad/s.
+States with NaN, wrong names or counts, or old or repeated timestamps are refused and logged; while the robot is limp,
+states that are all late are accepted after 0.5 s. Each command has the timestamp of the state it answers.
 """
 
 import argparse
@@ -33,49 +33,50 @@ from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.timestamps import NS_PER_SECOND
 
 _NEEDED: Final = ("positions", "velocities")
-_LOOK: Final = 0.01
-"""s; how often silence is looked for"""
+_POLL_PERIOD: Final = 0.01
+"""Time between checks for missing states, s."""
 _IMU_AGE: Final = 0.02
-"""s by which attitude and joints may be apart"""
+"""Maximum difference between the timestamps of orientation and joint states, s."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What decides."""
+    """Add the policy, its task file, and the command format."""
     parser.add_argument(
         "policy",
         nargs="?",
         default="flat",
         metavar="POLICY",
-        help="'flat', a run's directory, or a gait: 'tuned', 'trot', 'walk', 'bound', 'pace' (%(default)s)",
+        help="'flat', a run directory, or a scripted gait: 'tuned', 'trot', 'walk', 'bound', 'pace' (%(default)s)",
     )
     parser.add_argument(
         "--arrays",
         action="store_true",
-        help=f"send the targets as ros2_control takes them, on {JOINT_POSITIONS.name}: eight numbers in the order "
-        f"{', '.join(JOINT_NAMES)}. There is none that says limp: it falls silent, and the driver has to let go",
+        help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: eight numbers in the order "
+        f"{', '.join(JOINT_NAMES)}. This format has no limp command: "
+        "the node stops sending, and the driver has to disable the motors",
     )
     parser.add_argument(
         "--task",
         metavar="FILE",
-        help="the Python file of terms that the policy was trained with, if it was; it is executed",
+        help="Python file of the custom terms that the policy was trained with, if any; it is executed",
     )
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
-    """Drive the robot until the session ends, then let it go limp."""
+    """Control the robot until the session ends, then let it go limp."""
     terms = None if arguments.task is None else load_terms(arguments.task)
     load = functools.partial(load_policy, terms=terms)
     pilot = LiveController(find_controller(arguments.policy, load).make(), say=session.say)
     node = session.node
     outbox = _Outbox(session, arguments.arrays)
-    # Drivers of real robots may offer best effort only.
+    # Drivers of real robots may offer only best-effort delivery.
     states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, _NEEDED))
     attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
     velocities = node.subscribe(CMD_VEL)
     inbox = _Inbox(session, states, attitudes)
     while session.running:
-        session.wait(_LOOK)
+        session.wait(_POLL_PERIOD)
         _take_command(session, pilot, velocities)
         received = inbox.measurement()
         answer = None
@@ -93,7 +94,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 class _Inbox:
-    """Makes measurements of joint states and attitudes."""
+    """Combines joint states and orientations into measurements."""
 
     def __init__(self, session: Session, states: Subscription[Joints], attitudes: Subscription[Imu]) -> None:
         self._session = session
@@ -102,8 +103,8 @@ class _Inbox:
         self._imu: Imu | None = None
 
     def measurement(self) -> tuple[Measurement, float] | None:
-        """The newest one, and when it was taken (s of `time.monotonic`), if there is a new one that can be used."""
-        # States first: an attitude that was sent before a state is there by then.
+        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None."""
+        # Joint states first: an orientation sent before a joint state has then arrived as well.
         states = list(self._states.messages(self._session.refuse))
         attitude = self._attitudes.newest(self._session.refuse)
         if attitude is not None:
@@ -112,7 +113,7 @@ class _Inbox:
             return None
         received, newest = max(states, key=lambda state: state[1].stamp)
         if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NS_PER_SECOND:
-            self._session.refuse(f"{IMU.name} and {JOINT_STATES.name} are over {_IMU_AGE:g} s apart")
+            self._session.refuse(f"{IMU.name} and {JOINT_STATES.name} have timestamps more than {_IMU_AGE:g} s apart")
             return None
         assert newest.positions is not None
         assert newest.velocities is not None
@@ -134,11 +135,11 @@ def _take_command(session: Session, pilot: LiveController, velocities: Subscript
 
 
 class _Outbox:
-    """Sends what the pilot answers.
+    """Sends the controller's commands.
 
     Args:
-        session: of the process.
-        arrays: whether to send for ros2_control.
+        session: the session of this process.
+        arrays: True for the format of ros2_control.
     """
 
     def __init__(self, session: Session, arrays: bool) -> None:
@@ -148,7 +149,7 @@ class _Outbox:
         self._stamp = 0
 
     def send(self, answer: JointCommand | None) -> None:
-        """Send an answer, if there is one."""
+        """Send a command, if there is one."""
         if answer is None:
             return
         self._stamp = answer.stamp
@@ -158,7 +159,7 @@ class _Outbox:
             self._commands.send(positions_message(answer.target))
 
     def let_go(self) -> None:
-        """Let the robot go limp, if it was ever commanded, and see that it hears of it."""
+        """Let the robot go limp if it was ever commanded, and wait for the acknowledgement."""
         if self._stamp:
             self.send(JointCommand(self._stamp, LIMP))
             self._commands.wait_until_read(0.5)
@@ -168,4 +169,4 @@ def _missing(pilot: LiveController, states: Subscription[Joints], attitudes: Sub
     if pilot.mode is not Mode.WAITING:
         return ""
     silent = [one.topic.name for one in (states, attitudes) if not one.writers]
-    return f"{' and '.join(silent)}: nobody publishes" if silent else "fresh states"
+    return f"a publisher of {' and of '.join(silent)}" if silent else "fresh states"

@@ -1,4 +1,4 @@
-"""The tutorial's launch file by one command: `gait`, `state` and the viewer in the browser.
+"""The tutorial's launch file as one command: `gait`, `state` and the viewer in the browser.
 
 mini-quadruped live display --preset walk
 """
@@ -11,18 +11,18 @@ from quadruped_env.viewer import PORT
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Which gait, and where the page is."""
-    parser.add_argument("--preset", choices=PRESETS, default="article", help="which gait (%(default)s)")
-    parser.add_argument("--port", type=int, default=PORT, help="of the page; the next free one is taken (%(default)s)")
+    """Add the gait preset and the viewer's port."""
+    parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (%(default)s)")
+    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
 
 
 def start(arguments: argparse.Namespace) -> int:
-    """Run the three until one ends."""
-    all_alike = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
+    """Run the three nodes until one ends."""
+    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
     return launch(
         [
-            ["gait", "--preset", arguments.preset, *all_alike],
-            ["state", *all_alike],
-            ["view", "--port", str(arguments.port), *all_alike],
+            ["gait", "--preset", arguments.preset, *shared],
+            ["state", *shared],
+            ["view", "--port", str(arguments.port), *shared],
         ]
     )

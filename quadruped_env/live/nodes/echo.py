@@ -1,13 +1,12 @@
-"""Print the messages of a topic, as `ros2 topic echo --full-length` does.
+"""Print the messages of a topic, like `ros2 topic echo --full-length`.
 
     mini-quadruped live echo /joint_states
     mini-quadruped live echo /imu/data --once
     mini-quadruped live echo /cmd_vel --field linear.x
     mini-quadruped live echo /joint_states --csv --seconds 10 > recording.csv
 
-Asks for the quality of service that all publishers of the topic offer. Messages that cannot be read, or do not have the
-field, are counted in the log. Joint states that were printed, as YAML or CSV,
-can be read back: `mini-quadruped replay recording.csv`.
+Requests a quality of service that all publishers of the topic offer. Messages that cannot be decoded or lack the field
+are counted in the log. Printed joint states, as YAML or CSV, can be read back: `mini-quadruped replay recording.csv`.
 """
 
 import argparse
@@ -22,12 +21,15 @@ from quadruped_env.live.topics import Topic
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What is printed, and how."""
-    parser.add_argument("topic", metavar="TOPIC", help="such as /joint_states")
+    """Add the topic and the output format."""
+    parser.add_argument("topic", metavar="TOPIC", help="topic name, for example /joint_states")
     parser.add_argument("--once", action="store_true", help="end after the first message")
-    parser.add_argument("--csv", action="store_true", help="a line of values for each message, and nothing else")
+    parser.add_argument("--csv", action="store_true", help="one line of values per message, and nothing else")
     parser.add_argument(
-        "--field", default="", metavar="PATH", help="only this field: header.stamp, position.0, transforms.0.transform"
+        "--field",
+        default="",
+        metavar="PATH",
+        help="print only this field: header.stamp, position.0, transforms.0.transform",
     )
 
 
@@ -41,10 +43,10 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
     listener = Listener(session, [arguments.topic], text_reader)
     if isinstance(sys.stdout, io.TextIOWrapper):
-        # A text that the terminal's encoding cannot show is printed escaped.
+        # Escape characters that the terminal's encoding does not support.
         sys.stdout.reconfigure(errors="backslashreplace")
     for _ in session.turns():
-        listener.look()
+        listener.update()
         for subscription in listener.subscriptions:
             for _, text in subscription.messages(session.refuse):
                 print(text, end="", flush=True)

@@ -1,15 +1,16 @@
 """The tutorial's publisher: a scripted gait on /joint_states at 20 Hz, or as commands to `sim`.
 
-    mini-quadruped live gait                    the tutorial's own gait
-    mini-quadruped live gait --preset trot --commands      trots, beside `sim`
+    mini-quadruped live gait                    the tutorial's gait
+    mini-quadruped live gait --preset trot --commands      trot, together with `sim`
 
-Amplitude, frequency and phases can be changed while it runs, by the sliders of `view` or by a message: amplitude as a
-multiple of the preset's, Hz, and the phase of each leg in cycles (LF, RF, LH, RH):
+Amplitude, frequency and phases can be changed at run time, with the sliders of `view` or with a message: amplitude as a
+multiple of the preset's, frequency in Hz, and the phase of each leg in cycles (LF, RF, LH, RH):
 
     ros2 topic pub --once /gait std_msgs/msg/Float64MultiArray "{data: [1.5, 0.5, 0, 0.5, 0.5, 0]}"
 
-Positions and velocities are those of the gait's formula at the time since the start, which the stamps tell. As commands
-the gait is faded in over 2 s from where the joints are; nobody looks after the robot then: `controller trot` does.
+Positions and velocities follow from the gait's formula at the time since the start, which the timestamps represent. As
+commands, the gait is faded in over 2 s from the measured joint positions, without any supervision of the robot;
+`controller trot` adds it.
 """
 
 import argparse
@@ -28,7 +29,7 @@ from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import message_reader
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
-from quadruped_env.live.sole import SolePublisher
+from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.ros import SENSOR_DATA_QOS
@@ -36,27 +37,27 @@ from quadruped_env.ros.joint_state import Encoder
 from quadruped_env.timestamps import NS_PER_SECOND
 
 RATE: Final = 20.0
-"""Hz; the tutorial's"""
+"""Publishing rate of joint states, as in the tutorial, Hz."""
 COMMAND_RATE: Final = 50.0
-"""Hz"""
+"""Publishing rate of commands, Hz."""
 FADE: Final = 2.0
-"""s"""
+"""Fade-in time of commands, s."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Which gait, and where to."""
-    parser.add_argument("--preset", choices=PRESETS, default="article", help="which gait (%(default)s)")
+    """Add the gait preset, the rate, and the output topic."""
+    parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (%(default)s)")
     parser.add_argument(
-        "--rate", type=float, metavar="HZ", help=f"messages a second ({RATE:g}; as commands {COMMAND_RATE:g})"
+        "--rate", type=float, metavar="HZ", help=f"publishing rate ({RATE:g}; with --commands {COMMAND_RATE:g})"
     )
     parser.add_argument(
-        "--commands", action="store_true", help=f"send to {JOINT_COMMANDS.name} in place of {JOINT_STATES.name}"
+        "--commands", action="store_true", help=f"send to {JOINT_COMMANDS.name} instead of {JOINT_STATES.name}"
     )
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Publish until the session ends."""
-    gait = _SteeredGait(session, arguments.preset)
+    gait = _RemoteGait(session, arguments.preset)
     rate = arguments.rate or (COMMAND_RATE if arguments.commands else RATE)
     if not 0.1 <= rate <= 1000.0:
         raise QuadrupedError(f"--rate: expected 0.1 to 1000 Hz; found {rate:g}")
@@ -69,8 +70,8 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     return 0
 
 
-class _SteeredGait(AdjustableGait):
-    """A gait with the settings that come on /gait; says on /gait/settings what they are."""
+class _RemoteGait(AdjustableGait):
+    """A gait that takes settings from /gait and publishes the current ones on /gait/settings."""
 
     def __init__(self, session: Session, preset: str) -> None:
         super().__init__(preset)
@@ -80,27 +81,27 @@ class _SteeredGait(AdjustableGait):
         self._actual.send(settings_message(self.settings))
 
     def take(self, t: float) -> None:
-        """Take the settings that have come, from a time in s on."""
+        """Apply received settings from time `t` (s) on."""
         newest = self._wanted.newest(self._session.refuse)
         if newest is not None:
             self.change(newest[1], t)
             self._actual.send(settings_message(self.settings))
 
     def report(self) -> None:
-        """Keep the session's status line."""
+        """Update the session's status line."""
         complaints = self.violations()
         self._session.report(f"beyond the robot's limits: {complaints[0]}" if complaints else "")
 
 
-def _send_states(session: Session, gait: _SteeredGait, period: float) -> None:
-    sole = SolePublisher(session)
-    sole.check()
+def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
+    guard = SinglePublisherGuard(session)
+    guard.check()
     states = session.node.publish(JOINT_STATES)
     encode, efforts = Encoder(JOINT_NAMES), np.zeros(len(JOINT_NAMES)).tobytes()
     start, pace = time.time_ns(), Pace(period)
     while session.running:
         session.wait(pace.remaining)
-        sole.watch()
+        guard.watch()
         t = pace.ticks * period
         gait.take(t)
         if pace.tick():
@@ -109,7 +110,7 @@ def _send_states(session: Session, gait: _SteeredGait, period: float) -> None:
         gait.report()
 
 
-def _send_commands(session: Session, gait: _SteeredGait, period: float) -> None:
+def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
     reader = JointReader(JOINT_STATES.name, ["positions"])
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)

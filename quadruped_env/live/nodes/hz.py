@@ -1,10 +1,10 @@
-"""Measure how often messages come, as `ros2 topic hz` does: a line a second for each topic.
+"""Measure the rate of messages, like `ros2 topic hz`: one line per second and topic.
 
     mini-quadruped live hz /joint_states
-    mini-quadruped live hz                 all topics that are published
+    mini-quadruped live hz                 all published topics
 
-Periods are those between the last messages (--window), at the time of their coming. What came since the last line is
-reported at the end.
+Periods are measured between the arrivals of the last messages (--window). Messages since the last line are reported at
+the end.
 """
 
 import argparse
@@ -18,12 +18,12 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 
 PERIOD = 1.0
-"""s between lines"""
+"""Time between lines, s."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What is measured."""
-    parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states; none stands for all")
+    """Add the topics and the window."""
+    parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states (default: all)")
     parser.add_argument("--window", type=int, default=1000, metavar="N", help="messages to measure over (%(default)s)")
 
 
@@ -34,7 +34,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     pace, printed = Pace(PERIOD), 0
     pace.tick()
     for _ in session.turns():
-        listener.look()
+        listener.update()
         for subscription in listener.subscriptions:
             times = arrivals.setdefault(subscription, deque(maxlen=max(2, arguments.window)))
             times.extend(received.taken for received in subscription.take())
@@ -57,7 +57,7 @@ def _print(arrivals: dict[Subscription[bytes], deque[float]]) -> None:
 
 
 def rate_text(times: deque[float]) -> str:
-    """Rate and periods of messages that came at these times in s."""
+    """Description of the rate and periods of messages with these arrival times, s."""
     if len(times) < 2:
         return f"{len(times)} messages" if len(times) != 1 else "1 message"
     periods = np.diff(times)

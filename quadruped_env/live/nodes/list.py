@@ -1,7 +1,7 @@
-"""Say which topics there are on the domain, of which types, and with --verbose who publishes and hears them.
+"""List the topics on the domain and their types, and with --verbose their publishers and subscriptions.
 
-Listens for a moment, since those who are there tell of themselves only then. Names what keeps a publisher and a
-subscription apart: types or qualities of service that do not fit, or announced structures that cannot be compared.
+Listens for a moment, since discovery takes time. Reports why a publisher and a subscription do not match: different
+types, incompatible quality of service, or announced type structures that cannot be compared.
 """
 
 import argparse
@@ -13,8 +13,13 @@ from quadruped_env.live.session import Session
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """How much is said."""
-    parser.add_argument("-v", "--verbose", action="store_true", help="say who, with which quality of service and hash")
+    """Add the level of detail."""
+    parser.add_argument(
+        "-v",
+        "--verbose",
+        action="store_true",
+        help="also list publishers and subscriptions, with QoS and type hash",
+    )
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
@@ -30,10 +35,10 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         if arguments.verbose:
             for one in ends:
                 print(f"    {_line(graph, one)}")
-    for problem in graph.problems(everybody=True):
+    for problem in graph.problems(all_processes=True):
         print(f"! {problem}")
     if not endpoints:
-        session.say(f"nobody is on {session.node.network}")
+        session.say(f"no topics on {session.node.network}")
     return 0
 
 

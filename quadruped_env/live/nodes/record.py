@@ -1,11 +1,11 @@
-"""Record topics into a bag, as `ros2 bag record` does.
+"""Record topics into a bag, like `ros2 bag record`.
 
     mini-quadruped live record                           all topics of known types, as they appear
     mini-quadruped live record /joint_states -o my_bag
 
-The bag (rosbag2, MCAP) holds the bytes that came, at the times of their coming, and what each topic's publishers offer.
-It is not cut short by Ctrl-C. While it grows it is in `my_bag.part/my_bag`; if the recorder is killed it stays there,
-and `--salvage` reads it. What the robot did, and what it was told, can be played again:
+The bag (rosbag2, MCAP) contains the received bytes with their arrival times, and the QoS that each topic's publishers
+offer. Ctrl-C completes it. During recording it is in `my_bag.part/my_bag`; if the recorder is killed it stays there,
+and `--salvage` recovers it. The recorded motion and the recorded joint targets can be replayed:
 
     mini-quadruped replay my_bag
     mini-quadruped replay my_bag --topic /joint_commands
@@ -24,14 +24,14 @@ from quadruped_env.trajectory.formats.bag_writer import STORAGES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What is recorded, and where to."""
-    parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states; none stands for all")
+    """Add the topics and the bag."""
+    parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states (default: all)")
     parser.add_argument(
         "-o",
         "--output",
         type=Path,
         metavar="BAG",
-        help="a new directory (default: results/recording, or that name with the next free number)",
+        help="directory to create (default: results/recording, or that name with the next free number)",
     )
     parser.add_argument("--out", dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
     parser.add_argument("-s", "--storage", choices=STORAGES, default="mcap", help="(default: %(default)s)")
@@ -43,7 +43,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     path = arguments.output or free_path(Path("results") / "recording")
     with Recorder(path, arguments.storage) as recorder:
         for _ in session.turns():
-            listener.look()
+            listener.update()
             for subscription in listener.subscriptions:
                 for received in subscription.take():
                     recorder.write(subscription.topic, received.data)

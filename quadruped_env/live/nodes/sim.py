@@ -1,13 +1,13 @@
-"""The simulated robot in real time, as a robot on ROS 2 would show itself.
+"""The simulated robot in real time, with the topics of a real robot on ROS 2.
 
     publishes   /joint_states, /imu/data, /odom, /tf (base_link in odom), /clock      100 Hz
-    takes       /joint_commands   sensor_msgs/JointState: names with positions in rad; efforts of 0 alone let it go limp
+    subscribes  /joint_commands   sensor_msgs/JointState: names with positions in rad; only efforts of 0: go limp
                 /forward_position_controller/commands   std_msgs/Float64MultiArray: eight positions in rad, LF hip first
                 /push             geometry_msgs/Vector3: velocity in m/s, added to the base's
 
-Stands until it is commanded. Without a command for 1 s its motors go limp, as a driver's watchdog sees to it. It obeys
-one publisher of commands at a time. Stamps are this machine's time. There can be one robot on a domain: where somebody
-publishes /joint_states already it refuses to start.
+Stands until it is commanded. Without a command for 1 s its motors go limp, like the watchdog of a motor driver. It
+accepts commands from one publisher at a time. Timestamps are this machine's time. There can be only one robot on a
+domain: if another process already publishes /joint_states, it refuses to start.
 
     ros2 topic pub --once /push geometry_msgs/msg/Vector3 "{y: 0.5}"
 """
@@ -29,36 +29,36 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.live.sole import SolePublisher
+from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 from quadruped_env.timestamps import NS_PER_SECOND
 
 STEPS_PER_STATE: Final = 2
-_HARDEST: Final = 5.0
-"""m/s"""
+_MAX_PUSH: Final = 5.0
+"""Maximum velocity change by a push, m/s."""
 _PUSH_LOG_PERIOD: Final = 1.0
-"""s between lines about pushes"""
-_OBEYS: Final = 0.5
-"""s after its last command that a publisher may still be the one that is obeyed"""
+"""Minimum time between log lines about pushes, s."""
+_SENDER_TIMEOUT: Final = 0.5
+"""Time after its last command for which a publisher keeps control, s."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What is simulated."""
+    """Add the arguments of the simulation."""
     parser.add_argument(
         "--pick-up",
         type=float,
         metavar="S",
-        help="put the robot on its feet S seconds after it has fallen, as a person would (it stays where it fell)",
+        help="put the robot back on its feet S seconds after a fall (default: it stays where it fell)",
     )
     parser.add_argument(
-        "--seed", type=int, default=0, metavar="N", help="of where the robot faces, and of the ground (%(default)s)"
+        "--seed", type=int, default=0, metavar="N", help="seed of the initial heading and of the terrain (%(default)s)"
     )
     parser.add_argument(
         "--terrain",
         choices=TERRAINS,
         default="flat",
-        help="what it walks on: bumps of up to 1 cm, or hills of up to 8 cm; the start is flat (%(default)s)",
+        help="flat, bumps of up to 1 cm, or hills of up to 8 cm; flat around the start (%(default)s)",
     )
     add_realtime_argument(parser)
 
@@ -66,12 +66,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Simulate until the session ends."""
     robot = SimulatedRobot(arguments.seed, arguments.terrain)
-    sole = SolePublisher(session)
-    sole.check()
+    guard = SinglePublisherGuard(session)
+    guard.check()
     sensors = Sensors(session.node)
     commands = _Commands(session, robot)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
-    # What is there now stays: the collector need not look at it again while time matters.
+    # Exclude the existing objects from garbage collection, to avoid pauses in the real-time loop.
     gc.collect()
     gc.freeze()
     start = time.time_ns()
@@ -98,7 +98,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             session.say("fallen" if fell else "on its feet")
         if fell and arguments.pick_up is not None and time.monotonic() - fell_at > arguments.pick_up:
             robot.pick_up()
-        sole.watch()
+        guard.watch()
         session.report(
             "limp" if robot.limp else "",
             f"{1e3 * pace.latest:.1f} ms late at most",
@@ -108,7 +108,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 class _Commands:
-    """Hands commands on to the robot: checked, in order, and of one publisher at a time."""
+    """Forwards validated commands to the robot, in order and from one publisher at a time."""
 
     def __init__(self, session: Session, robot: SimulatedRobot) -> None:
         self._session = session
@@ -120,43 +120,43 @@ class _Commands:
         )
         self._writer = 0
         self._stamp = 0
-        self._obeyed = -_OBEYS
+        self._accepted_at = -_SENDER_TIMEOUT
 
     def take(self) -> None:
-        """Hand on what has come."""
+        """Forward the received commands."""
         for subscription in self._subscriptions:
             for received, (stamp, target) in subscription.messages(self._session.refuse):
                 refusal = self._refusal(received, stamp)
                 if refusal:
                     self._session.refuse(f"{subscription.topic.name}: {refusal}")
                     continue
-                self._writer, self._stamp, self._obeyed = received.writer, stamp, received.taken
+                self._writer, self._stamp, self._accepted_at = received.writer, stamp, received.taken
                 self._robot.command(target)
 
     def _refusal(self, received: Received, stamp: int) -> str:
-        """Why not to obey a command; empty if it is obeyed."""
-        if received.taken - self._obeyed <= _OBEYS:
+        """The reason to refuse a command; empty if it is accepted."""
+        if received.taken - self._accepted_at <= _SENDER_TIMEOUT:
             if received.writer != self._writer:
                 return "from a second publisher; end one of the two"
-            # A stamp of 0 is what `ros2 topic pub` sends.
+            # `ros2 topic pub` sends a timestamp of 0.
             if 0 < stamp < self._stamp:
-                return "older than the one before; such messages are left out"
+                return "older than the previous command; ignored"
         return ""
 
 
 def _command(joints: Joints) -> tuple[int, Target]:
-    """The stamp in ns, and what is asked for."""
+    """The timestamp in ns and the target of a command."""
     return joints.stamp, read_target(joints)
 
 
 def _push(vector: Any) -> NDArray[np.float64]:
-    """The velocity (3,) in m/s of a message of `/push`.
+    """The velocity (3,) of a `/push` message, m/s.
 
     Raises:
         QuadrupedError: if it is not finite or too large.
     """
     velocity = np.array([vector.x, vector.y, vector.z])
-    # Not of the norm: squares of large numbers overflow.
-    if not np.abs(velocity).max() <= _HARDEST or np.linalg.norm(velocity) > _HARDEST:
-        raise QuadrupedError(f"{PUSH.name}: {velocity.tolist()} is not a velocity of at most {_HARDEST:g} m/s")
+    # Check the components first: the squares of large numbers overflow.
+    if not np.abs(velocity).max() <= _MAX_PUSH or np.linalg.norm(velocity) > _MAX_PUSH:
+        raise QuadrupedError(f"{PUSH.name}: {velocity.tolist()} is not a velocity of at most {_MAX_PUSH:g} m/s")
     return velocity

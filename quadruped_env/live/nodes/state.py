@@ -1,8 +1,8 @@
-"""robot_state_publisher's job: from /joint_states to /tf, with the robot's description for those who draw it.
+"""Publish /tf from /joint_states, and the robot description, like robot_state_publisher.
 
-Sends /robot_description and /tf_static once, latched, and a /tf for every joint state: where each link is in the frame
-of its parent. The names may come in any order; what it cannot use it refuses, and says why. In RViz the fixed frame is
-`base_link`, or `odom` beside `sim`.
+Sends /robot_description and /tf_static once, latched, and one /tf message per joint state: the pose of each link in the
+frame of its parent. The joint names may be in any order; invalid messages are refused and logged. In RViz the
+fixed frame is `base_link`, or `odom` together with `sim`.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from quadruped_env.ros import SENSOR_DATA_QOS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """This node takes none of its own."""
+    """Add nothing: this node has no arguments of its own."""
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:

@@ -1,12 +1,12 @@
-"""Drive the robot with the keyboard: /cmd_vel from the keys of this terminal.
+"""Drive the robot with the keyboard of this terminal: sends /cmd_vel.
 
-    up, down      w, s    faster, slower or backwards    0.1 m/s a press
-    left, right   a, d    turn to the left, the right    0.2 rad/s a press
+    up, down      w, s    faster, slower or backwards    0.1 m/s per press
+    left, right   a, d    turn to the left, the right    0.2 rad/s per press
     space                 stand
     q                     stand, and end
 
-A command holds until the next one: a terminal does not say when a key is let go. It is sent ten times a second; when
-this program ends, or is killed, the controller lets the robot stand.
+A command holds until the next one, because a terminal does not report key releases. It is sent at 10 Hz; when this
+program ends or is killed, the controller makes the robot stand.
 """
 
 import argparse
@@ -16,13 +16,13 @@ from quadruped_env.control.config import COMMANDS
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
 from quadruped_env.live.node import Publisher
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.session import LOOK, Session
+from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.live.topics import CMD_VEL
 from quadruped_env.ros import cdr
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 
 PERIOD = 0.1
-"""s between messages"""
+"""Time between messages, s."""
 STOP, END = " ", "q"
 STEPS = {
     UP: (1, 0),
@@ -34,26 +34,26 @@ STEPS = {
     RIGHT: (0, -1),
     "d": (0, -1),
 }
-"""Key -> steps forward and to the left"""
+"""Key -> steps (forward, left)."""
 
 
 Command = tuple[float, float]
-"""m/s forward, rad/s to the left"""
+"""Forward velocity in m/s and yaw rate in rad/s."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """This node takes none of its own."""
+    """Add nothing: this node has no arguments of its own."""
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
-    """Take keys until the session ends, and then let the robot stand."""
+    """Read keys until the session ends, then make the robot stand."""
     publisher = session.node.publish(CMD_VEL)
     command: Command = (0.0, 0.0)
     pace = Pace(PERIOD)
     with Keyboard() as keyboard:
-        session.say("arrows or w a s d: go and turn; space: stand; q: end")
+        session.say("arrows or w a s d: walk and turn; space: stand; q: end")
         while session.running and not keyboard.gone:
-            keys = keyboard.pressed(min(pace.remaining, LOOK))
+            keys = keyboard.pressed(min(pace.remaining, POLL_PERIOD))
             before = command
             for key in keys:
                 command = after(command, key)
@@ -70,7 +70,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 def after(command: Command, key: str) -> Command:
-    """The command when a key was pressed, within what policies are trained for."""
+    """The command after a key press, clipped to the range that policies are trained for."""
     if key in (STOP, END):
         return 0.0, 0.0
     if key not in STEPS:
@@ -85,7 +85,7 @@ def after(command: Command, key: str) -> Command:
 
 
 def twist(command: Command) -> Any:
-    """The message of a command."""
+    """The `/cmd_vel` message of a command."""
     return cdr.message("geometry_msgs/msg/Twist", linear={"x": command[0]}, angular={"z": command[1]})
 
 

@@ -1,4 +1,4 @@
-"""One robot on a domain: whoever publishes joint states makes sure to be the only one."""
+"""Guard against two robots on a domain: joint states must have a single publisher."""
 
 import time
 from typing import Final
@@ -9,17 +9,17 @@ from quadruped_env.live.topics import JOINT_STATES, Topic
 from quadruped_env.ros import SENSOR_DATA_QOS
 
 LISTEN: Final = 1.0
-"""s before the first message; who publishes is heard in that time"""
+"""Time to listen for other publishers before the first message, s."""
 CONTEST: Final = 3.0
-"""s after that, in which two that began together decide who stays"""
+"""Time after that in which one of two publishers that started together ends, s."""
 
 
-class SolePublisher:
-    """Listens for others on a topic that this process is about to publish.
+class SinglePublisherGuard:
+    """Detects other publishers of a topic that this process publishes.
 
     Args:
-        session: of the process.
-        topic: that has one publisher.
+        session: the session of this process.
+        topic: the topic that must have a single publisher.
     """
 
     def __init__(self, session: Session, topic: Topic = JOINT_STATES) -> None:
@@ -29,10 +29,10 @@ class SolePublisher:
         self._contest_until = 0.0
 
     def check(self) -> None:
-        """Listen for a while.
+        """Listen for `LISTEN` seconds.
 
         Raises:
-            QuadrupedError: if somebody is publishing; one whose process was killed is not.
+            QuadrupedError: if another process sends messages. A publisher of a killed process sends none.
         """
         end = time.monotonic() + LISTEN
         while self._session.running and time.monotonic() < end:
@@ -45,10 +45,10 @@ class SolePublisher:
         self._contest_until = time.monotonic() + CONTEST
 
     def watch(self) -> None:
-        """Look whether somebody else has begun; to be called often.
+        """Check for other publishers that have started since. Call this often.
 
         Raises:
-            QuadrupedError: if the two began together and the other one stays.
+            QuadrupedError: if both started together and the other one has precedence.
         """
         for received in self._others.take():
             graph = self._session.node.graph
@@ -56,9 +56,9 @@ class SolePublisher:
             if other is None:
                 continue
             if time.monotonic() < self._contest_until and other.participant < graph.participant:
-                raise QuadrupedError(f"{self._topic.name}: {graph.owner(other)} began to publish it at the same time")
+                raise QuadrupedError(f"{self._topic.name}: {graph.owner(other)} started to publish it at the same time")
             self._session.say_once(
-                f"{graph.owner(other)} publishes {self._topic.name} too; whoever listens hears two robots"
+                f"{graph.owner(other)} publishes {self._topic.name} too; subscribers receive two robots' messages"
             )
 
     def _owner(self, writer: int) -> str:
