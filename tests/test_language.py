@@ -129,13 +129,7 @@ ALLOWED: dict[tuple[str, str], str] = {}
 """(path, found text) -> why it is right there."""
 
 NOT_YET = {
-    "quadruped_env/evaluation": (
-        "rows told asked far-off stamp none mend alike beside likewise happened article what mid-air"
-    ),
-    "quadruped_env/identification": "told stamp alike what mid-air",
-    "quadruped_env/replay": "told asked stamp mend beside what mid-air",
-    "quadruped_env/reporting": ("way told asked none somebody beside feels to-and-fro what mid-air name"),
-    "quadruped_env/trajectory": "rows asked stamp none what mid-air",
+    "quadruped_env/trajectory": "stamp",
     "tests": (
         "rows told asked far-off stamp none is-no one-a mend somebody who anew alike beside likewise feels "
         "knows-no article to-and-fro what mid-air"
