@@ -51,9 +51,7 @@ def task_config(
 def check_render_mode(render_mode: str | None) -> None:
     """Raise a QuadrupedError if there is no such render mode."""
     if render_mode is not None and render_mode not in RENDER_MODES:
-        raise QuadrupedError(
-            f"render_mode: {render_mode!r} is unknown; valid modes: None, {', '.join(RENDER_MODES)}"
-        )
+        raise QuadrupedError(f"render_mode: {render_mode!r} is unknown; valid modes: None, {', '.join(RENDER_MODES)}")
 
 
 def frame_size(width: int, height: int) -> tuple[int, int]:
