@@ -1,1 +1,1 @@
-"""The command line: `mini-quadruped`, one module per command, and what the commands share."""
+"""Command line `mini-quadruped`: one module per command, and code that the commands share."""

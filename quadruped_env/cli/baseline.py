@@ -1,7 +1,7 @@
 """Measure a scripted gait, and record the joints of a robot that walks with it.
 
 The metrics come from several episodes with random starts. The recorded episode starts with the robot at rest in its
-stance and has nothing random in it, so `replay` can repeat it to the last bit:
+stance and is deterministic, so `replay` can repeat it bit for bit:
 
     mini-quadruped baseline --preset tuned --commands -o results/tuned.csv
     mini-quadruped replay results/tuned.csv --mode dynamic
@@ -48,7 +48,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="random starts that the metrics are computed from (default: %(default)s)",
     )
     parser.add_argument(
-        "--seed", type=int, default=FIRST_SEED, metavar="N", help="of the first random start (default: %(default)s)"
+        "--seed",
+        type=int,
+        default=FIRST_SEED,
+        metavar="N",
+        help="seed of the first random start (default: %(default)s)",
     )
     add_output(
         parser,

@@ -1,4 +1,4 @@
-"""The commands of `mini-quadruped`, and how one is run."""
+"""Commands of `mini-quadruped`, and functions that run one."""
 
 import argparse
 import importlib
@@ -25,7 +25,7 @@ SUMMARIES: Final = {
     "tune-gait": "search the parameters of the scripted gaits",
     "completion": "print a script that completes these commands in a shell",
 }
-"""Command -> one line about it, in the order of `mini-quadruped --help`.
+"""Summary of each command, in the order of `mini-quadruped --help`.
 
 Each is a module of this package with a docstring (the description), `add_arguments(parser)` and
 `run(arguments, invocation)`. They stand here as well so that `--help` need not import them.
@@ -42,7 +42,7 @@ class Invocation:
 
     @property
     def line(self) -> str:
-        """The command line, to write into results."""
+        """Command line that is recorded in results."""
         return shlex.join([*shlex.split(self.program), *self.arguments])
 
 
@@ -62,13 +62,13 @@ def run_module(module: ModuleType, prog: str, arguments: argparse.Namespace, inv
     """Run a command with parsed arguments.
 
     Args:
-        module: of the command.
-        prog: the program's name in its errors and warnings.
-        arguments: as its parser returned them.
-        invocation: how it was started.
+        module: module of the command.
+        prog: name of the program in errors and warnings.
+        arguments: parsed arguments.
+        invocation: program and arguments as typed.
 
     Returns:
-        The exit status: 0 if it did what was asked, 2 after an error of this package, else that of the command.
+        Exit status: 0 for success, 2 after an error of this package, else that of the command.
     """
     return run_program(prog, lambda: int(module.run(arguments, invocation)))
 
@@ -77,8 +77,8 @@ def run_script(name: str, arguments: Sequence[str] | None = None) -> int:
     """Run a command as a script of the checkout: `python train/ppo.py` is `mini-quadruped train`.
 
     Args:
-        name: of the command.
-        arguments: those of the process if not given.
+        name: name of the command.
+        arguments: command-line arguments. None: those of the process.
 
     Returns:
         Exit status, as of `run_module`.

@@ -4,7 +4,7 @@
     mini-quadruped completion zsh > ~/.zfunc/_mini-quadruped       with ~/.zfunc in $fpath
     mini-quadruped completion tcsh > ~/.mini-quadruped.tcsh        which ~/.tcshrc sources
 
-Print it again after an update. Completing starts no Python, so it does not wait.
+Print it again after an update. The completion is fast, because it does not start Python.
 """
 
 import argparse

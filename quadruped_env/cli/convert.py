@@ -1,6 +1,6 @@
 """Convert a recording of joint states from any known format to another.
 
-The format of IN is recognised by its content: this project's CSV, any CSV with --columns, the output of
+The format of IN is detected by its content: this project's CSV, any CSV with --columns, the output of
 `ros2 topic echo /joint_states` (YAML, or CSV with --csv), a rosbag2 bag (its directory or its bare .mcap or .db3 file,
 compressed or not), a ROS 1 bag. The format of OUT follows from its name:
 
@@ -9,8 +9,7 @@ compressed or not), a ROS 1 bag. The format of OUT follows from its name:
                             joints /robot_description, /tf and /tf_static
     NAME.mcap, NAME.db3     the bare storage file of such a bag
 
-Nothing is guessed: input that does not fit is an error that names the file, the message, the value and the option
-that helps.
+Nothing is guessed: for invalid input the error names the file, the message, the value and the option that fixes it.
 Recordings of any length need little memory, unless --sort, --rate, --start, --stop or --differentiate is given.
 
     mini-quadruped convert recorded_bag walk.csv
@@ -40,8 +39,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_reading_options(parser)
     group = parser.add_argument_group("changing")
-    group.add_argument("--start", type=float, metavar="S", help="leave out all before, in s from the first timestamp")
-    group.add_argument("--stop", type=float, metavar="S", help="leave out all from there on")
+    group.add_argument(
+        "--start", type=float, metavar="S", help="discard all samples before this time, in s from the first timestamp"
+    )
+    group.add_argument("--stop", type=float, metavar="S", help="discard all samples from this time on")
     group.add_argument(
         "--rate", type=float, metavar="HZ", help="resample to this rate, with linear interpolation between messages"
     )

@@ -1,24 +1,24 @@
 """Fit the simulator's motors to a recording of a robot, and test on held-out time whether that helps.
 
 FILE holds the measured joints: positions, and velocities and efforts if they were recorded. The joint targets come from
-another file (--commands), or from another topic of the same bag (--commands-topic). Without either, they are looked for
-next to FILE under the name that `baseline` gives them: NAME-commands.csv. Targets are joint positions; each holds until
-the next. Both recordings must be on one clock.
+another file (--commands), or from another topic of the same bag (--commands-topic). Without either, they are read from
+NAME-commands.csv next to FILE, the name that `baseline` uses. Targets are joint positions; each holds until
+the next. Both recordings must use the same clock.
 
     mini-quadruped identify measured.csv --commands targets.csv
     mini-quadruped identify walk_bag --commands-topic /joint_commands
     mini-quadruped identify measured.csv --commands control.csv --columns MAP.toml --map MAP.toml
 
 Estimated for hips and for knees: stall_torque, kp, kd, damping, friction_loss and armature; and one delay for all
-joints. A parameter that the recording does not determine keeps its value, and is named. A recording is good if the
+joints. A parameter that the recording does not determine keeps its value and is reported. A recording is good if the
 joints move fast and in both directions, sometimes up to the motors' limits, with the robot on a stand and its feet in
-the air (--base fixed). One from the ground is worth little: with --base fixed the ground's forces are taken for
-friction and inertia, and with --base free contacts make the error so rough that the estimates may be far off. So
-before the fit the two bases are compared; if the other one explains the recording better, the result says so, and
-warns not to trust the motors. Confidence intervals are given only for a robot on a stand. They allow for residuals that
-are correlated over time, between signals and between joints.
+the air (--base fixed). A recording on the ground is of little use: with --base fixed the contact forces appear as
+friction and inertia, and with --base free contacts make the error so discontinuous that the estimates may be wrong.
+Therefore the two bases are compared before the fit; if the other one explains the recording better, the result says so
+and warns that the motors are not reliable. Confidence intervals are given only for a robot on a stand. They allow for
+residuals that are correlated over time, between signals and between joints.
 
-Results: motors.json, which the environment takes as it is,
+Results: motors.json, which the environment accepts as its config,
 
     gymnasium.make("MiniQuadruped-v0", config=json.load(open("motors.json")))
 
@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the recordings, the fit and the output."""
     parser.add_argument("file", type=Path, metavar="FILE", help="the measured joints")
     parser.add_argument("--commands", type=Path, metavar="FILE", help="the joint targets")
-    parser.add_argument("--commands-topic", metavar="TOPIC", help="of the joint targets in the bag")
+    parser.add_argument("--commands-topic", metavar="TOPIC", help="topic of the joint targets in the bag")
     parser.add_argument(
         "--base",
         choices=BASES,
@@ -64,7 +64,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--share", type=float, default=0.7, help="fraction of the time that is used for the fit (default: %(default)g)"
     )
     parser.add_argument(
-        "--timestep", type=float, metavar="S", help="of the physics, s (default: the environment's, 0.005)"
+        "--timestep", type=float, metavar="S", help="physics time step, s (default: the environment's, 0.005)"
     )
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)

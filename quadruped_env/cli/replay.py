@@ -50,7 +50,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="compare the simulated positions, velocities and efforts with those of a recording on the same clock: of "
         "the robot that received the targets in FILE; without a name, with FILE's own",
     )
-    parser.add_argument("--motors", type=Path, metavar="MOTORS.json", help="of the robot, as `identify` finds them")
+    parser.add_argument(
+        "--motors", type=Path, metavar="MOTORS.json", help="motors of the robot, a result of `identify`"
+    )
     add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {NEXT_FREE})")
     parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")
     add_video(parser)

@@ -120,7 +120,7 @@ def task_change(text: str) -> Path | dict[str, Any]:
 
 
 def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, dict[str, Any]]:
-    """The Python file of all that `--task` gave, and the changes to the config, later ones over earlier ones.
+    """The Python file among the values of `--task`, and the merged changes to the config; later ones take precedence.
 
     Raises:
         QuadrupedError: if there are two Python files.
@@ -136,7 +136,7 @@ def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, d
 
 
 def merged(values: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
-    """Nested values with changes over them."""
+    """Nested values with changes applied."""
     result = dict(values)
     for name, value in changes.items():
         both = isinstance(value, dict) and isinstance(result.get(name), dict)
@@ -159,7 +159,7 @@ def json_object(text: str) -> dict[str, Any]:
 
 
 def field_docs(kind: type) -> dict[str, str]:
-    """Field of a dataclass -> the docstring under it in the source."""
+    """Docstring of each field of a dataclass in the source, by name of the field."""
     import ast
     import inspect
     import itertools

@@ -37,12 +37,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--host",
         default=LOOPBACK,
         metavar="ADDRESS",
-        help="address to listen on; others let other machines in (default: %(default)s)",
+        help="address to listen on; other addresses allow access from other machines (default: %(default)s)",
     )
     add_task_file(parser)
     add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
     parser.add_argument(
-        "--measure", type=float, metavar="S", help="end after this time in s, and print how playback kept pace"
+        "--measure", type=float, metavar="S", help="end after this time in s, and print the speed of the playback"
     )
 
 
