@@ -196,7 +196,7 @@ class TestReplay:
         assert result.report()["clipped"] == 2
         assert "2 recorded positions were moved" in result.table()
         positions[1, 5] = -1e200
-        with pytest.raises(QuadrupedError, match=r"LH_knee_joint: -1e.200 rad .*too far to clip: mend"):
+        with pytest.raises(QuadrupedError, match=r"LH_knee_joint: -1e.200 rad .*too far to clip: fix"):
             replay(standing(positions=positions), clip=True)
 
     def test_a_joint_at_its_stop_may_be_measured_a_little_beyond(self):
@@ -289,7 +289,7 @@ class TestReplay:
         positions_only = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions)
         signals = replay(commands, measured=positions_only).comparison()
         assert list(signals.recorded) == ["positions", "velocities"]
-        assert "made from its positions" in signals.table()
+        assert "computed from its positions" in signals.table()
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             replay(commands, measured=later).comparison()

@@ -1,4 +1,4 @@
-"""Draw the README's moving picture: the shipped policy, walking."""
+"""Render the README's animation: the shipped policy, walking."""
 
 import argparse
 import sys
@@ -16,7 +16,7 @@ from quadruped_env.reporting.films.film import Motion
 from quadruped_env.reporting.films.video import prepare_video, save_film
 
 START, STRIDES = 3.0, 6
-"""s after which it walks as it does all the time; how many strides the loop lasts"""
+"""Time after which the gait is steady, s, and number of strides in the loop."""
 
 
 def main() -> int:

@@ -1,4 +1,4 @@
-"""Speed and memory of long recordings: how many messages a second one core reads and writes, and in how much memory."""
+"""Speed and memory of long recordings: messages per second that one core reads and writes, and peak memory."""
 
 import tempfile
 from collections.abc import Callable
@@ -8,9 +8,9 @@ from typing import Any, Final
 from benchmarks.throughput import HEADER, Measure, row, run_python
 
 MIN_RATE: Final = 30_000
-"""Messages a second that reading MCAP should reach, on one core"""
+"""Minimum speed of reading MCAP on one core, messages per second."""
 MAX_MEMORY: Final = 300
-"""MB of resident memory, at most, whatever the length of the recording"""
+"""Maximum resident memory, MB, independent of the length of the recording."""
 BLOCK: Final = 4096
 
 _START: Final = """
@@ -35,8 +35,8 @@ def pieces():
     for first in range(0, count, {BLOCK}):
         n = min({BLOCK}, count - first)
         numbers = rng.uniform(-1.0, 1.0, (3, n, 8))
-        stamps = 1_700_000_000_000_000_000 + 20_000_000 * np.arange(first, first + n)
-        yield JointTrajectory(stamps, JOINT_NAMES, *numbers).to_rows()
+        timestamps = 1_700_000_000_000_000_000 + 20_000_000 * np.arange(first, first + n)
+        yield JointTrajectory(timestamps, JOINT_NAMES, *numbers).to_rows()
 start = time.perf_counter()
 saving.save(pieces(), Path(sys.argv[1]), saving.WriteOptions())
 messages = count

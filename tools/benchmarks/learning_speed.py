@@ -1,8 +1,8 @@
-"""How long learning takes: the wall clock from the start of learning until the policy walks.
+"""Learning speed: wall-clock time from the start of learning until the policy walks.
 
-*Walks* means: commanded 0.5 m/s straight ahead, the deterministic policy, 64 fresh episodes of 10 s from randomized
-starts: at most 2 falls, mean forward speed within 0.05 m/s of the command, and the mean over episodes of the absolute
-mean yaw rate at most 0.1 rad/s. The clock stands still while that is tested.
+A policy walks if, with a command of 0.5 m/s straight ahead, deterministic actions and 64 episodes of 10 s from
+randomized starts, it falls at most twice, its mean forward speed is within 0.05 m/s of the command, and the mean over
+episodes of the absolute mean yaw rate is at most 0.1 rad/s. The time of these tests is not counted.
 """
 
 import time
@@ -34,13 +34,13 @@ class WalkTest:
 
     falls: int
     speed: float
-    """Mean over the episodes' time on their feet, m/s"""
+    """Mean forward speed until a fall, m/s"""
     yaw_rate: float
-    """Mean over episodes of the absolute mean, rad/s"""
+    """Mean over episodes of the absolute mean yaw rate, rad/s"""
 
     @property
     def walks(self) -> bool:
-        """Whether the policy walks, as this module defines it."""
+        """True if the policy walks, as this module defines it."""
         return (
             self.falls <= MAX_FALLS
             and abs(self.speed - COMMAND[0]) <= SPEED_TOLERANCE
@@ -49,7 +49,7 @@ class WalkTest:
 
 
 def walk_test(policy: Policy, episodes: int = EPISODES, seconds: float = SECONDS) -> WalkTest:
-    """Put a policy to the test."""
+    """Test a policy."""
     rollout = roll_out(
         PolicyController(policy),
         [COMMAND],
@@ -65,21 +65,21 @@ def walk_test(policy: Policy, episodes: int = EPISODES, seconds: float = SECONDS
 
 @dataclass(frozen=True)
 class Learned:
-    """How one seed learned."""
+    """Result of the training with one seed."""
 
     action_mode: str
     seed: int
     seconds: float | None
-    """Wall clock of learning until the policy walked; None if it never did"""
+    """Wall-clock time of learning until the policy walked, s; None if it never did"""
     timesteps: int
-    """Steps until then, or in all"""
+    """Time steps until the policy walked, or in total"""
     last: WalkTest
 
 
 def time_to_walk(
     action_mode: str, seed: int, limit: float, interval: float, say: Callable[[str], None], **training: Any
 ) -> Learned:
-    """Train until the policy walks, testing it every `interval` s of learning, for at most `limit` s."""
+    """Train until the policy walks, or for `limit` s; the policy is tested every `interval` s of learning."""
     config = TrainConfig(action_mode=action_mode, seed=seed, **training)  # type: ignore[arg-type]
     env = make_sb3_vec_env(config.num_envs, seed=seed, action_mode=action_mode, config=config.task)
     model = make_model(config, env)
@@ -92,7 +92,7 @@ def time_to_walk(
 
 
 class _Watch(BaseCallback):
-    """Tests the policy now and then, and stops when it walks or the limit is reached."""
+    """Callback that tests the policy at intervals and stops when it walks or the time limit is reached."""
 
     def __init__(
         self, task: TaskConfig, activation: str, limit: float, interval: float, say: Callable[[str], None]

@@ -1,4 +1,4 @@
-"""How well `sim` and `controller` walk as two processes, seen by a third one that listens and asks for a velocity."""
+"""Live benchmark: `sim` and `controller` as two processes, observed by a third one that sends a velocity command."""
 
 import json
 import os
@@ -31,68 +31,69 @@ from quadruped_env.ros import Qos, cdr
 from quadruped_env.timestamps import NS_PER_SECOND
 
 COMMAND_PERIOD: Final = 0.1
-"""s between messages on /cmd_vel"""
+"""Time between messages on /cmd_vel, s."""
 SETTLING: Final = 8.0
-"""s from the start of the two to when counting begins: they find each other, and the robot gets up and to speed"""
+"""Time from the start of the processes to the first measurement, s: discovery, standing up and acceleration."""
 _STARTS: Final = 10
-"""Most times that `SETTLING` is waited for the first commands and odometry."""
+"""Maximum number of waits of `SETTLING` for the first commands and odometry."""
 ON_TIME: Final = 0.005
-"""s after its tick by which a command is out"""
+"""Maximum delay of a command after its tick that counts as on time, s."""
 _LONG: Final = 600.0
-"""s, from which on a growth of memory shows"""
+"""Minimum duration for which the growth of memory is reported, s."""
 _MEBIBYTE: Final = 2**20
 _ENVIRONMENT_STEPS: Final = 1000
 _CLOCKS: Final = 5
-"""Messages of /clock a look"""
-_KEEP: Final = 1000
-"""Depth of the listener's queues: it looks seldom, so as not to disturb"""
+"""Messages of /clock per sample."""
+_QUEUE_DEPTH: Final = 1000
+"""Depth of the listener's queues: it reads rarely, to keep its load on the machine small."""
 
 
 @dataclass(frozen=True)
 class Sample:
-    """The two processes at one time."""
+    """State of the two processes at one time."""
 
     seconds: float
-    """since counting began"""
+    """Time since the start of the measurement, s"""
     sim_memory: float
-    """MiB resident"""
+    """Resident memory of `sim`, MiB"""
     controller_memory: float
-    """MiB resident"""
+    """Resident memory of `controller`, MiB"""
     clock_lag: float
-    """ms by which /clock is behind this machine's clock as it comes"""
+    """Lag of /clock behind the machine's clock on arrival, ms"""
 
 
 @dataclass(frozen=True)
 class Walk:
-    """What was seen."""
+    """Result of the benchmark."""
 
     seconds: float
     realtime: bool
     commanded: float
-    """m/s"""
+    """Commanded forward velocity, m/s"""
     speed: float
-    """m/s; mean forward velocity of the base"""
+    """Mean forward velocity of the base, m/s"""
     environment_speed: float
-    """m/s; the same policy in `MiniQuadruped-v0`"""
+    """Mean forward velocity of the same policy in `MiniQuadruped-v0`, m/s"""
     fell: bool
     ticks: int
-    """Control steps in the time"""
+    """Number of control steps"""
     on_time: float
-    """Share of ticks whose command was sent within `ON_TIME` of them"""
+    """Fraction of ticks whose command was sent within `ON_TIME`"""
     latency_median: float
-    """ms from sending a state to sending the command that answers it"""
+    """Median time from sending a state to sending the command that answers it, ms"""
     latency_99_9: float
-    """ms; of a thousand, one takes longer"""
+    """99.9th percentile of that time, ms"""
     limp_commands: int
+    """Number of commands that disable the motors"""
     clock_drift: float
-    """ms/s between the robot's clock and this machine's"""
+    """Drift of the robot's clock relative to the machine's, ms/s"""
     memory_growth: float
-    """MiB/hour of both, over the second half"""
+    """Growth of the memory of both processes over the second half, MiB/hour"""
     samples: tuple[Sample, ...]
 
     @property
     def reached(self) -> bool:
-        """Whether it walks as it should; the last two figures need a long run."""
+        """True if all targets are reached. Memory growth is not checked, because it needs a long run."""
         return (
             abs(self.speed - self.environment_speed) <= 0.02
             and not self.fell
@@ -126,14 +127,14 @@ def measure(
     realtime: bool = False,
     progress: Callable[[str], None] = lambda line: None,
 ) -> Walk:
-    """Let the two walk, and watch.
+    """Run `sim` and `controller`, and measure them.
 
     Args:
-        seconds: to count.
-        policy: what the controller runs.
-        velocity: m/s to ask for.
-        realtime: let the two run before all else.
-        progress: is told how it goes, at most once every ten seconds.
+        seconds: duration of the measurement, s.
+        policy: policy of the controller.
+        velocity: forward velocity command, m/s.
+        realtime: True to run both processes with real-time priority.
+        progress: called with a line of text, at most once every 10 s.
 
     Raises:
         MissingExtraError: if cyclonedds or psutil is not installed.
@@ -142,14 +143,14 @@ def measure(
     environment_speed = speed_in_environment(policy, velocity)
     network = Network.from_environment()
     node = Node("benchmark", network)
-    asked = ["--realtime"] * realtime
+    options = ["--realtime"] * realtime
     try:
         with (
-            process("sim", network, "--pick-up", "2", *asked) as sim,
-            process("controller", network, policy, *asked) as controller,
+            process("sim", network, "--pick-up", "2", *options) as sim,
+            process("controller", network, policy, *options) as controller,
         ):
             listener = _Listener(node, velocity)
-            # On a busy machine the two take a while to start and to meet.
+            # On a busy machine the processes need more time for start-up and discovery.
             for _ in range(_STARTS):
                 listener.listen(SETTLING, sim, controller, lambda line: None)
                 if listener.hears:
@@ -163,7 +164,7 @@ def measure(
 
 @contextmanager
 def process(name: str, network: Network, *arguments: str) -> Iterator["subprocess.Popen[str]"]:
-    """A node as a process of its own, which ends with the context."""
+    """Context manager that runs a node in a separate process."""
     environment = {**os.environ, DOMAIN_VARIABLE: str(network.domain_id)}
     with subprocess.Popen(  # noqa: S603
         [sys.executable, "-m", "quadruped_env.live", name, *arguments, "--quiet"],
@@ -191,14 +192,14 @@ def speed_in_environment(policy: str, velocity: float) -> float:
 
 
 class _Listener:
-    """Asks for a velocity and keeps what the two send."""
+    """Sends the velocity command and records the messages of both processes."""
 
     def __init__(self, node: Node, velocity: float) -> None:
         self._node = node
         self._velocity = velocity
-        self._commands = node.subscribe(JOINT_COMMANDS, Qos(_KEEP))
-        self._states = node.subscribe(JOINT_STATES, Qos(_KEEP))
-        self._odometry = node.subscribe(ODOMETRY, Qos(_KEEP))
+        self._commands = node.subscribe(JOINT_COMMANDS, Qos(_QUEUE_DEPTH))
+        self._states = node.subscribe(JOINT_STATES, Qos(_QUEUE_DEPTH))
+        self._odometry = node.subscribe(ODOMETRY, Qos(_QUEUE_DEPTH))
         self._clock = node.subscribe(CLOCK)
         self._ask = node.publish(CMD_VEL)
         self._twist = cdr.message("geometry_msgs/msg/Twist")
@@ -207,13 +208,13 @@ class _Listener:
         self.begin()
 
     def begin(self) -> None:
-        """Forget what was seen so far."""
+        """Discard all messages so far and start the measurement."""
         for one in (self._commands, self._states, self._odometry, self._clock):
             one.take()
         self._sent: dict[int, int] = {}
-        """Stamp of a state -> when it was sent, ns"""
+        """Timestamp of a state -> time at which it was sent, ns"""
         self._answers: list[tuple[int, int]] = []
-        """Stamp of the state that a command answers, and when it was sent, ns"""
+        """Timestamp of the state that a command answers, and time at which the command was sent, ns"""
         self._limp = 0
         self._speeds: list[float] = []
         self._lowest = 1.0
@@ -221,7 +222,7 @@ class _Listener:
 
     @property
     def hears(self) -> bool:
-        """Whether commands and odometry have come."""
+        """True if commands and odometry have been received."""
         return bool(self._answers) and bool(self._speeds)
 
     def listen(
@@ -231,7 +232,7 @@ class _Listener:
         controller: "subprocess.Popen[str]",
         progress: Callable[[str], None],
     ) -> None:
-        """Watch for a time."""
+        """Record messages for some time."""
         start = time.monotonic()
         ask, look = Pace(COMMAND_PERIOD), Pace(min(10.0, seconds / 20))
         while time.monotonic() - start < seconds:
@@ -248,7 +249,7 @@ class _Listener:
                 self._look(time.monotonic() - start, sim.pid, controller.pid, progress)
 
     def result(self, seconds: float, environment_speed: float, realtime: bool) -> Walk:
-        """What was seen since `begin`."""
+        """Result of the measurement since `begin`."""
         if not self._answers or not self._speeds:
             raise QuadrupedError("no commands or no odometry came; start sim and controller alone to see why")
         stamps, sent = np.array(self._answers).T
@@ -291,7 +292,7 @@ class _Listener:
             self._lowest = min(self._lowest, 1.0 - 2.0 * (turn.x**2 + turn.y**2))
 
     def _look(self, seconds: float, sim: int, controller: int, progress: Callable[[str], None]) -> None:
-        # The least lag of a few: the others waited for a processor.
+        # The minimum of a few lags: the others waited for a CPU.
         lags = []
         for _ in range(_CLOCKS):
             self._node.wait(0.02)
@@ -308,7 +309,7 @@ class _Listener:
 
 
 def _slope(x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
-    """Of the straight line through points (N,) that is nearest in the least squares."""
+    """Slope of the least-squares line through points (N,)."""
     x = x - x.mean()
     return float(x @ y / (x @ x)) if x.any() else 0.0
 
@@ -322,7 +323,7 @@ def _memory(process_id: int) -> float:
 
 
 def write(walk: Walk, machine: str, versions: dict[str, str], path: Path) -> None:
-    """Write what was seen as JSON.
+    """Write the result as JSON.
 
     Raises:
         QuadrupedError: if it cannot be written.

@@ -1,8 +1,7 @@
-"""How fast films are made, on one core: what the size of the shadow and the multisampling cost, and what they change.
+"""Rendering speed of films on one core: cost and visible effect of the shadow's resolution and of multisampling.
 
-The choice is `SHADOW_SIZE` and `MULTISAMPLES` in `film.py`. Counted is the processor's time, of all threads of this
-process on its one core: alone on the machine it is the time that passes, and beside other work it still is what the
-film costs.
+The chosen values are `SHADOW_SIZE` and `MULTISAMPLES` in `film.py`. The benchmark measures CPU time of all threads of
+this process, pinned to one core, so that other work on the machine does not distort the result.
 """
 
 import os
@@ -21,38 +20,38 @@ from quadruped_env.reporting.films.video import encode_mp4
 SHADOW_SIZES: Final = (0, 512, 1024, 2048, 4096)
 MULTISAMPLINGS: Final = (0, 4)
 GOAL: Final = 40.0
-"""Pictures a second"""
+"""Target speed, pictures per second."""
 _SECONDS: Final = 2.0
-"""s of film for each measurement"""
+"""Length of the film for each measurement, s."""
 
 
 @dataclass(frozen=True)
 class RenderSpeed:
-    """What one quality costs."""
+    """Rendering speed at one quality."""
 
     shadow_size: int
     multisamples: int
     rendering: float
-    """Pictures a second, rendering alone: the median over the film"""
+    """Pictures per second, rendering only: the median over the film"""
     film: float
-    """Pictures a second with overlays and H.264"""
+    """Pictures per second with overlays and H.264"""
     difference: float
     """Mean absolute difference from the best quality's pictures, in 255ths of a channel"""
 
     @property
     def chosen(self) -> bool:
-        """Whether films are made like this."""
+        """True for the quality that films use."""
         return (self.shadow_size, self.multisamples) == (SHADOW_SIZE, MULTISAMPLES)
 
 
 def stay_on_one_core() -> None:
-    """Keep this process, and the software renderer that it starts, on one core; to be called before rendering."""
+    """Pin this process and its software renderer to one core. Call it before rendering."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, [min(os.sched_getaffinity(0))])
 
 
 def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
-    """Every quality, the best first; a line of a Markdown table for each is said as it comes.
+    """Measure every quality, the best first; `say` receives a line of a Markdown table for each.
 
     Raises:
         QuadrupedError: if there is no OpenGL.

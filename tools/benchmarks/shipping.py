@@ -24,9 +24,9 @@ _SUMMARY: Final = ("fall_rate", "forward_velocity_error", "yaw_rate_error", "cos
 
 
 def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, Any]:
-    """How a policy stands and walks forwards: falls, and the root mean square error of 1 s means of velocity, m/s.
+    """Acceptance test of standing and walking forwards: falls, and the RMS error of 1 s means of velocity, m/s.
 
-    `accepted` is true for at most 2 % falls in episodes of 20 s, and at most 0.10 m/s of error at every command.
+    `accepted` is true for at most 2 % falls in episodes of 20 s and an error of at most 0.10 m/s at every command.
     """
     rollout = roll_out(
         PolicyController(policy),

@@ -39,13 +39,13 @@ Say = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Measure:
-    """One row of the table."""
+    """One measurement, a row of the table."""
 
     name: str
     value: float
     unit: str
     reach: str
-    """What it should reach"""
+    """Target value, as text"""
     reached: bool
     detail: str
 
@@ -57,7 +57,7 @@ def _seconds(work: Callable[[], object]) -> float:
 
 
 def _joint_targets(task: Task, actions: NDArray[Any]) -> NDArray[np.float64]:
-    """What the motors are told for actions (..., 8) in position mode, rad."""
+    """Joint targets for actions (..., 8) in position mode, rad."""
     target = STANCE + task.config.action.position_scale * actions.astype(np.float64)
     return np.clip(target, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
 
@@ -270,13 +270,13 @@ print(json.dumps({"peak": max(rss for _, rss in seen), "growth": seen[-1][1] - s
 
 
 def training_memory(timesteps: int) -> list[Measure]:
-    """Resident memory of a training with 256 rows, and its growth over the last nine tenths of it."""
+    """Resident memory of a training with 256 envs, and its growth over the last 90 % of the steps."""
     with tempfile.TemporaryDirectory() as directory:
         found = run_python(_MEMORY_PROGRAM, str(timesteps), directory)
     peak, growth = found["peak"] / 2**20, found["growth"] / 2**20
     return [
-        Measure("resident memory, training with 256 rows", peak, "MiB", "<= 1024", peak <= 1024, ""),
-        # An allocator moves a few pages either way; a leak of one float a step would be 40 MB in 5 million steps.
+        Measure("resident memory, training with 256 envs", peak, "MiB", "<= 1024", peak <= 1024, ""),
+        # An allocator varies by a few pages; a leak of one float per step would be 40 MB in 5 million steps.
         Measure(f"its growth over {timesteps:,} steps", growth, "MiB", "none (< 16)", growth < 16.0, ""),
     ]
 

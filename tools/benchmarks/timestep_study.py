@@ -1,9 +1,9 @@
-"""The choice of time step and solver, by measurement: what a setting costs, and how far it is from a finer one.
+"""Study of time steps and solver settings: the speed of a setting, and its error relative to a finer one.
 
-Each setting is compared with itself at a fifth of its time step and with its solver run to convergence, on three
-readings: the height at which the robot stands, the speed at which scripted gaits walk, and the speed at which the
-robot hits the ground after a drop. Speed is measured for all settings in turns, so that what else the machine does
-falls on all of them.
+Each setting is compared with itself at a fifth of its time step and with a converged solver, on three measurements:
+the standing height of the robot, the walking speed of scripted gaits, and the speed at which the robot hits the ground
+after a drop. The simulation speed of all settings is measured in turns, so that other load on the machine affects all
+of them.
 """
 
 import time
@@ -25,15 +25,15 @@ from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, load_model
 from quadruped_env.simulation import BatchSimulation
 
 CONTROL_TIMESTEP: Final = 0.02
-"""s; joint targets change this often, whatever the physics step"""
+"""Control time step, s: joint targets change at this interval, independent of the physics step."""
 REFINEMENT: Final = 5
 TOLERANCE: Final = 0.03
-"""Largest relative error that a setting may have"""
+"""Maximum relative error of an accurate setting."""
 
 TIMESTEPS: Final = (0.010, 0.005, 0.004, 0.0025, 0.002, 0.001)
-"""s"""
+"""Physics time steps, s."""
 ITERATIONS: Final = ((2, 4), (4, 8), (10, 20), (100, 50))
-"""Newton iterations, and line search iterations in each"""
+"""Newton iterations, and line search iterations in each."""
 CONVERGED: Final = ITERATIONS[-1]
 CONES: Final = ("pyramidal", "elliptic")
 INTEGRATORS: Final = ("implicitfast", "Euler", "discrete")
@@ -42,15 +42,15 @@ GAITS: Final = ("tuned", "trot", "walk", "bound")
 
 _STANDING_SECONDS: Final = 3.0
 _DROP_HEIGHT: Final = 0.10
-"""m between the soles and the ground"""
+"""Height of the soles over the ground before a drop, m."""
 _RAMP_SECONDS: Final = 0.5
-"""in which a gait grows out of the stance"""
+"""Time in which a gait's amplitude grows from 0 to its full value, s."""
 _WARM_UP_SECONDS: Final = 2.0
-"""before the speed of a gait is measured"""
+"""Time before the speed of a gait is measured, s."""
 _START_JITTER: Final = 0.05
-"""rad around the stance, each joint"""
+"""Maximum deviation of each joint from the stance at the start, rad."""
 _FALLEN: Final = 0.5
-"""Cosine of the tilt beyond which a robot no longer walks"""
+"""Cosine of the tilt beyond which a robot counts as fallen."""
 _SPEED_ROWS: Final = 32
 _SPEED_STEPS: Final = 10
 _SPEED_ROUNDS: Final = 30
@@ -58,10 +58,10 @@ _SPEED_ROUNDS: Final = 30
 
 @dataclass(frozen=True)
 class Setting:
-    """A time step and a solver."""
+    """A time step and solver settings."""
 
     timestep: float
-    """s"""
+    """Physics time step, s"""
     integrator: str
     cone: str
     iterations: int
@@ -69,7 +69,7 @@ class Setting:
 
     @classmethod
     def of_model_file(cls) -> Self:
-        """The setting that the robot's model file states: the chosen one."""
+        """The chosen setting, from the robot's model file."""
         option = load_model().opt
         return cls(
             timestep=float(option.timestep),
@@ -89,7 +89,7 @@ class Setting:
         return model
 
     def reference(self) -> "Setting":
-        """What this setting is compared with."""
+        """Finer setting that this setting is compared with."""
         iterations, ls_iterations = CONVERGED
         return replace(self, timestep=self.timestep / REFINEMENT, iterations=iterations, ls_iterations=ls_iterations)
 
@@ -101,7 +101,7 @@ class Setting:
 
     @property
     def substeps(self) -> int:
-        """Physics steps in a control step."""
+        """Number of physics steps per control step."""
         return round(CONTROL_TIMESTEP / self.timestep)
 
 
@@ -227,7 +227,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a setting costs and how far off it is."""
+    """Speed and errors of a setting."""
 
     setting: Setting
     speed: float
@@ -236,7 +236,7 @@ class Outcome:
 
     @property
     def accurate(self) -> bool:
-        """Whether every reading is within the tolerance."""
+        """True if every error is within the tolerance."""
         return all(abs(reading.error) <= TOLERANCE for reading in self.readings.values())
 
 
@@ -255,7 +255,7 @@ class Study:
         return next(outcome for outcome in self.outcomes if outcome.setting == self.chosen)
 
     def table(self) -> str:
-        """Markdown: one row a setting, the chosen one in bold."""
+        """Markdown table with one row per setting, the chosen one in bold."""
         names = list(self._chosen_outcome().readings)
         header = ["step (ms)", "integrator", "cone", "iterations", "speed", *names, f"all within {TOLERANCE:.0%}"]
         lines = [f"| {' | '.join(header)} |", "|" + "---|" * len(header)]
@@ -276,7 +276,7 @@ class Study:
         return "\n".join(lines)
 
     def verdict(self) -> str:
-        """Whether the chosen setting is accurate enough, and which is the fastest that is."""
+        """Verdict on the accuracy of the chosen setting, and the fastest accurate setting."""
         accurate = [outcome for outcome in self.outcomes if outcome.accurate]
         says = "is" if self._chosen_outcome().accurate else "is NOT"
         text = f"The chosen setting {says} within {TOLERANCE:.0%} of a {REFINEMENT} times finer step on every reading."
@@ -285,7 +285,7 @@ class Study:
         return text
 
     def report(self) -> dict[str, Any]:
-        """The study in numbers, as JSON takes them."""
+        """The study as JSON-serializable values."""
         return {
             "chosen": asdict(self.chosen),
             "tolerance": TOLERANCE,
@@ -334,14 +334,14 @@ def run_study(
 
     Args:
         gaits: names of presets that walk.
-        starts: of each gait; their spread gives the standard error of the speed.
-        seconds: of each gait, warm-up included.
-        seed: of the starts.
-        num_threads: threads for the errors; speed is always measured on one. 0 takes every core.
-        progress: given a label, gives what is told how far that part of the work is.
+        starts: starts per gait; their spread gives the standard error of the speed.
+        seconds: duration of each gait, warm-up included, s.
+        seed: seed of the starts.
+        num_threads: threads for the errors; speed is always measured on one thread. 0 uses every core.
+        progress: called with the label of each part; returns the progress callback of that part.
 
     Raises:
-        QuadrupedError: if there is no such preset, a number makes no sense, or a gait falls from every start.
+        QuadrupedError: if a preset is unknown, a number is out of range, or a gait falls from every start.
     """
     if starts < 2:
         raise QuadrupedError(f"starts: expected 2 or more; found {starts}")
