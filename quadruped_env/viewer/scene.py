@@ -129,7 +129,7 @@ class Scene:
             away = -positions - self._offsets[:, :2]
             share = 1.0 - math.exp(-(now - self._drawn_at) / _FOLLOW_TIME)
             distance = np.abs(away).max(axis=1, keepdims=True)
-            # Not filtered after a reset, nor below a visible distance, so that the picture of a standing robot is still.
+            # Not filtered after a reset, nor below a visible distance, so that a standing robot gives a still picture.
             self._offsets[:, :2] += away * np.where(
                 (distance > _JUMP_DISTANCE) | (distance < _STILL_DISTANCE), 1.0, share
             )
