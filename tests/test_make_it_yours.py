@@ -238,7 +238,7 @@ def test_the_page_works_from_the_command_line(my_task, tmp_path):
             "--seeds",
             "1",
             "--seconds",
-            "1",
+            "2",
             "--no-video",
         ],
     ):
