@@ -19,7 +19,7 @@ SAFETY = Safety()
 
 
 def plan(start):
-    return StandUp.plan(np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.ramp_least)
+    return StandUp.plan(np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.min_ramp_time)
 
 
 def sampled(rise):
