@@ -14,33 +14,11 @@ Floats = NDArray[np.float64]
 _FOOT_VECTORS: Final = ("foot_position", "foot_velocity", "foot_angular_velocity")
 
 
-def sensor_names(robot: Robot) -> dict[str, tuple[str, ...]]:
-    """Names of the model's sensors for each field of `Readings`, in order."""
-    joints = [name.removesuffix("_joint") for name in robot.joint_names]
-    feet = [f"{leg}_foot" for leg in robot.leg_names]
-    return {
-        "joint_position": tuple(f"{joint}_position" for joint in joints),
-        "joint_velocity": tuple(f"{joint}_velocity" for joint in joints),
-        "joint_torque": tuple(f"{joint}_torque" for joint in joints),
-        "orientation": ("imu_orientation",),
-        "angular_velocity_b": ("imu_angular_velocity",),
-        "linear_acceleration_b": ("imu_linear_acceleration",),
-        "foot_force": tuple(f"{foot}_force" for foot in feet),
-        "trunk_force": ("base_contact_force", *(f"{leg}_hip_contact_force" for leg in robot.leg_names)),
-        "base_position": ("base_position",),
-        "up_b": ("world_up",),
-        "linear_velocity_b": ("base_linear_velocity",),
-        "foot_position": tuple(f"{foot}_position" for foot in feet),
-        "foot_velocity": tuple(f"{foot}_velocity" for foot in feet),
-        "foot_angular_velocity": tuple(f"{foot}_angular_velocity" for foot in feet),
-    }
-
-
 def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
     """Columns of the model's sensor data for each field of `Readings`."""
     columns = {}
     address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
-    for field, sensors in sensor_names(robot).items():
+    for field, sensors in robot.sensors.items():
         ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) for sensor in sensors]
         start = stop = address[ids[0]]
         for sensor, i in zip(sensors, ids, strict=True):

@@ -9,15 +9,9 @@ from scipy.spatial.transform import Rotation
 from tutorial import JOINTS, LEGS, LINKS, random_positions
 
 from quadruped_env import QuadrupedError, forward_kinematics
-from quadruped_env.robot import (
-    STANCE,
-    STANCE_HEIGHT,
-    facts,
-    fixed_transforms,
-    joint_transforms,
-    resting_pose,
-    sole_heights,
-)
+from quadruped_env.robot import MINI_QUADRUPED
+
+STANCE, STANCE_HEIGHT = MINI_QUADRUPED.stance, MINI_QUADRUPED.stance_height
 
 
 class TestKinematics:
@@ -85,7 +79,7 @@ class TestKinematics:
             position, quaternion = poses[f"{leg}_leg"]
             ball = position + Rotation.from_quat(quaternion, scalar_first=True).apply([0, 0, -0.14])
             np.testing.assert_allclose(ball[:2], [x, y], rtol=0, atol=3e-4)
-            assert ball[2] - facts.FOOT_RADIUS == pytest.approx(0.0, abs=1e-7)
+            assert ball[2] - MINI_QUADRUPED.foot_radius == pytest.approx(0.0, abs=1e-7)
         np.testing.assert_array_equal(mjcf.key("home").qpos, [0, 0, STANCE_HEIGHT, 1, 0, 0, 0, *STANCE])
         np.testing.assert_array_equal(mjcf.key("home").ctrl, STANCE)
         assert mjcf.body("base_link").pos[2] == STANCE_HEIGHT
@@ -161,7 +155,7 @@ class TestTransforms:
     def test_are_those_of_the_urdf(self, urdf):
         """One a moving joint, parent to child, as yourdfpy reads the file that robot_state_publisher would read."""
         positions = random_positions(np.random.default_rng(0), 200)
-        transforms = joint_transforms(positions)
+        transforms = MINI_QUADRUPED.joint_transforms(positions)
         assert {(t.parent, t.child) for t in transforms} == {
             (joint.parent, joint.child) for joint in urdf.joint_map.values() if joint.type != "fixed"
         }
@@ -178,7 +172,7 @@ class TestTransforms:
         rng = np.random.default_rng(1)
         positions, base = random_positions(rng, 2, 3), rng.standard_normal((2, 3, 7))
         base[..., 3:] /= np.linalg.norm(base[..., 3:], axis=-1, keepdims=True)
-        transforms = joint_transforms(positions, base)
+        transforms = MINI_QUADRUPED.joint_transforms(positions, base)
         assert (transforms[0].parent, transforms[0].child) == ("odom", "base_link")
         poses = forward_kinematics(positions, base)
         for index in np.ndindex(2, 3):
@@ -195,7 +189,7 @@ class TestTransforms:
                 np.testing.assert_allclose(place[link][1].as_matrix(), expected, rtol=0, atol=1e-12)
 
     def test_no_link_is_without_a_joint(self, urdf):
-        assert fixed_transforms() == ()
+        assert MINI_QUADRUPED.fixed_transforms() == ()
         assert all(joint.type == "revolute" for joint in urdf.joint_map.values())
 
     @pytest.mark.parametrize(
@@ -208,14 +202,14 @@ class TestTransforms:
     )
     def test_errors(self, positions, base_pose, message):
         with pytest.raises(QuadrupedError, match=message):
-            joint_transforms(positions, base_pose)
+            MINI_QUADRUPED.joint_transforms(positions, base_pose)
 
 
 class TestResting:
     def test_in_the_stance_on_all_fours_and_level(self):
-        pose = resting_pose(STANCE)
+        pose = MINI_QUADRUPED.resting_pose(STANCE)
         np.testing.assert_allclose(pose, [0, 0, STANCE_HEIGHT, 1, 0, 0, 0], rtol=0, atol=1e-7)
-        np.testing.assert_allclose(sole_heights(STANCE, pose), 0.0, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(MINI_QUADRUPED.sole_heights(STANCE, pose), 0.0, rtol=0, atol=1e-12)
 
     def test_bent_front_legs_lower_the_front(self):
         """The pitch follows from the two heights of the feet and the distance between them."""
@@ -223,10 +217,10 @@ class TestResting:
         positions[:4] = [1.2, -1.9] * 2
         front, hind = (-0.03 * np.cos(h) - 0.14 * np.cos(h + k) for h, k in ((1.2, -1.9), (0.6, -0.72)))
         reach = 0.15 - 0.03 * np.sin(1.2) - 0.14 * np.sin(1.2 - 1.9), -0.15 - 0.03 * np.sin(0.6) - 0.14 * np.sin(-0.12)
-        pose = resting_pose(positions)
+        pose = MINI_QUADRUPED.resting_pose(positions)
         pitch = np.arctan2(front - hind, reach[0] - reach[1])
         np.testing.assert_allclose(pose[3:], [np.cos(pitch / 2), 0, np.sin(pitch / 2), 0], rtol=0, atol=1e-9)
-        np.testing.assert_allclose(sole_heights(positions, pose), 0.0, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(MINI_QUADRUPED.sole_heights(positions, pose), 0.0, rtol=0, atol=1e-9)
 
     def test_nothing_is_below_the_ground_and_the_robot_is_carried(self, model):
         data, scratch = mujoco.MjData(model), np.zeros(6)
@@ -236,9 +230,9 @@ class TestResting:
         on_feet = 0
         for _ in range(200):
             positions = rng.uniform([-1.5, -2.0] * 4, [1.5, 0.0] * 4)
-            data.qpos = [*resting_pose(positions), *positions]
+            data.qpos = [*MINI_QUADRUPED.resting_pose(positions), *positions]
             mujoco.mj_forward(model, data)
             lowest = min(mujoco.mj_geomDistance(model, data, ground, geom, 1.0, scratch) for geom in robot)
             assert lowest == pytest.approx(0.0, abs=1e-9)
-            on_feet += (sole_heights(positions, data.qpos[:7]) < 1e-9).sum() >= 3
+            on_feet += (MINI_QUADRUPED.sole_heights(positions, data.qpos[:7]) < 1e-9).sum() >= 3
         assert on_feet > 0

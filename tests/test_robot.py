@@ -1,4 +1,4 @@
-"""The robot's facts, held against its URDF, its MJCF and the package's own numbers."""
+"""The built-in robot's numbers, held against its URDF, its MJCF and the tutorial."""
 
 import itertools
 import os
@@ -21,23 +21,17 @@ from tutorial import (
     random_positions,
 )
 
-from quadruped_env import QuadrupedError, asset_path
-from quadruped_env.robot import (
-    JOINT_NAMES,
-    LINK_NAMES,
-    TOTAL_MASS,
-    JointMotor,
-    MotorConfig,
-    facts,
-    load_model,
-)
+from quadruped_env import JOINT_NAMES, LEG_NAMES, QuadrupedError, asset_path
+from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, QuadrupedDesign, load_model
+
+DESIGN = QuadrupedDesign()
 
 
 class TestNamesAndOrder:
     def test_package(self):
-        assert JOINT_NAMES == JOINTS
-        assert LINK_NAMES == LINKS
-        assert tuple(LEGS) == facts.LEG_NAMES
+        assert JOINT_NAMES == MINI_QUADRUPED.joint_names == JOINTS
+        assert MINI_QUADRUPED.link_names == LINKS
+        assert LEG_NAMES == MINI_QUADRUPED.leg_names == tuple(LEGS)
 
     def test_urdf(self, urdf):
         assert urdf.robot.name == "mini_quadruped"
@@ -85,11 +79,12 @@ class TestShapes:
         assert mjcf.geom_contype[geom] == mjcf.geom_conaffinity[geom] == 0
 
     def test_package(self):
-        assert VISUALS["base_link"][1] == facts.BASE_SIZE
-        assert VISUALS["hip"][1] == (facts.HIP_RADIUS,)
-        assert VISUALS["leg"][1] == (facts.LEG_RADIUS, facts.LEG_LENGTH)
-        assert facts.HIP_TO_KNEE == 0.03
-        assert facts.HIP_POSITIONS == LEGS
+        assert VISUALS["base_link"][1] == DESIGN.base_size
+        assert VISUALS["hip"][1] == (DESIGN.hip_radius,)
+        assert VISUALS["leg"][1] == (DESIGN.leg_radius, DESIGN.leg_length)
+        assert DESIGN.hip_to_knee == 0.03
+        assert {leg: DESIGN.hip_position(leg) for leg in LEGS} == LEGS
+        assert MINI_QUADRUPED.foot_radius == 0.02
 
 
 class TestJoints:
@@ -133,11 +128,12 @@ class TestJoints:
             assert voltage / constant == pytest.approx(VELOCITY, rel=1e-12)
 
     def test_package(self):
-        assert (LIMITS["hip"], LIMITS["knee"]) == (facts.HIP_RANGE, facts.KNEE_RANGE)
-        assert (facts.EFFORT_LIMIT, facts.VELOCITY_LIMIT) == (EFFORT, VELOCITY)
-        np.testing.assert_array_equal(facts.JOINT_POSITION_LOW, [-1.5, -2.0] * 4)
-        np.testing.assert_array_equal(facts.JOINT_POSITION_HIGH, [1.5, 0.0] * 4)
-        for array in (facts.JOINT_POSITION_LOW, facts.JOINT_POSITION_HIGH, facts.STANCE):
+        robot = MINI_QUADRUPED
+        np.testing.assert_array_equal(robot.effort_limit, [EFFORT] * 8)
+        np.testing.assert_array_equal(robot.velocity_limit, [VELOCITY] * 8)
+        np.testing.assert_array_equal(robot.joint_position_low, [-1.5, -2.0] * 4)
+        np.testing.assert_array_equal(robot.joint_position_high, [1.5, 0.0] * 4)
+        for array in (robot.joint_position_low, robot.effort_limit, robot.velocity_limit, robot.stance):
             with pytest.raises(ValueError, match="read-only"):
                 array[0] = 1.0
 
@@ -157,12 +153,12 @@ class TestMass:
         return np.array([across, across, mass * 0.02**2 / 2])
 
     def test_package(self):
-        assert pytest.approx(4.0, abs=1e-12) == TOTAL_MASS
-        assert tuple(MASSES.values()) == (facts.BASE_MASS, facts.HIP_MASS, facts.LEG_MASS)
+        assert MINI_QUADRUPED.total_mass == pytest.approx(4.0, abs=1e-12)
+        assert tuple(MASSES.values()) == (DESIGN.base_mass, DESIGN.hip_mass, DESIGN.leg_mass)
         for link, inertia in {
-            "base_link": facts.solid_box_inertia(facts.BASE_MASS, facts.BASE_SIZE),
-            "LF_hip": facts.solid_sphere_inertia(facts.HIP_MASS, facts.HIP_RADIUS),
-            "LF_leg": facts.solid_cylinder_inertia(facts.LEG_MASS, facts.LEG_RADIUS, facts.LEG_LENGTH),
+            "base_link": DESIGN.base_inertia,
+            "LF_hip": DESIGN.hip_inertia,
+            "LF_leg": DESIGN.leg_inertia,
         }.items():
             np.testing.assert_allclose(inertia, self.principal(link), rtol=1e-14)
 
@@ -281,6 +277,10 @@ class TestAssets:
     def test_path(self, name):
         assert asset_path(name).is_file()
         assert asset_path(name).name == name
+
+    def test_the_shipped_files_are_those_of_the_design(self):
+        for name, text in (("mini_quadruped.xml", MINI_QUADRUPED.mjcf), ("mini_quadruped.urdf", MINI_QUADRUPED.urdf)):
+            assert asset_path(name).read_text() == text, f"{name} differs: run python tools/robot_files.py"
 
     @pytest.mark.parametrize("name", ["mini_quadruped.usd", "", "../scene.xml"])
     def test_unknown_name(self, name):

@@ -139,7 +139,7 @@ def joint_position(readings: Readings, control: ControlState) -> Floats:
 
 
 # Impacts can move a joint faster than its motor can, hence the bound of 3.
-@observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit, bound=3.0, noise=0.3)
+@observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit.max(), bound=3.0, noise=0.3)
 def joint_velocity(readings: Readings, control: ControlState) -> Floats:
     """Joint velocities."""
     return readings.joint_velocity

@@ -23,11 +23,11 @@ from quadruped_env.robot import (
     JOINT_POSITION_LOW,
     VELOCITY_LIMIT,
     MotorConfig,
+    foot_centres,
     forward_kinematics,
     sole_heights,
 )
-from quadruped_env.robot.ground import foot_centres
-from quadruped_env.robot.kinematics import Pose
+from quadruped_env.robot.skeleton import Pose
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
 

@@ -2,29 +2,35 @@
 
 from typing import Final
 
-from quadruped_env.robot import facts
+from numpy.typing import ArrayLike
+
+from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.skeleton import Pose
 
-_OTHER_SIDE: Final = {"L": "R", "R": "L"}
+MINI_QUADRUPED: Final = QuadrupedDesign().robot()
+"""8-joint quadruped of the ROS 2 tutorial; assets/mini_quadruped/README.md derives its numbers."""
+
+LEG_NAMES: Final = MINI_QUADRUPED.leg_names
+"""Names of the built-in robot's legs: left (L) or right (R), front (F) or hind (H)."""
+
+JOINT_NAMES: Final = MINI_QUADRUPED.joint_names
+"""Names of the built-in robot's eight joints, in the order of every array."""
 
 
-def _mirror(names: tuple[str, ...]) -> tuple[int, ...]:
-    return tuple(names.index(_OTHER_SIDE[name[0]] + name[1:]) for name in names)
+def forward_kinematics(
+    positions: ArrayLike, base_pose: ArrayLike | None = None, robot: Robot = MINI_QUADRUPED
+) -> dict[str, Pose]:
+    """Pose of every link of a robot; see `Robot.forward_kinematics`.
 
+    Args:
+        positions: joint positions in rad, shape (..., J).
+        base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7); without it the poses are
+            in the frame of the base. Leading axes of both arguments broadcast.
+        robot: the robot; the built-in one unless given.
 
-MINI_QUADRUPED: Final = Robot(
-    name="mini_quadruped",
-    leg_names=facts.LEG_NAMES,
-    joint_names=facts.JOINT_NAMES,
-    link_names=facts.LINK_NAMES,
-    joint_position_low=facts.JOINT_POSITION_LOW,
-    joint_position_high=facts.JOINT_POSITION_HIGH,
-    velocity_limit=facts.VELOCITY_LIMIT,
-    effort_limit=facts.EFFORT_LIMIT,
-    stance=facts.STANCE,
-    stance_height=facts.STANCE_HEIGHT,
-    foot_radius=facts.FOOT_RADIUS,
-    joint_mirror=_mirror(facts.JOINT_NAMES),
-    foot_mirror=_mirror(facts.LEG_NAMES),
-)
-"""8-joint quadruped of the ROS 2 tutorial; assets/mini_quadruped/README.md derives its masses."""
+    Raises:
+        QuadrupedError: if the last axis is not J (or 7), the other axes do not broadcast, a value is not finite, or a
+            quaternion is zero.
+    """
+    return robot.forward_kinematics(positions, base_pose)

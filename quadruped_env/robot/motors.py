@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from quadruped_env._plain import PlainFields, is_finite_number
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot.facts import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
 
 VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
@@ -27,11 +26,11 @@ _POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
 
 @dataclass(frozen=True)
 class JointMotor(PlainFields):
-    """A motor and the joint that it turns. The defaults repeat the model file."""
+    """A motor and the joint that it turns. The defaults are the built-in robot's."""
 
-    stall_torque: float = EFFORT_LIMIT
+    stall_torque: float = 10.0
     """Torque at full voltage and zero speed, N m."""
-    no_load_speed: float = VELOCITY_LIMIT
+    no_load_speed: float = 5.0
     """Speed at full voltage and zero torque, rad/s."""
     kp: float = 40.0
     """Position gain, N m/rad, within the motor's torque-speed line."""
@@ -52,7 +51,7 @@ class JointMotor(PlainFields):
 
 @dataclass(frozen=True)
 class MotorConfig(PlainFields):
-    """All motors of the robot: one set of parameters for the hips, one for the knees."""
+    """All motors of a robot: one set of parameters for the hips, one for the knees."""
 
     hip: JointMotor = field(default_factory=JointMotor)
     knee: JointMotor = field(default_factory=JointMotor)
@@ -73,12 +72,12 @@ class MotorConfig(PlainFields):
         """Set these motors in a robot's specification.
 
         Args:
-            spec: specification that `load_model` compiles; its time step must already be set.
+            spec: specification of a robot; its time step must be set.
             max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
         """
         longest = self.delay if max_delay is None else max_delay
-        for name in JOINT_NAMES:
-            motor, joint, actuator = self.of_joint(name), spec.joint(name), spec.actuator(name)
+        for actuator in spec.actuators:
+            motor, joint = self.of_joint(actuator.target), spec.joint(actuator.target)
             joint.damping[0] = motor.damping
             joint.frictionloss = motor.friction_loss
             joint.armature = motor.armature

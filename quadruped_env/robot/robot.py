@@ -1,37 +1,104 @@
 """Description of a robot, which other packages receive as an argument."""
 
-from dataclasses import dataclass
+import dataclasses
+import functools
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, Self
+from xml.etree import ElementTree
 
+import mujoco
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env._plain import plain
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot import ground, transforms
+from quadruped_env.robot.motors import JointMotor, MotorConfig
+from quadruped_env.robot.skeleton import Pose, Skeleton
+from quadruped_env.robot.transforms import Transform
+
+Floats = NDArray[np.float64]
+
+_PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
+_LIMIT_TOLERANCE = 1e-9
+"""Difference between a limit in the model and in the robot, rad."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Robot:
-    """A legged robot: names, limits, stance and symmetry. Arrays are in the order of `joint_names` or `leg_names`."""
+    """A legged robot as a value: names, limits, stance, symmetry, motors, and its model as text.
+
+    Arrays are read-only and in the order of `joint_names` or `leg_names`, which is the order of the model. Masses and
+    kinematics are computed from the model, which is compiled when it is first needed. Two robots are equal if their
+    content is; comments and layout of the model files do not count.
+
+    Raises:
+        QuadrupedError: if the fields contradict each other, or (at the first use of the model) the model.
+    """
 
     name: str
     leg_names: tuple[str, ...]
     joint_names: tuple[str, ...]
+    """Names of the joints, and of their motors in the model's order."""
     link_names: tuple[str, ...]
-    joint_position_low: NDArray[np.float64]
+    """Names of the links, the base first."""
+    joint_position_low: Floats
     """Lower limits of the joint positions (J,), rad."""
-    joint_position_high: NDArray[np.float64]
+    joint_position_high: Floats
     """Upper limits of the joint positions (J,), rad."""
-    velocity_limit: float
-    """Maximum joint speed without load, rad/s."""
-    effort_limit: float
-    """Maximum joint torque at rest, N m."""
-    stance: NDArray[np.float64]
+    velocity_limit: Floats
+    """Maximum joint speeds without load (J,), rad/s."""
+    effort_limit: Floats
+    """Maximum joint torques at rest (J,), N m."""
+    stance: Floats
     """Joint positions with each foot under its hip (J,), rad."""
     stance_height: float
     """Height of the base's centre in the stance, with the feet on the ground, m."""
     foot_radius: float
     """Radius of the feet, which are balls, m."""
+    foot_sites: tuple[str, ...]
+    """Sites of the model at the centres of the feet, one per leg."""
     joint_mirror: tuple[int, ...]
     """Index of each joint's counterpart on the other side; all joints turn about the y axis, so no sign changes."""
     foot_mirror: tuple[int, ...]
     """Index of each foot's counterpart on the other side."""
+    sensors: Mapping[str, tuple[str, ...]]
+    """Sensors of the model for each field of `quadruped_env.readings.Readings`, in order."""
+    motors: MotorConfig
+    """Motors of the model."""
+    mjcf: str
+    """MuJoCo model of the robot alone, with a floating base and without ground."""
+    urdf: str
+    """Description for ROS (`robot_description`)."""
+
+    def __post_init__(self) -> None:
+        for name in _PER_JOINT:
+            values = np.array(getattr(self, name), dtype=np.float64)
+            if values.shape != (self.num_joints,) or not np.isfinite(values).all():
+                raise self._error(
+                    f"{name} must be {self.num_joints} finite numbers, one per joint; found {short(values)}"
+                )
+            values.flags.writeable = False
+            object.__setattr__(self, name, values)
+        object.__setattr__(self, "sensors", {key: tuple(names) for key, names in self.sensors.items()})
+        for name, length, what in (
+            ("foot_sites", self.num_legs, "leg"),
+            ("foot_mirror", self.num_legs, "leg"),
+            ("joint_mirror", self.num_joints, "joint"),
+        ):
+            if len(getattr(self, name)) != length:
+                raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
+        for names in (self.leg_names, self.joint_names, self.link_names):
+            if len(set(names)) < len(names):
+                raise self._error(f"names must differ; found {names!r}")
+        outside = (self.stance < self.joint_position_low) | (self.stance > self.joint_position_high)
+        if outside.any():
+            raise self._error(
+                f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
+            )
 
     @property
     def base_name(self) -> str:
@@ -57,3 +124,205 @@ class Robot:
     def num_velocities(self) -> int:
         """Length of MuJoCo's `qvel`: the base's linear (3,) and angular (3,) velocity, then the joints."""
         return 6 + self.num_joints
+
+    @property
+    def total_mass(self) -> float:
+        """Mass of the whole robot, kg."""
+        return self.skeleton.total_mass
+
+    @functools.cached_property
+    def fore_legs(self) -> tuple[bool, ...]:
+        """True for each leg whose foot is in front of the base's centre in the stance."""
+        return tuple(bool(x > 0.0) for x in self.foot_centres(self.stance)[:, 0])
+
+    @functools.cached_property
+    def left_legs(self) -> tuple[bool, ...]:
+        """True for each leg whose foot is to the left of the base's centre in the stance."""
+        return tuple(bool(y > 0.0) for y in self.foot_centres(self.stance)[:, 1])
+
+    def spec(self) -> mujoco.MjSpec:
+        """A new specification of the robot alone, to be changed and compiled.
+
+        Raises:
+            QuadrupedError: if MuJoCo cannot read the MJCF.
+        """
+        try:
+            return mujoco.MjSpec.from_string(self.mjcf)
+        except ValueError as error:
+            raise self._error(f"MuJoCo cannot read its MJCF ({error})") from error
+
+    @functools.cached_property
+    def skeleton(self) -> Skeleton:
+        """Kinematics of the robot; computed once."""
+        spec = self.spec()
+        model = spec.compile()
+        self.check_model(model)
+        return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
+
+    def check_model(self, model: mujoco.MjModel) -> None:
+        """Check that a compiled model holds this robot.
+
+        Raises:
+            QuadrupedError: if joints, motors, links, sites or sensors are missing or in another order, or a limit
+                differs.
+        """
+        free = [i for i in range(model.njnt) if model.jnt_type[i] == mujoco.mjtJoint.mjJNT_FREE]
+        if free != [0]:
+            raise self._error(f"its model must have one free joint, the first; found free joints at {free}")
+        joints = tuple(model.joint(i).name for i in range(1, model.njnt))
+        motors = tuple(model.joint(int(model.actuator_trnid[i, 0])).name for i in range(model.nu))
+        for what, found in (("joints", joints), ("motors", motors)):
+            if found != self.joint_names:
+                raise self._error(
+                    f"the {what} of its model are in the order {', '.join(found)}; joint_names has "
+                    f"{', '.join(self.joint_names)}: give all fields in the model's order"
+                )
+        for kind, names in (
+            ("body", self.link_names),
+            ("site", self.foot_sites),
+            ("sensor", [name for group in self.sensors.values() for name in group]),
+        ):
+            for name in names:
+                if mujoco.mj_name2id(model, getattr(mujoco.mjtObj, f"mjOBJ_{kind.upper()}"), name) < 0:
+                    raise self._error(f"its model has no {kind} {name!r}")
+        limits = np.stack([self.joint_position_low, self.joint_position_high], axis=1)
+        wrong = np.abs(model.jnt_range[1:] - limits).max(axis=1) > _LIMIT_TOLERANCE
+        if wrong.any():
+            raise self._error(
+                f"joint_position_low and joint_position_high differ from the model's range at "
+                f"{self.joint_names[wrong.argmax()]}"
+            )
+
+    def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
+        """Pose of every link, computed with MuJoCo's kinematics.
+
+        Args:
+            positions: joint positions in rad, shape (..., J).
+            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7); without it the
+                poses are in the frame of the base. Leading axes of both arguments broadcast.
+
+        Returns:
+            Position (..., 3) in m and quaternion wxyz (..., 4) of each link by name, in the order of `link_names`.
+
+        Raises:
+            QuadrupedError: if the last axis is not J (or 7), the other axes do not broadcast, a value is not finite, or
+                a quaternion is zero.
+        """
+        return self.skeleton.forward_kinematics(positions, base_pose)
+
+    def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
+        """Centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
+
+        Arguments and errors are those of `forward_kinematics`.
+        """
+        return self.skeleton.foot_centres(positions, base_pose)
+
+    def sole_heights(self, positions: ArrayLike, base_pose: ArrayLike) -> Floats:
+        """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
+        return self.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
+
+    def centre_of_mass(self, positions: ArrayLike) -> Floats:
+        """Centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
+        return self.skeleton.centre_of_mass(positions)
+
+    def resting_pose(self, positions: ArrayLike) -> Floats:
+        """Pose (7,) of the base with the robot resting on its feet, above the origin and facing along x.
+
+        The three feet whose support triangle contains the centre of mass touch the ground; every other foot touches it
+        or is in the air. If no three feet can carry the robot, its base is level. If another part would penetrate the
+        ground, the robot is raised until that part rests on the ground.
+
+        Args:
+            positions: joint positions in rad (J,).
+
+        Returns:
+            Position in m and quaternion wxyz.
+
+        Raises:
+            QuadrupedError: as `forward_kinematics`.
+        """
+        return ground.resting_pose(self.skeleton, positions)
+
+    def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
+        """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
+
+        Args:
+            positions: joint positions in rad, shape (..., J).
+            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7). With it the first
+                transform is that of the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
+
+        Returns:
+            Transforms with leading axes (...), in the order of `joint_names`.
+
+        Raises:
+            QuadrupedError: if a shape is wrong or a value is not finite.
+        """
+        return transforms.joint_transforms(self.skeleton, positions, base_pose)
+
+    def fixed_transforms(self) -> tuple[Transform, ...]:
+        """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
+
+        If every link has a joint, the result is empty; the publisher then sends an empty message.
+        """
+        return transforms.fixed_transforms(self.skeleton)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values for `from_dict` and JSON."""
+        return {
+            entry.name: dataclasses.asdict(value) if isinstance(value, MotorConfig) else plain(value)
+            for entry, value in self._content()
+        }
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Self:
+        """Create a robot from the result of `to_dict`.
+
+        Raises:
+            QuadrupedError: if a field is missing or unknown, or as for `Robot`.
+        """
+        names = {entry.name for entry in fields(cls)}
+        if not isinstance(values, Mapping) or set(values) != names:
+            raise QuadrupedError(f"robot: expected the fields {', '.join(sorted(names))}; found {short(values)}")
+        made: dict[str, Any] = {
+            name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
+            for name, value in values.items()
+        }
+        motors = values["motors"]
+        made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
+        return cls(**made)
+
+    @functools.cached_property
+    def sha256(self) -> str:
+        """SHA-256 of the content, without comments and layout of the model files."""
+        values = self.to_dict()
+        for name in ("mjcf", "urdf"):
+            try:
+                values[name] = ElementTree.canonicalize(values[name], strip_text=True)
+            except ElementTree.ParseError as error:
+                raise self._error(f"{name} is not XML ({error})") from error
+        return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Robot) and (self is other or self.sha256 == other.sha256)
+
+    def __hash__(self) -> int:
+        return hash(self.sha256)
+
+    def __repr__(self) -> str:
+        return f"Robot({self.name!r}, joints={self.num_joints}, sha256={self.sha256[:12]!r})"
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self  # nothing in it changes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Without the compiled models, which are many times larger and quickly compiled again.
+        return type(self), tuple(value for _, value in self._content())
+
+    def _content(self) -> list[tuple[dataclasses.Field[Any], Any]]:
+        return [(entry, getattr(self, entry.name)) for entry in fields(self)]
+
+    def _error(self, message: str) -> QuadrupedError:
+        return QuadrupedError(f"robot {self.name!r}: {message}")

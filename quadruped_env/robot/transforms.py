@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot.facts import JOINT_NAMES, LINK_NAMES
-from quadruped_env.robot.kinematics import skeleton
+from quadruped_env.robot.skeleton import Skeleton
 from quadruped_env.rotations import from_axis_angle, multiply
 
 ODOMETRY_FRAME: Final = "odom"
@@ -27,24 +26,15 @@ class Transform:
     """Quaternion wxyz (..., 4); ROS messages use the order xyzw."""
 
 
-def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
-    """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
-
-    Args:
-        positions: joint positions in rad, shape (..., 8), in the order of `JOINT_NAMES`.
-        base_pose: position in m and quaternion wxyz of `base_link` in the world, shape (..., 7). With it the first
-            transform is that of `base_link` in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
-
-    Returns:
-        Transforms with leading axes (...), in the order of `JOINT_NAMES`.
-
-    Raises:
-        QuadrupedError: if a shape is wrong or a value is not finite.
-    """
+def joint_transforms(
+    skeleton: Skeleton, positions: ArrayLike, base_pose: ArrayLike | None = None
+) -> tuple[Transform, ...]:
+    """See `Robot.joint_transforms`."""
+    num_joints = len(skeleton.joint_names)
     joints = np.asarray(positions, dtype=np.float64)
-    if joints.ndim == 0 or joints.shape[-1] != len(JOINT_NAMES) or not np.isfinite(joints).all():
+    if joints.ndim == 0 or joints.shape[-1] != num_joints or not np.isfinite(joints).all():
         raise QuadrupedError(
-            f"joint_transforms: positions must be finite, of shape (..., {len(JOINT_NAMES)}); found {joints.shape}"
+            f"joint_transforms: positions must be finite, of shape (..., {num_joints}); found {joints.shape}"
         )
     transforms = []
     if base_pose is not None:
@@ -53,9 +43,9 @@ def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -
             raise QuadrupedError(
                 f"joint_transforms: base_pose must be finite, of shape {(*joints.shape[:-1], 7)}; found {base.shape}"
             )
-        transforms.append(Transform(ODOMETRY_FRAME, LINK_NAMES[0], base[..., :3], base[..., 3:]))
-    model = skeleton()
-    for column, name in enumerate(JOINT_NAMES):
+        transforms.append(Transform(ODOMETRY_FRAME, skeleton.link_names[0], base[..., :3], base[..., 3:]))
+    model = skeleton.model
+    for column, name in enumerate(skeleton.joint_names):
         joint = model.joint(name)
         body = int(joint.bodyid[0])
         rotation = from_axis_angle(model.jnt_axis[joint.id], joints[..., column])
@@ -70,12 +60,9 @@ def joint_transforms(positions: ArrayLike, base_pose: ArrayLike | None = None) -
     return tuple(transforms)
 
 
-def fixed_transforms() -> tuple[Transform, ...]:
-    """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
-
-    Every link of this robot has a joint, so the result is empty; the publisher then sends an empty message.
-    """
-    model = skeleton()
+def fixed_transforms(skeleton: Skeleton) -> tuple[Transform, ...]:
+    """See `Robot.fixed_transforms`."""
+    model = skeleton.model
     return tuple(
         Transform(
             model.body(model.body_parentid[body]).name,

@@ -1,0 +1,194 @@
+"""Kinematics: the bodies and joints of a robot, compiled without anything else."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import mujoco
+import numpy as np
+from mujoco.batch import Batch
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.rotations import rotate
+
+Pose = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+MAX_VALUE: Final = mujoco.mjMAXVAL
+"""Maximum coordinate, above which MuJoCo treats a simulation as diverged, rad or m."""
+
+_BLOCK: Final = 4096
+"""Poses per batch: enough to make Python's overhead negligible, few enough to fit in the processor's cache."""
+
+_RIM: Final = 64
+"""Points on the rim of a cylinder: its radius appears up to 0.1 % smaller."""
+
+
+class Skeleton:
+    """Bodies, joints and collision points of a robot, for kinematics at a third of the cost of the full model.
+
+    Args:
+        spec: specification of the robot alone; it is changed.
+        whole: the model compiled from it.
+        joint_names: joints, in the order of the model's.
+        link_names: links, the base first.
+        foot_sites: sites at the centres of the feet.
+    """
+
+    def __init__(
+        self,
+        spec: mujoco.MjSpec,
+        whole: mujoco.MjModel,
+        joint_names: tuple[str, ...],
+        link_names: tuple[str, ...],
+        foot_sites: Sequence[str],
+    ) -> None:
+        self.joint_names, self.link_names = joint_names, link_names
+        self.feet = [(_name(whole, whole.site(site).bodyid[0]), whole.site(site).pos.copy()) for site in foot_sites]
+        """Link of each foot, and the foot's centre in the frame of that link, m."""
+        self._collision = _collision_points(whole)
+        for body in spec.bodies[1:]:
+            if not body.explicitinertial:  # inferred from the geoms, which are deleted
+                compiled = whole.body(body.name)
+                body.explicitinertial = True
+                body.mass, body.inertia = compiled.mass[0], compiled.inertia.copy()
+                body.ipos, body.iquat = compiled.ipos.copy(), compiled.iquat.copy()
+        for elements in (spec.sensors, spec.actuators, spec.pairs, spec.keys, spec.sites, spec.geoms, spec.cameras):
+            for element in list(elements):
+                spec.delete(element)
+        self.model = spec.compile()
+        """Model with only the robot's bodies and joints."""
+        self.total_mass = float(self.model.body_mass.sum())
+        """Sum of all masses, kg."""
+
+    def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
+        """See `Robot.forward_kinematics`."""
+        num_joints, num_links = len(self.joint_names), len(self.link_names)
+        joints = np.asarray(positions, dtype=np.float64)
+        if joints.ndim == 0 or joints.shape[-1] != num_joints:
+            raise QuadrupedError(
+                f"forward_kinematics: positions must have shape (..., {num_joints}), one value per joint; "
+                f"found {joints.shape}"
+            )
+        base = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) if base_pose is None else np.asarray(base_pose, np.float64)
+        if base.ndim == 0 or base.shape[-1] != 7:
+            raise QuadrupedError(
+                f"forward_kinematics: base_pose must have shape (..., 7), xyz and wxyz; found {base.shape}"
+            )
+        try:
+            batch = np.broadcast_shapes(joints.shape[:-1], base.shape[:-1])
+        except ValueError as error:
+            raise QuadrupedError(
+                f"forward_kinematics: the leading axes of positions {joints.shape} and base_pose {base.shape} do not "
+                f"fit"
+            ) from error
+        joints = np.broadcast_to(joints, (*batch, num_joints)).reshape(-1, num_joints)
+        base = np.broadcast_to(base, (*batch, 7)).reshape(-1, 7)
+        for values in (joints, base):
+            # The minimum and maximum of an array with NaN are NaN, and comparisons with NaN are false.
+            if values.size and not (values.min() >= -MAX_VALUE and values.max() <= MAX_VALUE):
+                raise QuadrupedError(
+                    f"forward_kinematics: positions and base_pose must be finite and within {MAX_VALUE:g}; "
+                    f"found {values[~(np.abs(values) <= MAX_VALUE)][0]:g}"
+                )
+        if not base[:, 3:].any(axis=1).all():
+            raise QuadrupedError("forward_kinematics: base_pose has a zero quaternion; identity is (1, 0, 0, 0)")
+
+        xpos = np.empty((len(joints), num_links, 3))
+        xquat = np.empty((len(joints), num_links, 4))
+        if len(joints):
+            self._fill_link_poses(joints, base, xpos, xquat)
+        xpos = xpos.reshape(*batch, num_links, 3)
+        xquat = xquat.reshape(*batch, num_links, 4)
+        return {name: (xpos[..., i, :], xquat[..., i, :]) for i, name in enumerate(self.link_names)}
+
+    def _fill_link_poses(
+        self,
+        joints: NDArray[np.float64],
+        base: NDArray[np.float64],
+        xpos: NDArray[np.float64],
+        xquat: NDArray[np.float64],
+    ) -> None:
+        """Write the link poses (N, L, 3) and (N, L, 4) of joint positions (N, J) and base poses (N, 7)."""
+        links = np.array([self.model.body(name).id for name in self.link_names])
+        batch = Batch(self.model, min(_BLOCK, len(joints)), nthread=1)
+        qpos, positions, quaternions = batch.bind("qpos"), batch.bind("xpos"), batch.bind("xquat")
+        for start in range(0, len(joints), batch.nsim):
+            block = slice(start, min(start + batch.nsim, len(joints)))
+            count = block.stop - start
+            qpos[:count, :7], qpos[:count, 7:] = base[block], joints[block]
+            batch.forward(None if count == batch.nsim else np.arange(count), stage=mujoco.mjtStage.mjSTAGE_POS)
+            xpos[block], xquat[block] = positions[:count, links], quaternions[:count, links]
+
+    def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> NDArray[np.float64]:
+        """See `Robot.foot_centres`."""
+        return self._points(self.feet, self.forward_kinematics(positions, base_pose))
+
+    def lowest(self, positions: ArrayLike, up: NDArray[np.float64]) -> float:
+        """Height of the robot's lowest point relative to its base's centre, along a direction in the base frame, m.
+
+        Args:
+            positions: joint positions in rad (J,).
+            up: unit vector (3,).
+        """
+        points, radii = self._collision
+        return float((self._points(points, self.forward_kinematics(positions)) @ up - radii).min())
+
+    def centre_of_mass(self, positions: ArrayLike) -> NDArray[np.float64]:
+        """See `Robot.centre_of_mass`."""
+        data = mujoco.MjData(self.model)
+        data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
+        mujoco.mj_kinematics(self.model, data)
+        mujoco.mj_comPos(self.model, data)
+        return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
+
+    @staticmethod
+    def _points(points: Sequence[tuple[str, NDArray[np.float64]]], poses: dict[str, Pose]) -> NDArray[np.float64]:
+        """Positions (..., P, 3) of points that are given by link and position in the link's frame, m."""
+        found = []
+        for link, point in points:
+            origin, orientation = poses[link]
+            found.append(origin + rotate(orientation, point))
+        return np.stack(found, axis=-2)
+
+
+def _name(model: mujoco.MjModel, body: int) -> str:
+    return model.body(int(body)).name
+
+
+def _collision_points(
+    model: mujoco.MjModel,
+) -> tuple[list[tuple[str, NDArray[np.float64]]], NDArray[np.float64]]:
+    """Points by link and radii (P,) of the balls whose convex hulls are the collision shapes."""
+    points: list[tuple[str, NDArray[np.float64]]] = []
+    radii: list[float] = []
+    for geom in np.flatnonzero(model.geom_contype | model.geom_conaffinity):
+        local, radius = _balls(model, int(geom))
+        quaternion = model.geom_quat[geom]
+        for point in local:
+            # Rounded, because MuJoCo states centre and half length where a model states the two ends.
+            points.append(
+                (_name(model, model.geom_bodyid[geom]), np.round(rotate(quaternion, point) + model.geom_pos[geom], 12))
+            )
+            radii.append(radius)
+    return points, np.array(radii)
+
+
+def _balls(model: mujoco.MjModel, geom: int) -> tuple[NDArray[np.float64], float]:
+    """Centres (P, 3) in the frame of a geom, and the radius, of the balls whose convex hull is its shape."""
+    kind, size = model.geom_type[geom], model.geom_size[geom]
+    signs = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+    if kind == mujoco.mjtGeom.mjGEOM_SPHERE:
+        return np.zeros((1, 3)), float(size[0])
+    if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
+        return np.array([[0.0, 0.0, -size[1]], [0.0, 0.0, size[1]]]), float(size[0])
+    if kind == mujoco.mjtGeom.mjGEOM_BOX:
+        return signs * size, 0.0
+    if kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
+        angle = np.linspace(0.0, 2.0 * np.pi, _RIM, endpoint=False)
+        rim = np.stack([size[0] * np.cos(angle), size[0] * np.sin(angle), np.full(_RIM, size[1])], axis=1)
+        return np.concatenate([rim, rim * [1.0, 1.0, -1.0]]), 0.0
+    if kind == mujoco.mjtGeom.mjGEOM_MESH:
+        mesh = model.geom_dataid[geom]
+        start = model.mesh_vertadr[mesh]
+        return model.mesh_vert[start : start + model.mesh_vertnum[mesh]].astype(np.float64), 0.0
+    return np.zeros((1, 3)), float(model.geom_rbound[geom])
