@@ -19,7 +19,7 @@ from quadruped_env import (
     asset_path,
     forward_kinematics,
 )
-from quadruped_env.robot import joint_transforms
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import cdr
 from quadruped_env.ros.tf import TfEncoder
 
@@ -181,7 +181,7 @@ class TestReadByOthers:
 
     def test_transform_bytes_are_those_of_rosbags(self):
         rng = np.random.default_rng(0)
-        transforms = joint_transforms(rng.normal(size=8))
+        transforms = MINI_QUADRUPED.joint_transforms(rng.normal(size=8))
         numbers = rng.normal(size=(8, 7))
         message = cdr.message(
             "tf2_msgs/msg/TFMessage",

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, forward_kinematics
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.robot import MINI_QUADRUPED
 
 ROOT = Path(__file__).parents[1]
 MAP = ROOT / "assets" / "maps" / "dyna1.toml"
@@ -46,14 +46,14 @@ def test_numbers_are_those_of_the_file(data, measured):
 
 
 def test_it_stays_within_this_robots_limits(measured):
-    assert (measured.positions >= JOINT_POSITION_LOW).all()
-    assert (measured.positions <= JOINT_POSITION_HIGH).all()
+    assert (measured.positions >= MINI_QUADRUPED.joint_position_low).all()
+    assert (measured.positions <= MINI_QUADRUPED.joint_position_high).all()
 
 
 def test_standing_is_this_robots_stance(measured):
     standing = measured.at([measured.stamps[0] + 6_000_000_000])
     moving = [i for i, name in enumerate(JOINT_NAMES) if name not in {"LF_hip_joint", "LH_hip_joint"}]
-    np.testing.assert_allclose(standing.positions[0, moving], STANCE[moving], atol=0.01)
+    np.testing.assert_allclose(standing.positions[0, moving], MINI_QUADRUPED.stance[moving], atol=0.01)
     poses = forward_kinematics(measured.positions)
     lowest = min(float(poses[f"{leg}_leg"][0][600, 2]) for leg in ("RF", "RH"))
     assert lowest < -0.02  # the legs are under the body, not folded beside it

@@ -17,8 +17,8 @@ from quadruped_env.policies import CommandedGaitController
 from quadruped_env.replay.replay import replay
 from quadruped_env.reporting.films import film, overlay, video
 from quadruped_env.reporting.films.film import Camera, Motion
-from quadruped_env.reporting.palette import LEG_COLOURS
-from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT
+from quadruped_env.reporting.palette import leg_colours
+from quadruped_env.robot import MINI_QUADRUPED
 
 ROOT = Path(__file__).parents[1]
 
@@ -26,7 +26,7 @@ ROOT = Path(__file__).parents[1]
 @pytest.fixture(scope="module")
 def camera():
     try:
-        camera = Camera()
+        camera = Camera(MINI_QUADRUPED)
     except QuadrupedError as error:
         pytest.skip(str(error))
     yield camera
@@ -40,8 +40,9 @@ def walk():
 
 
 def standing_at(*places, **more):
-    pose = np.array([[x, y, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0] for x, y in places])
-    return Motion("standing", 0.02, pose, np.tile(STANCE, (len(places), 1)), **more)
+    pose = np.array([[x, y, MINI_QUADRUPED.stance_height, 1.0, 0.0, 0.0, 0.0] for x, y in places])
+    joints = np.tile(MINI_QUADRUPED.stance, (len(places), 1))
+    return Motion("standing", MINI_QUADRUPED, 0.02, pose, joints, **more)
 
 
 def robot_pixels(picture):
@@ -73,7 +74,7 @@ def test_camera_goes_along_and_no_robot_walks_over_the_edge_of_the_ground(camera
 def test_episode_is_turned_to_begin_at_the_origin_facing_ahead():
     half = np.sqrt(0.5)
     pose = np.array([[3.0, 4.0, 0.2, half, 0.0, 0.0, half], [3.0, 5.0, 0.2, half, 0.0, 0.0, half]])
-    turned = Motion("", 0.02, pose, np.tile(STANCE, (2, 1))).facing_ahead()
+    turned = Motion("", MINI_QUADRUPED, 0.02, pose, np.tile(MINI_QUADRUPED.stance, (2, 1))).facing_ahead()
     np.testing.assert_allclose(turned.base_pose[:, :3], [[0, 0, 0.2], [1, 0, 0.2]], atol=1e-12)
     np.testing.assert_allclose(turned.base_pose[:, 3:], [[1, 0, 0, 0]] * 2, atol=1e-12)
     np.testing.assert_array_equal(pose[:, 0], [3.0, 3.0])
@@ -97,7 +98,8 @@ def test_frames_are_shown_at_their_times():
 def test_overlay_draws_the_mean_speed_up_to_its_command():
     velocity = np.array([[0.6, 0.0], [0.0, 0.0]])
     command = np.array([[0.3, 0.0], [0.3, 0.0]])
-    drawn = overlay.Overlay("", 0.5, velocity, command, None).draw(np.zeros((480, 640, 3), np.uint8), 0)
+    shown = overlay.Overlay(MINI_QUADRUPED, "", 0.5, velocity, command, None)
+    drawn = shown.draw(np.zeros((480, 640, 3), np.uint8), 0)
     blue = np.array([int(overlay.BLUE[i : i + 2], 16) for i in (1, 3, 5)])
     row = 480 - overlay._PANEL_HEIGHT + 14 + 8
     columns = np.flatnonzero((drawn[row] == blue).all(axis=-1))
@@ -115,9 +117,9 @@ def test_speed_is_averaged_over_what_has_been():
 def test_gait_strip_colours_feet_on_the_ground():
     contact = np.zeros((100, 4), bool)
     contact[50:, 2] = True
-    strip = overlay.gait_strip(contact, 0.02)
-    band = strip[overlay._BAND_STEP * 2 + 1]
-    colour = [int(LEG_COLOURS["LH"][i : i + 2], 16) for i in (1, 3, 5)]
+    strip = overlay.gait_strip(MINI_QUADRUPED, contact, 0.02)
+    band = strip[overlay._GAIT_HEIGHT // 4 * 2 + 1]
+    colour = [int(leg_colours(MINI_QUADRUPED)["LH"][i : i + 2], 16) for i in (1, 3, 5)]
     assert len(band) == overlay._GAIT_WIDTH
     assert (band[: len(band) // 2] == overlay._AIR).all()
     assert (band[len(band) // 2 :] == colour).all()
@@ -197,7 +199,7 @@ def test_recordings_and_replays_can_be_filmed():
     travelled = np.linalg.norm(np.diff(motion.base_pose[:, :2], axis=0), axis=1).sum()
     assert travelled == pytest.approx(np.abs(motion.velocity[:, 0]).sum() * 0.02, rel=0.3)
 
-    played = replay(JointTrajectory(commands.stamps, JOINT_NAMES, commands.positions), "kinematic").film()
+    played = replay(JointTrajectory(commands.stamps, commands.names, commands.positions), "kinematic").film()
     assert played.velocity is None
     assert played.seconds == pytest.approx(0.52)
     np.testing.assert_allclose(played.joint_position[5], commands.positions[10], atol=1e-9)

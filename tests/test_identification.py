@@ -26,7 +26,7 @@ from quadruped_env.identification.quantities import (
 from quadruped_env.identification.spec import joint_spec
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, JointMotor, MotorConfig, asset_path
+from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
 from quadruped_env.robot.motors import fill_command_history
 
 ROOT = Path(__file__).parents[1]
@@ -36,6 +36,7 @@ TRUTH = MotorConfig(
     knee=JointMotor(stall_torque=8.5, kp=48.0, kd=1.3, damping=0.09, friction_loss=0.15, armature=0.008),
     delay=0.017,
 )
+STANCE = MINI_QUADRUPED.stance
 NOISE = (0.002, 0.05, 0.1)
 """Standard deviations: rad, rad/s, N m"""
 
@@ -44,21 +45,22 @@ def commanded(seconds, rate=50.0, steps=0.35, seed=1):
     """Waves and steps on every joint: fast, to and fro, and up to the motors' limits."""
     rng = np.random.default_rng(seed)
     t = np.arange(round(seconds * rate) + 1) / rate
-    half = (JOINT_POSITION_HIGH - JOINT_POSITION_LOW) / 2
-    targets = np.tile((JOINT_POSITION_LOW + JOINT_POSITION_HIGH) / 2, (len(t), 1))
+    low, high = MINI_QUADRUPED.joint_position_low, MINI_QUADRUPED.joint_position_high
+    half = (high - low) / 2
+    targets = np.tile((low + high) / 2, (len(t), 1))
     for joint in range(8):
         for frequency in (0.4, 0.9, 1.7, 2.9):
             wave = np.sin(2 * np.pi * frequency * (1 + joint / 80) * t + rng.uniform(0, 2 * np.pi))
             targets[:, joint] += 0.18 * half[joint] * wave
         jumps = rng.uniform(-steps, steps, int(seconds / 0.4) + 1)
         targets[:, joint] += jumps[(t / 0.4).astype(int)] * half[joint]
-    targets = np.clip(targets, JOINT_POSITION_LOW + 0.1, JOINT_POSITION_HIGH - 0.1)
+    targets = np.clip(targets, low + 0.1, high - 0.1)
     return JointTrajectory(np.rint(t * 1e9).astype(np.int64), JOINT_NAMES, targets)
 
 
 def measured(commands, motors, noise=NOISE, every=2, seed=0):
     """What a robot on a stand does with the commands, from MuJoCo alone: 5 ms steps, every second one measured."""
-    spec = joint_spec("fixed", 0.005)
+    spec = joint_spec(MINI_QUADRUPED, "fixed", 0.005)
     motors.write(spec)
     model = spec.compile()
     data = mujoco.MjData(model)
@@ -116,7 +118,7 @@ class TestRecorded:
     def test_commands_and_measurements_meet_on_the_clock_of_the_physics(self):
         commands = commanded(4.0)
         late = JointTrajectory(commands.stamps[10:] + 3, JOINT_NAMES, commands.positions[10:])
-        recorded = align(late, commands, 0.5, 0.005)
+        recorded = align(MINI_QUADRUPED, late, commands, 0.5, 0.005)
         assert recorded.times[0] == 0.0
         assert len(recorded.times) == len(late) - 1  # the last stamp is after the last command
         # The control is the command before; 3 ns later it is already the next one's for nearly the whole step.
@@ -137,7 +139,7 @@ class TestRecorded:
             (longer, longer, r"400 s in common with its commands, over 300 s; cut out"),
         ):
             with pytest.raises(QuadrupedError, match=message):
-                align(recording, told, 0.7, 0.005)
+                align(MINI_QUADRUPED, recording, told, 0.7, 0.005)
         for arguments, message in (
             ({"base": "flying"}, "base must be one of fixed, free; found 'flying'"),
             ({"fitted": ["mass"]}, r"cannot estimate 'mass'; valid names are stall_torque"),
@@ -158,13 +160,13 @@ class TestRecorded:
 
 class TestCoordinates:
     def test_there_and_back(self):
-        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES)}
+        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
         again = from_coordinates(to_coordinates(values))
         assert again == pytest.approx(values)
         assert with_values(MotorConfig(), values) == TRUTH
 
     def test_derivatives(self):
-        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES)}
+        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
         base = np.array(list(to_coordinates(values).values()))
         found = coordinate_derivatives(values)
         for column, name in enumerate(values):
@@ -177,7 +179,7 @@ class TestPrediction:
     def test_the_true_motors_leave_nothing_but_noise(self, short):
         commands, _ = short
         exact = measured(commands, TRUTH, noise=(0.0, 0.0, 0.0))
-        fit = MotorFit(align(exact, commands, 0.7, 0.005), "fixed", MotorConfig(), ["kp"])
+        fit = MotorFit(align(MINI_QUADRUPED, exact, commands, 0.7, 0.005), "fixed", MotorConfig(), ["kp"])
         predicted = fit.predict(TRUTH)
         signals = np.concatenate([exact.positions, exact.velocities, exact.efforts], axis=1)
         np.testing.assert_allclose(predicted[1:], signals[1:], rtol=0, atol=1e-9)
@@ -186,7 +188,7 @@ class TestPrediction:
         """The free robot of the fit does what the task's does with the same targets."""
         commands = publish(SinusoidalGait.preset("tuned"), 2.0, 50.0)
         walked = play(commands).joints
-        fit = MotorFit(align(walked, commands, 0.7, 0.005), "free", MotorConfig(), ["kp"])
+        fit = MotorFit(align(MINI_QUADRUPED, walked, commands, 0.7, 0.005), "free", MotorConfig(), ["kp"])
         predicted = fit.predict(MotorConfig())
         np.testing.assert_allclose(predicted[1:, :8], walked.positions[1:], rtol=0, atol=1e-6)
         np.testing.assert_allclose(predicted[1:, 16:], walked.efforts[1:], rtol=0, atol=1e-4)
@@ -282,7 +284,7 @@ class TestIdentify:
     def test_mismatch_tells_a_stand_from_the_ground_before_the_fit(self, motors, missing, place):
         commands = publish(SinusoidalGait.preset("article"), 2.0, 50.0)
         done = measured(commands, motors) if place == "fixed" else noisy(play(commands, motors=motors).joints)
-        recorded = align(without(done, *missing), commands, 0.7, 0.005)
+        recorded = align(MINI_QUADRUPED, without(done, *missing), commands, 0.7, 0.005)
         right, wrong = (
             MotorFit(recorded, base, MotorConfig(), ()).mismatch() for base in sorted(BASES, key=lambda b: b != place)
         )

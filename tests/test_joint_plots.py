@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from quadruped_env.reporting.plots.joints import Line, joint_panels
+from quadruped_env.robot import MINI_QUADRUPED
 
 ROWS = 200_000
 JOINT = 3
@@ -15,7 +16,7 @@ PANEL = f"axes_{JOINT + 1}"
 
 def drawn_line(values):
     """x and y (N, 2), in points, of the line of joint JOINT in the figure of values (T, 8); NaN where it is broken."""
-    figure = joint_panels({"played": Line(np.arange(len(values)) * 0.001, values, "#0000ff")}, "rad")
+    figure = joint_panels(MINI_QUADRUPED, {"played": Line(np.arange(len(values)) * 0.001, values, "#0000ff")}, "rad")
     svg = ElementTree.fromstring(figure)  # noqa: S314  made here
     (panel,) = (group for group in svg.iter() if group.get("id") == PANEL)
     paths = [path.get("d") for group in panel for path in group if (group.get("id") or "").startswith("line2d")]

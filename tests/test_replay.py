@@ -24,16 +24,9 @@ from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
 from quadruped_env.replay.signal_comparison import lag
-from quadruped_env.robot import (
-    JOINT_POSITION_HIGH,
-    LINK_NAMES,
-    STANCE,
-    STANCE_HEIGHT,
-    JointMotor,
-    MotorConfig,
-    sole_heights,
-)
+from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
 
+STANCE = MINI_QUADRUPED.stance
 EVALUATE = Path(__file__).parents[1] / "evaluate"
 DYNA1 = Path(__file__).parents[2] / "shared" / "data" / "dyna1"
 
@@ -80,7 +73,7 @@ class TestRecord:
         recording = record(ZeroController(), 0.5)
         np.testing.assert_array_equal(recording.joints.stamps, np.arange(26) * 20_000_000)
         np.testing.assert_array_equal(recording.joints.positions[0], STANCE)
-        np.testing.assert_array_equal(recording.base_pose[0], [0, 0, STANCE_HEIGHT, 1, 0, 0, 0])
+        np.testing.assert_array_equal(recording.base_pose[0], [0, 0, MINI_QUADRUPED.stance_height, 1, 0, 0, 0])
         assert not recording.joints.velocities[0].any()
         assert recording.joints.efforts[-1].any()
         assert recording.fell_at is None
@@ -142,7 +135,7 @@ class TestReplay:
         assert sorted(path.name for path in tmp_path.iterdir()) == ["link_poses.csv", "tracking.json"]
         table = np.genfromtxt(tmp_path / "link_poses.csv", delimiter=",", names=True, deletechars="")
         np.testing.assert_array_equal(table["stamp_ns"], recorded.stamps)
-        for link in LINK_NAMES:
+        for link in MINI_QUADRUPED.link_names:
             position, quaternion = result.link_poses()[link]
             np.testing.assert_array_equal(np.stack([table[f"{link}.{c}"] for c in "xyz"], axis=1), position)
             np.testing.assert_array_equal(
@@ -201,7 +194,7 @@ class TestReplay:
 
     def test_a_joint_at_its_stop_may_be_measured_a_little_beyond(self):
         positions = np.tile(STANCE, (2, 1))
-        positions[1, 1] = JOINT_POSITION_HIGH[1] + 0.9 * LIMIT_TOLERANCE
+        positions[1, 1] = MINI_QUADRUPED.joint_position_high[1] + 0.9 * LIMIT_TOLERANCE
         assert replay(standing(positions=positions), "kinematic").clipped.sum() == 0
 
     def test_it_starts_in_the_first_pose_on_its_feet(self):
@@ -210,7 +203,7 @@ class TestReplay:
             commands = publish(SinusoidalGait.preset(preset), 0.2, 50.0)
             result = replay(commands)
             np.testing.assert_array_equal(result.played.positions[0], commands.positions[0])
-            soles = sole_heights(commands.positions[0], result.motion.base_pose[0])
+            soles = MINI_QUADRUPED.sole_heights(commands.positions[0], result.motion.base_pose[0])
             assert soles.min() == pytest.approx(0.0, abs=1e-12)
             assert (soles < 1e-9).sum() >= 3
             assert result.report()["motion"]["feet_on_ground_at_start"] >= 3

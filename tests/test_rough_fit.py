@@ -9,6 +9,7 @@ TRUTH = np.array([1.2, 0.8])
 LOW, HIGH = np.full(2, 0.02), np.full(2, 50.0)
 TIMES = np.arange(300) * 0.01
 JOINTS, KINDS = 8, 3
+JOINT_KINDS = 2
 
 
 def design(seed=0):
@@ -76,7 +77,7 @@ class TestHalfWidths:
             disturbance *= scale
         step = np.linalg.lstsq(flat, -disturbance.ravel(), rcond=None)[0]
         left = disturbance + matrix @ step
-        return np.abs(step), half_widths(matrix, left, TIMES, JOINTS)[1]
+        return np.abs(step), half_widths(matrix, left, TIMES, JOINTS, JOINT_KINDS)[1]
 
     @pytest.mark.parametrize("correlation", [0.0, 0.9])
     def test_half_widths_of_white_and_of_correlated_noise_hold(self, correlation):
@@ -97,21 +98,21 @@ class TestHalfWidths:
         matrix = design()
         left = noise(np.random.default_rng(1), 0.0)
         left[:, JOINTS:] = 0.0
-        measured_only = half_widths(matrix[:, :JOINTS], left[:, :JOINTS], TIMES, JOINTS)
+        measured_only = half_widths(matrix[:, :JOINTS], left[:, :JOINTS], TIMES, JOINTS, JOINT_KINDS)
         matrix[:, JOINTS:] = 0.0
-        np.testing.assert_allclose(half_widths(matrix, left, TIMES, JOINTS), measured_only)
+        np.testing.assert_allclose(half_widths(matrix, left, TIMES, JOINTS, JOINT_KINDS), measured_only)
 
     def test_half_widths_of_an_estimate_beside_the_optimum_reach_to_it(self):
         matrix = design()
         left = noise(np.random.default_rng(1), 0.0) + matrix @ np.array([0.3, 0.0])
-        white, widths = half_widths(matrix, left, TIMES, JOINTS)
+        white, widths = half_widths(matrix, left, TIMES, JOINTS, JOINT_KINDS)
         assert widths[0] > 0.25
         assert white[0] < 0.1
 
     def test_half_widths_of_what_does_not_show_are_infinite(self):
         matrix = design()
         matrix[..., 1] = 0.0
-        for widths in half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS):
+        for widths in half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS, JOINT_KINDS):
             assert np.isinf(widths[1])
         matrix[..., 1] = -2.0 * matrix[..., 0]
-        assert np.isinf(half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS)).all()
+        assert np.isinf(half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS, JOINT_KINDS)).all()

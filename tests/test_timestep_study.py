@@ -7,7 +7,7 @@ import pytest
 from benchmarks import timestep_study
 from benchmarks.timestep_study import Outcome, Reading, Setting, Study
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.robot import STANCE_HEIGHT
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 
 CHOSEN = Setting.of_model_file()
@@ -47,7 +47,7 @@ def test_impact_velocity_is_that_of_free_fall():
 
 def test_standing_height_does_not_depend_on_the_step():
     height = timestep_study.standing_height(CHOSEN)
-    assert height == pytest.approx(STANCE_HEIGHT, abs=1e-3)
+    assert height == pytest.approx(MINI_QUADRUPED.stance_height, abs=1e-3)
     assert height == pytest.approx(timestep_study.standing_height(CHOSEN.reference()), rel=1e-3)
 
 

@@ -87,7 +87,7 @@ class TestJointOrder:
         np.testing.assert_array_equal(ordered.positions, trajectory.positions[:, ::-1])
         np.testing.assert_array_equal(ordered.velocities, trajectory.velocities[:, ::-1])
         np.testing.assert_array_equal(ordered.efforts, trajectory.efforts[:, ::-1])
-        np.testing.assert_array_equal(trajectory.positions_at(0.0), trajectory.positions[0, ::-1])
+        np.testing.assert_array_equal(trajectory.positions_at(0.0), trajectory.positions[0])
 
     def test_joints_of_other_robots_are_left_out_with_a_warning(self):
         trajectory = random_trajectory(names=["wheel", *JOINT_NAMES, "RH_ankle_joint"])
@@ -98,7 +98,7 @@ class TestJointOrder:
 
     def test_missing_joints_are_named(self):
         with pytest.raises(QuadrupedError, match=r"joint 'RH_knee_joint' is missing; all 8 .*RH_hip_joint; add"):
-            random_trajectory(names=JOINT_NAMES[:7]).positions_at(0.0)
+            random_trajectory(names=JOINT_NAMES[:7]).in_joint_order()
 
 
 class TestPositionsAt:

@@ -16,10 +16,10 @@ from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.evaluation.episode import publish, record
 from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.policies import PolicyController, find_controllers, load_policy
-from quadruped_env.robot import STANCE, TOTAL_MASS
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS, RESTART_AFTER
 from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
-from quadruped_env.viewer.robot import Robot, contact_forces
+from quadruped_env.viewer.robot import TaskRobot, contact_forces
 
 
 @pytest.fixture
@@ -77,7 +77,7 @@ def test_reset_zeroes_the_clock_and_puts_everybody_at_the_start(control):
         assert shown.now.time == 0.0
         assert len(shown.history) == 1
         np.testing.assert_allclose(shown.now.base_pose, [0, 0, shown.now.base_pose[2], 1, 0, 0, 0], atol=1e-12)
-        np.testing.assert_allclose(shown.now.joint_position, STANCE, atol=1e-12)
+        np.testing.assert_allclose(shown.now.joint_position, MINI_QUADRUPED.stance, atol=1e-12)
 
 
 def test_what_walks_is_what_a_recording_of_the_same_policy_does(control):
@@ -243,7 +243,7 @@ def test_the_ground_carries_the_weight(control):
         controller.advance(0.1)
     shown = robot(controller)
     points, forces = contact_forces(shown.model, copy.copy(shown.data))
-    np.testing.assert_allclose(forces.sum(axis=0), [0.0, 0.0, TOTAL_MASS * 9.81], atol=0.02)
+    np.testing.assert_allclose(forces.sum(axis=0), [0.0, 0.0, MINI_QUADRUPED.total_mass * 9.81], atol=0.02)
     assert len(points) >= 4
     assert np.abs(points[:, 2]).max() < 0.005
 
@@ -427,14 +427,14 @@ def test_any_thread_may_do_anything_at_any_time(control):
 
 
 def test_the_gait_diagram_shows_each_stance_once():
-    robot = Robot(find_controllers(runs=Path("nowhere"))[0]["stand still"])
+    robot = TaskRobot(find_controllers(runs=Path("nowhere"))[0]["stand still"])
     moments = []
     contact = np.zeros((100, 4), bool)
     contact[10:30, 0] = contact[50:60, 0] = contact[90:, 0] = contact[:, 3] = True
     for row in contact:
         moment = robot.step()
         moments.append(type(moment)(**{f: getattr(moment, f) for f in moment.__slots__} | {"contact": row}))
-    html = gait_diagram(moments, DT)
+    html = gait_diagram(robot.robot, moments, DT)
     svg = ElementTree.fromstring(html[html.index("<svg") :])  # noqa: S314
     bars = [node for node in svg.iter("rect") if node.get("fill") != "#EEF1F4"]
     right, scale = 360, 330 / GAIT_SECONDS

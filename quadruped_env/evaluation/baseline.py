@@ -19,6 +19,7 @@ from quadruped_env.files import check_free, write_json
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
 from quadruped_env.progress import Progress
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.trajectory import JointTrajectory, saving
 
 SHOWN: Final = (
@@ -69,8 +70,9 @@ class Baseline:
             interval = (
                 f"{metric.show(estimate.low)} to {metric.show(estimate.high)}" if math.isfinite(estimate.low) else ""
             )
-            limit = "" if metric.limit is None else f"{metric.limit:g} {metric.unit}"
-            if metric.limit is not None and estimate.mean > metric.limit:
+            most = metric.limit_of(self.recording.robot)
+            limit = "" if most is None else f"{most:g} {metric.unit}"
+            if most is not None and estimate.mean > most:
                 limit += ", exceeded"
             lines.append(
                 f"{metric.label:<20}{metric.show(estimate.mean):>10}  {f'{interval} {metric.unit}':<20}{limit}".rstrip()
@@ -121,9 +123,9 @@ class Baseline:
         """
         check_target(path, overwrite)
         if commands:
-            self.commands.save(path, overwrite)
+            self.commands.save(path, overwrite, robot=self.recording.robot)
         else:
-            self.recording.joints.save(path, overwrite, base_pose=self.recording.base_pose)
+            self.recording.joints.save(path, overwrite, base_pose=self.recording.base_pose, robot=self.recording.robot)
         write_json(report_path(path), self.report())
 
 
@@ -145,6 +147,7 @@ def run_baseline(
     episodes: int = 20,
     seed: int = FIRST_SEED,
     progress: Progress | None = None,
+    robot: Robot = MINI_QUADRUPED,
 ) -> Baseline:
     """Measure a preset over random starts, and record it once.
 
@@ -158,6 +161,7 @@ def run_baseline(
         episodes: number of random starts to measure.
         seed: seed of the first episode; each further episode uses the next one.
         progress: called with the fraction done.
+        robot: robot to measure.
 
     Raises:
         QuadrupedError: if the preset is unknown, or a number is out of range.
@@ -167,11 +171,11 @@ def run_baseline(
     if seed < 0:
         raise QuadrupedError(f"seed: expected 0 or more; found {seed}")
     gait = SinusoidalGait.preset(preset)
-    commands = publish(gait, seconds, rate)
+    commands = publish(gait, seconds, rate, robot)
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
-    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, progress=_part(progress, 0.0))
-    recording = play(commands, preset, progress=_part(progress, 0.5))
+    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, progress=_part(progress, 0.0), robot=robot)
+    recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
 
 

@@ -25,6 +25,7 @@ from quadruped_env.policies import (
     ZeroController,
 )
 from quadruped_env.progress import Progress
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.task import RandomizationConfig, TaskConfig
 
 Command = tuple[float, float]
@@ -83,6 +84,11 @@ class Comparison:
     values: dict[str, dict[str, NDArray[np.float64]]]
     """Controller -> metric -> (K, S)"""
 
+    @property
+    def robot(self) -> Robot:
+        """Robot of the episodes."""
+        return next((rollout.robot for rollout in self.rollouts.values()), MINI_QUADRUPED)
+
     def conditions(self, motion: str | None) -> list[int]:
         """Indices of the commands of one of `MOTIONS`, or of all."""
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command))]
@@ -126,7 +132,7 @@ class Comparison:
         """All numbers as JSON-serializable values; NaN becomes None."""
         return {
             "metrics": {
-                name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit}
+                name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit_of(self.robot)}
                 for name, metric in METRICS.items()
             },
             "commands": [{"forward_velocity": v, "yaw_rate": w, "motion": motion_of((v, w))} for v, w in self.commands],

@@ -17,17 +17,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
-from quadruped_env.robot import (
-    JOINT_NAMES,
-    JOINT_POSITION_HIGH,
-    JOINT_POSITION_LOW,
-    LEG_NAMES,
-    STANCE,
-    STANCE_HEIGHT,
-    MotorConfig,
-    load_model,
-    resting_pose,
-)
+from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot, load_model
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
@@ -53,6 +43,7 @@ class Recording:
     """
 
     controller: str
+    robot: Robot
     joints: JointTrajectory
     """Measured positions, velocities and motor torques"""
     base_pose: NDArray[np.float64]
@@ -60,7 +51,7 @@ class Recording:
     velocity: NDArray[np.float64]
     """Forward velocity in m/s and yaw rate in rad/s, in the body frame (K + 1, 2)"""
     contact: NDArray[np.bool_]
-    """True for each foot on the ground (K + 1, 4)"""
+    """True for each foot on the ground (K + 1, L)"""
     fell_at: float | None
     """Time of the fall from the start, s; None without a fall"""
 
@@ -74,13 +65,14 @@ class Recording:
         )
 
 
-def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajectory:
+def publish(gait: SinusoidalGait, seconds: float, rate: float, robot: Robot = MINI_QUADRUPED) -> JointTrajectory:
     """Joint targets that a gait publisher sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
 
     Args:
         gait: gait to sample.
         seconds: time of the last target, s.
         rate: targets per second, Hz.
+        robot: robot of the joints.
 
     Raises:
         QuadrupedError: if `seconds` or `rate` is out of range.
@@ -91,7 +83,7 @@ def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajector
         raise QuadrupedError(f"seconds: expected over 0 and up to {MAX_SECONDS:g} s; found {seconds:g}")
     # Multiplied by 1 / rate, so that 50 Hz gives exactly the times and positions of a gait on the task's clock.
     times = np.arange(math.floor(seconds * rate + 1e-6) + 1) * (1.0 / rate)
-    return JointTrajectory(_stamps(times), JOINT_NAMES, gait.positions(times), gait.velocities(times))
+    return JointTrajectory(_stamps(times), robot.joint_names, gait.positions(times), gait.velocities(times))
 
 
 def play(
@@ -99,19 +91,21 @@ def play(
     name: str = "recording",
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
+    robot: Robot = MINI_QUADRUPED,
 ) -> Recording:
     """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
     The robot starts on its feet in the positions of the first row. The recording has the trajectory's first timestamp.
 
     Args:
-        trajectory: all eight joints; joints that the robot does not have are ignored.
+        trajectory: all joints; joints that the robot does not have are ignored.
         name: name in reports.
         progress: called with the fraction done.
-        motors: motors to use instead of the model file's.
+        motors: motors to use instead of the robot's.
+        robot: robot that plays them.
 
     Raises:
-        QuadrupedError: if a joint is unknown or missing, or the trajectory is too long.
+        QuadrupedError: if a joint is missing, or the trajectory is too long.
     """
     if trajectory.duration > MAX_SECONDS:
         gap = int(np.argmax(np.diff(trajectory.stamps))) + 1
@@ -120,13 +114,15 @@ def play(
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
             f"cut it there, or fix the timestamps"
         )
+    targets = trajectory.in_joint_order(robot)
     return record(
-        TrajectoryController(trajectory, name),
-        trajectory.duration,
-        config=TaskConfig() if motors is None else TaskConfig(motor=motors),
-        first_stamp=int(trajectory.stamps[0]),
+        TrajectoryController(targets, name),
+        targets.duration,
+        config=TaskConfig(motor=motors or robot.motors),
+        first_stamp=int(targets.stamps[0]),
         progress=progress,
-        start=trajectory.positions_at(0.0),
+        start=targets.positions[0],
+        robot=robot,
     )
 
 
@@ -138,6 +134,7 @@ def record(
     first_stamp: int = 0,
     progress: Progress | None = None,
     start: NDArray[np.float64] | None = None,
+    robot: Robot = MINI_QUADRUPED,
 ) -> Recording:
     """Run a controller on one robot from the common start of all recordings.
 
@@ -148,21 +145,23 @@ def record(
         config: task configuration; its randomization is ignored and its action mode is the controller's.
         first_stamp: timestamp of the start, ns.
         progress: called with the fraction done.
-        start: initial joint positions (8,), rad; None is the stance.
+        start: initial joint positions (J,), rad; None is the stance.
+        robot: robot to run it on.
 
     Raises:
         QuadrupedError: if the command is outside the task's ranges.
     """
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
-    task = Task(SingleSimulation(load_model(config.physics_timestep, config.motor)), config)
+    model = load_model(config.physics_timestep, config.motor, robot)
+    task = Task(SingleSimulation(model, robot), config, robot=robot)
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
-    task.simulation.reset(_ROW, _start(start)[None], np.zeros((1, 14)))
+    task.simulation.reset(_ROW, _start(robot, start)[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
-    position, velocity, torque = np.empty((3, steps + 1, len(JOINT_NAMES)))
+    position, velocity, torque = np.empty((3, steps + 1, robot.num_joints))
     base_pose, velocity_b = np.empty((steps + 1, 7)), np.empty((steps + 1, 2))
-    contact = np.empty((steps + 1, len(LEG_NAMES)), np.bool_)
+    contact = np.empty((steps + 1, robot.num_legs), np.bool_)
     state = task.simulation.readings
 
     def keep(row: int) -> None:
@@ -186,16 +185,16 @@ def record(
         if progress is not None:
             progress(step / steps)
     stamps = first_stamp + _stamps(np.arange(rows) * config.control_timestep)
-    joints = JointTrajectory(stamps, JOINT_NAMES, position[:rows], velocity[:rows], torque[:rows])
-    return Recording(controller.name, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at)
+    joints = JointTrajectory(stamps, robot.joint_names, position[:rows], velocity[:rows], torque[:rows])
+    return Recording(controller.name, robot, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at)
 
 
-def _start(positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Generalized coordinates (15,) of the robot at rest on its feet."""
+def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """Generalized coordinates (7 + J,) of a robot at rest on its feet."""
     if positions is None:
-        return np.array([0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE])
-    within = positions.clip(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
-    return np.concatenate([resting_pose(within), within])
+        return np.array([0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance])
+    within = positions.clip(robot.joint_position_low, robot.joint_position_high)
+    return np.concatenate([robot.resting_pose(within), within])
 
 
 def _stamps(times: NDArray[np.floating[Any]]) -> NDArray[np.int64]:

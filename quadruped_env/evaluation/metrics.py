@@ -6,6 +6,7 @@ before a fall; the fall rate counts from the beginning.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, TOTAL_MASS, VELOCITY_LIMIT
+from quadruped_env.robot import Robot
 from quadruped_env.rotations import yaw
 from quadruped_env.task.quantities import mechanical_power
 
@@ -45,10 +46,14 @@ class Metric:
     meaning: str
     digits: int = 2
     less_is_better: bool = False
-    limit: float | None = None
-    """Hardware limit of the robot, in `unit`"""
+    limit: Callable[[Robot], float] | None = None
+    """Hardware limit of a robot, in `unit`"""
     percent: bool = False
     """True to show the value, a fraction, as a percentage"""
+
+    def limit_of(self, robot: Robot) -> float | None:
+        """Hardware limit of a robot, in `unit`; None for a metric without one."""
+        return None if self.limit is None else self.limit(robot)
 
     def show(self, value: float) -> str:
         """The value as text without its unit, a dash for NaN."""
@@ -79,8 +84,12 @@ METRICS: Final[dict[str, Metric]] = {
         "Cost of transport", "", "motor power / (weight x speed); undefined for a robot that stands", 2, True
     ),
     "mean_power": Metric("Motor power", "W", "mean positive mechanical power; braking recovers no energy", 1, True),
-    "peak_torque": Metric("Peak torque", "N m", "largest of any joint", 1, True, EFFORT_LIMIT),
-    "peak_joint_speed": Metric("Peak joint speed", "rad/s", "largest of any joint", 1, True, VELOCITY_LIMIT),
+    "peak_torque": Metric(
+        "Peak torque", "N m", "largest of any joint", 1, True, lambda robot: float(robot.effort_limit.max())
+    ),
+    "peak_joint_speed": Metric(
+        "Peak joint speed", "rad/s", "largest of any joint", 1, True, lambda robot: float(robot.velocity_limit.max())
+    ),
     "joint_acceleration": Metric(
         "Joint acceleration", "rad/s²", "RMS over joints and time; small for smooth motion", 0, True
     ),
@@ -104,6 +113,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
     straight = np.abs(command[:, 1]) <= MOVING_THRESHOLD
     heading = heading_of(r.orientation)
     speed = masked_mean(forward, counted)
+    hips = [joints[0] for joints in r.robot.leg_joints]
     power = masked_mean(mechanical_power(r.joint_torque, r.joint_velocity), counted)
     return {
         "fall_rate": r.fallen * 1.0,
@@ -114,16 +124,16 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "distance": distance(forward, r.valid, dt),
         "lateral_drift": np.where(straight, lateral_drift(r.base_position, heading, counted, dt), np.nan),
         "heading_drift": np.where(straight, heading_drift(heading, counted, dt), np.nan),
-        "cost_of_transport": cost_of_transport(power, speed),
+        "cost_of_transport": cost_of_transport(power, speed, r.robot.total_mass),
         "mean_power": power,
         "peak_torque": peak(r.joint_torque, counted),
         "peak_joint_speed": peak(r.joint_velocity, counted),
         "joint_acceleration": joint_acceleration(r.joint_velocity, counted, dt),
-        "joints_at_limit": joints_at_limit(r.joint_position, counted),
+        "joints_at_limit": joints_at_limit(r.joint_position, counted, r.robot),
         "foot_slip": stance_slip(r.slip_speed, r.contact, counted),
         "foot_clearance": foot_clearance(r.foot_height, counted).min(axis=-1),
         "duty_factor": duty_factor(r.contact, counted).mean(axis=-1),
-        "stride_frequency": stride_frequency(r.joint_position, counted, dt),
+        "stride_frequency": stride_frequency(r.joint_position[..., hips], counted, dt),
     }
 
 
@@ -243,7 +253,7 @@ def heading_drift(heading: Floats, counted: Mask, dt: float) -> Floats:
     return np.abs(end - start) / elapsed
 
 
-def cost_of_transport(power: Floats, speed: Floats) -> Floats:
+def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
     """Mean positive mechanical power / (m g |mean forward speed|), no unit, (N,).
 
     Defined as in Collins et al. 2005 (https://doi.org/10.1126/science.1107799): mechanical work only, without the
@@ -252,13 +262,14 @@ def cost_of_transport(power: Floats, speed: Floats) -> Floats:
     Args:
         power: W (N,).
         speed: m/s (N,).
+        mass: mass of the robot, kg.
     """
     travels = np.abs(speed) > STANDING_SPEED
-    return _ratio(power, np.where(travels, TOTAL_MASS * GRAVITY * np.abs(speed), 0.0))
+    return _ratio(power, np.where(travels, mass * GRAVITY * np.abs(speed), 0.0))
 
 
 def peak(values: NDArray[Any], counted: Mask) -> Floats:
-    """Largest absolute value over time and joints, in the unit of values (T, N, 8), (N,)."""
+    """Largest absolute value over time and joints, in the unit of values (T, N, J), (N,)."""
     largest = np.where(counted, np.abs(values).max(axis=-1), 0.0).max(axis=0).astype(np.float64)
     return np.where(counted.any(axis=0), largest, np.nan)
 
@@ -270,7 +281,7 @@ def joint_acceleration(joint_velocity: NDArray[Any], counted: Mask, dt: float) -
     has no action, and a joint follows a rough target smoothly.
 
     Args:
-        joint_velocity: rad/s (T, N, 8).
+        joint_velocity: rad/s (T, N, J).
         counted: (T, N).
         dt: s.
     """
@@ -278,14 +289,15 @@ def joint_acceleration(joint_velocity: NDArray[Any], counted: Mask, dt: float) -
     return np.sqrt(masked_mean((acceleration**2).mean(axis=-1), counted[1:] & counted[:-1]))
 
 
-def joints_at_limit(joint_position: NDArray[Any], counted: Mask) -> Floats:
+def joints_at_limit(joint_position: NDArray[Any], counted: Mask, robot: Robot) -> Floats:
     """Fraction of time with any joint within `LIMIT_MARGIN` of its limits, in [0, 1], (N,).
 
     Args:
-        joint_position: rad (T, N, 8).
+        joint_position: rad (T, N, J).
         counted: (T, N).
+        robot: robot with the limits.
     """
-    low, high = JOINT_POSITION_LOW + LIMIT_MARGIN, JOINT_POSITION_HIGH - LIMIT_MARGIN
+    low, high = robot.joint_position_low + LIMIT_MARGIN, robot.joint_position_high - LIMIT_MARGIN
     at_limit = (joint_position < low) | (joint_position > high)
     return masked_mean(np.any(at_limit, axis=-1) * 1.0, counted)
 
@@ -294,8 +306,8 @@ def stance_slip(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Float
     """Mean sliding speed over all feet and samples with the foot on the ground, m/s, (N,).
 
     Args:
-        slip_speed: speed of each sole's lowest point (T, N, 4).
-        contact: (T, N, 4).
+        slip_speed: speed of each sole's lowest point (T, N, L).
+        contact: (T, N, L).
         counted: (T, N).
     """
     stance = contact & counted[..., None]
@@ -303,18 +315,18 @@ def stance_slip(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Float
 
 
 def slip_of_feet(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floats:
-    """Mean sliding speed of each foot while it is on the ground, m/s, (N, 4); arguments as for `stance_slip`."""
+    """Mean sliding speed of each foot while it is on the ground, m/s, (N, L); arguments as for `stance_slip`."""
     stance = contact & counted[..., None]
     return _ratio(np.where(stance, slip_speed, 0).sum(axis=0, dtype=np.float64), stance.sum(axis=0))
 
 
 def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
-    """Height that each sole exceeds 5 % of the time, m, (N, 4).
+    """Height that each sole exceeds 5 % of the time, m, (N, L).
 
     About the top of its swing, but robust against a single highest sample.
 
     Args:
-        foot_height: m over the ground (T, N, 4).
+        foot_height: m over the ground (T, N, L).
         counted: (T, N).
     """
     heights = np.sort(np.where(counted[..., None], foot_height, np.inf), axis=0)
@@ -325,16 +337,16 @@ def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
 
 
 def duty_factor(contact: Mask, counted: Mask) -> Floats:
-    """Fraction of time that each foot is on the ground, in [0, 1], (N, 4).
+    """Fraction of time that each foot is on the ground, in [0, 1], (N, L).
 
     Args:
-        contact: (T, N, 4).
+        contact: (T, N, L).
         counted: (T, N).
     """
     return masked_mean(contact, counted)
 
 
-def stride_frequency(joint_position: NDArray[Any], counted: Mask, dt: float) -> Floats:
+def stride_frequency(hip_position: NDArray[Any], counted: Mask, dt: float) -> Floats:
     """Strides per second, Hz, (N,): the strongest frequency of the hips' swing.
 
     The peak of the power spectrum (Hann window, summed over the hips), refined by a parabola through its neighbours.
@@ -342,11 +354,11 @@ def stride_frequency(joint_position: NDArray[Any], counted: Mask, dt: float) -> 
     swing less than `STANDING_SWING`, or for fewer than two strides.
 
     Args:
-        joint_position: rad (T, N, 8).
+        hip_position: positions of the hips, rad (T, N, hips).
         counted: (T, N); each episode's True samples are contiguous.
         dt: s.
     """
-    hips = joint_position[..., 0::2].astype(np.float64)
+    hips = hip_position.astype(np.float64)
     swing = np.where(counted[..., None], hips - masked_mean(hips, counted), 0.0)
     length = counted.sum(axis=0)
     place = (np.arange(len(counted))[:, None] - counted.argmax(axis=0) + 0.5) / np.maximum(length, 1)

@@ -12,7 +12,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
 from quadruped_env.readings import Readings
-from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, LEG_NAMES, load_model
+from quadruped_env.robot import MINI_QUADRUPED, Robot, load_model
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
@@ -24,13 +24,14 @@ FIRST_SEED: Final = 1_000_000
 
 @dataclass(frozen=True)
 class Rollout:
-    """N episodes of T control steps of one controller, each with its command.
+    """N episodes of T control steps of one controller on a robot with J joints and L legs, each with its command.
 
     Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
     `valid` masks them.
     """
 
     controller: str
+    robot: Robot
     timestep: float
     """Time between samples, s"""
     command: NDArray[np.float64]
@@ -48,17 +49,17 @@ class Rollout:
     yaw_rate: NDArray[np.float32]
     """Angular velocity about the base's own vertical axis, rad/s (T, N)"""
     joint_position: NDArray[np.float32]
-    """Joint positions, rad (T, N, 8)"""
+    """Joint positions, rad (T, N, J)"""
     joint_velocity: NDArray[np.float32]
-    """Joint velocities, rad/s (T, N, 8)"""
+    """Joint velocities, rad/s (T, N, J)"""
     joint_torque: NDArray[np.float32]
-    """Motor torques in the last physics step of each control step, N m (T, N, 8)"""
+    """Motor torques in the last physics step of each control step, N m (T, N, J)"""
     contact: NDArray[np.bool_]
-    """True for each foot on the ground (T, N, 4)"""
+    """True for each foot on the ground (T, N, L)"""
     slip_speed: NDArray[np.float32]
-    """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, 4); 0 for a foot in the air"""
+    """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, L); 0 for a foot in the air"""
     foot_height: NDArray[np.float32]
-    """Height of each sole's lowest point over flat ground, m (T, N, 4); negative where it penetrates the ground"""
+    """Height of each sole's lowest point over flat ground, m (T, N, L); negative where it penetrates the ground"""
     reward_terms: NDArray[np.float32]
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
@@ -79,7 +80,7 @@ class Rollout:
         over_time = {
             f.name: getattr(self, f.name)[:, rows]
             for f in fields(self)
-            if f.name not in ("controller", "timestep", "command", "seeds", "term_names")
+            if f.name not in ("controller", "robot", "timestep", "command", "seeds", "term_names")
         }
         return replace(self, command=self.command[rows], seeds=self.seeds[rows], **over_time)
 
@@ -97,6 +98,7 @@ def roll_out(
     seconds: float = DEFAULT_SECONDS,
     config: TaskConfig | None = None,
     progress: Progress | None = None,
+    robot: Robot = MINI_QUADRUPED,
 ) -> Rollout:
     """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
 
@@ -110,6 +112,7 @@ def roll_out(
         seconds: length of an episode, s.
         config: task configuration, with the controller's action mode. None takes the defaults.
         progress: called with the fraction done.
+        robot: robot to run it on.
 
     Returns:
         A rollout with K * S episodes, in the order of `grid`.
@@ -129,12 +132,13 @@ def roll_out(
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     rows = len(command)
-    task = Task(BatchSimulation(load_model(config.physics_timestep, config.motor), rows), config)
+    model = load_model(config.physics_timestep, config.motor, robot)
+    task = Task(BatchSimulation(model, rows, robot=robot), config, robot=robot)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])
 
-    record = _empty_record(steps, rows, len(task.term_names))
+    record = _empty_record(robot, steps, rows, len(task.term_names))
     alive = np.ones(rows, dtype=np.bool_)
     observation = task.observe()
     for t in range(steps):
@@ -143,16 +147,16 @@ def roll_out(
         alive &= ~transition.terminated
         record["valid"][t] = alive
         record["reward_terms"][t] = transition.terms
-        _write(record, t, task.simulation.readings, config.reward.contact_threshold)
+        _write(record, t, task.simulation.readings, config.reward.contact_threshold, robot.foot_radius)
         if progress is not None:
             progress((t + 1) / steps)
         if not alive.any():
             break
-    return Rollout(controller.name, config.control_timestep, command, seed, term_names=task.term_names, **record)
+    return Rollout(controller.name, robot, config.control_timestep, command, seed, term_names=task.term_names, **record)
 
 
-def _empty_record(steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
-    joints, feet = len(JOINT_NAMES), len(LEG_NAMES)
+def _empty_record(robot: Robot, steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
+    joints, feet = robot.num_joints, robot.num_legs
     shapes = {
         "base_position": (3,),
         "orientation": (4,),
@@ -173,7 +177,9 @@ def _empty_record(steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
     return record
 
 
-def _write(record: dict[str, NDArray[Any]], t: int, state: Readings, contact_threshold: float) -> None:
+def _write(
+    record: dict[str, NDArray[Any]], t: int, state: Readings, contact_threshold: float, foot_radius: float
+) -> None:
     for name in (
         "base_position",
         "orientation",
@@ -183,9 +189,9 @@ def _write(record: dict[str, NDArray[Any]], t: int, state: Readings, contact_thr
         "joint_torque",
     ):
         record[name][t] = getattr(state, name)
-    record["foot_height"][t] = state.foot_position[..., 2] - FOOT_RADIUS
+    record["foot_height"][t] = state.foot_position[..., 2] - foot_radius
     record["yaw_rate"][t] = state.angular_velocity_b[:, 2]
     contact = state.foot_force > contact_threshold
     record["contact"][t] = contact
-    squared = sliding_squared(state.foot_velocity, state.foot_angular_velocity, np.array([-FOOT_RADIUS, FOOT_RADIUS]))
+    squared = sliding_squared(state.foot_velocity, state.foot_angular_velocity, np.array([-foot_radius, foot_radius]))
     record["slip_speed"][t] = np.sqrt(squared * contact)

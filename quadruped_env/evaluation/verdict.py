@@ -214,7 +214,8 @@ def _effort(comparison: Comparison) -> str:
         for name in ("peak_torque", "peak_joint_speed")
     }
     peaks = " and ".join(
-        f"{value:.1f} of {METRICS[name].limit:g} {METRICS[name].unit}" for name, value in largest.items()
+        f"{value:.1f} of {METRICS[name].limit_of(comparison.robot):g} {METRICS[name].unit}"
+        for name, value in largest.items()
     )
     words = f"peaks of {peaks} in any joint"
     if math.isnan(cost):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot import Robot
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
@@ -27,16 +27,20 @@ _MIN_MOTION_SHARE: Final = 0.4
 
 @dataclass(frozen=True)
 class Recorded:
-    """Joint targets and measurements, prepared for the simulator."""
+    """Joint targets and measurements of a robot, prepared for the simulator.
 
+    Signals are arrays (T, S) with one column per joint for each of `SIGNALS`, S = 3 J.
+    """
+
+    robot: Robot
     control: NDArray[np.float64]
-    """Joint targets, one per physics step: the mean of the last command over the step, rad (K, 8)"""
+    """Joint targets, one per physics step: the mean of the last command over the step, rad (K, J)"""
     times: NDArray[np.float64]
     """Times of the measurements from the first physics step, s (T,)"""
     measured: NDArray[np.float64]
-    """Positions, velocities and efforts (T, 24); NaN where not recorded or excluded"""
+    """Positions, velocities and efforts (T, S); NaN where not recorded or excluded"""
     start: tuple[NDArray[np.float64], NDArray[np.float64]]
-    """Initial joint positions in rad and velocities in rad/s, each (8,)"""
+    """Initial joint positions in rad and velocities in rad/s, each (J,)"""
     timestep: float
     """Physics time step, s"""
     train: NDArray[np.bool_]
@@ -45,7 +49,11 @@ class Recorded:
     @property
     def signals(self) -> tuple[str, ...]:
         """Measured signals, a subset of `SIGNALS`."""
-        return tuple(name for name in SIGNALS if np.isfinite(self.measured[:, columns(name)]).any())
+        return tuple(name for name in SIGNALS if np.isfinite(self.measured[:, self.columns(name)]).any())
+
+    def columns(self, signal: str) -> slice:
+        """Columns of a signal in an array (T, S)."""
+        return columns(signal, self.robot.num_joints)
 
 
 def find_commands(measured: Path) -> Path:
@@ -63,22 +71,24 @@ def find_commands(measured: Path) -> Path:
     return path
 
 
-def columns(signal: str) -> slice:
-    """Columns of a signal in an array (T, 24)."""
-    start = SIGNALS.index(signal) * len(JOINT_NAMES)
-    return slice(start, start + len(JOINT_NAMES))
+def columns(signal: str, num_joints: int) -> slice:
+    """Columns of a signal in an array (T, 3 J) of all signals of J joints."""
+    start = SIGNALS.index(signal) * num_joints
+    return slice(start, start + num_joints)
 
 
 def align(
+    robot: Robot,
     measured: JointTrajectory,
     commands: JointTrajectory,
     train_share: float,
     timestep: float,
     without: Sequence[str] = (),
 ) -> Recorded:
-    """Align joint targets and measurements, both in the order of `JOINT_NAMES`, on the clock of the physics.
+    """Align joint targets and measurements, both in the order of a robot's joints, on the clock of the physics.
 
     Args:
+        robot: robot that was recorded.
         measured: measured joint states.
         commands: joint targets.
         train_share: fraction of the time used for the fit.
@@ -109,20 +119,23 @@ def align(
     stamps = measured.stamps[rows]
     times = (stamps - stamps[0]) / NS_PER_SECOND
     steps = int(np.ceil(times[-1] / timestep - 1e-6)) + 1
-    values = np.full((len(times), len(SIGNALS) * len(JOINT_NAMES)), np.nan)
+    joints = robot.num_joints
+    values = np.full((len(times), len(SIGNALS) * joints), np.nan)
     for name, array in zip(SIGNALS, (measured.positions, measured.velocities, measured.efforts), strict=True):
         if array is not None:
-            values[:, columns(name)] = array[rows]
+            values[:, columns(name, joints)] = array[rows]
     edges = np.arange(steps + 1, dtype=np.float64) * timestep
-    start = values[0, columns("position")].copy(), np.nan_to_num(values[0, columns("velocity")])
+    start = values[0, columns("position", joints)].copy(), np.nan_to_num(values[0, columns("velocity", joints)])
     for name in without:
-        if name not in JOINT_NAMES:
-            raise QuadrupedError(f"identify: no joint {name!r} to leave out; valid names are {', '.join(JOINT_NAMES)}")
-        values[:, JOINT_NAMES.index(name) :: len(JOINT_NAMES)] = np.nan
+        if name not in robot.joint_names:
+            raise QuadrupedError(
+                f"identify: no joint {name!r} to leave out; valid names are {', '.join(robot.joint_names)}"
+            )
+        values[:, robot.joint_names.index(name) :: joints] = np.nan
     if not np.isfinite(values).any():
         raise QuadrupedError("identify: no joint is left; leave out fewer")
     control = held((commands.stamps - stamps[0]) / NS_PER_SECOND, commands.positions, edges)
-    return Recorded(control, times, values, start, timestep, times <= train_share * times[-1])
+    return Recorded(robot, control, times, values, start, timestep, times <= train_share * times[-1])
 
 
 def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
@@ -136,8 +149,8 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
                 f"{len(gaps)} gaps in the {what}, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s."
             )
     commanded = np.ptp(recorded.control, axis=0)
-    moved = np.ptp(recorded.measured[:, columns("position")], axis=0)
-    for name, target, motion in zip(JOINT_NAMES, commanded, moved, strict=True):
+    moved = np.ptp(recorded.measured[:, recorded.columns("position")], axis=0)
+    for name, target, motion in zip(recorded.robot.joint_names, commanded, moved, strict=True):
         if target > _MIN_COMMAND_RANGE and motion < _MIN_MOTION_SHARE * target:
             found.append(
                 f"{name} moved {motion:.3f} rad where {target:.3f} rad were commanded: if its motor is broken or "

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.identification.dataset import Recorded, columns
+from quadruped_env.identification.dataset import Recorded
 from quadruped_env.identification.quantities import (
     DELAY,
     HIGHEST,
@@ -25,7 +25,7 @@ from quadruped_env.identification.quantities import (
 from quadruped_env.identification.rough import derivatives, half_widths, search
 from quadruped_env.identification.spec import joint_spec
 from quadruped_env.progress import Progress
-from quadruped_env.robot import JOINT_NAMES, MotorConfig, resting_pose
+from quadruped_env.robot import MotorConfig
 from quadruped_env.robot.motors import fill_command_history
 
 _UNDETERMINED: Final = 1.0
@@ -65,11 +65,11 @@ class MotorFit:
         self.recorded = recorded
         self.base = base
         self.start = start
-        self.names = names_of(fitted)
+        self.names = names_of(fitted, recorded.robot)
         self.half_width: dict[str, float] = {}
         self._progress = progress
         self._iterations = 0
-        self._spec = joint_spec(base, recorded.timestep)
+        self._spec = joint_spec(recorded.robot, base, recorded.timestep)
         self._max_delay = max(MAX_FIT_DELAY, start.delay)
         self._weights = np.ones(recorded.measured.shape[1])
         self._horizon = np.inf
@@ -105,7 +105,7 @@ class MotorFit:
         return with_values(self.start, values)
 
     def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
-        """Simulated signals over the whole recording, at the times of the measurements, (T, 24)."""
+        """Simulated signals over the whole recording, at the times of the measurements, (T, S)."""
         trajectory = self._sequences(len(self.recorded.control)).measured_rollout[0]
         model = self._model(motors)
         (rollout,) = self.sysid.sysid_rollout(
@@ -127,8 +127,8 @@ class MotorFit:
         predicted = np.nan_to_num(self.predict(with_values(self.start, {DELAY: delay})), nan=_DIVERGED)
         predicted = predicted.clip(-_DIVERGED, _DIVERGED)
         left = (predicted - self.recorded.measured)[rows] * self._weights
-        kinds = [name for name in ("position", "effort") if name in self.recorded.signals]
-        return float(np.exp(np.mean([np.log(np.nanmean(left[:, columns(name)] ** 2)) / 2.0 for name in kinds])))
+        parts = [self.recorded.columns(name) for name in ("position", "effort") if name in self.recorded.signals]
+        return float(np.exp(np.mean([np.log(np.nanmean(left[:, part] ** 2)) / 2.0 for part in parts])))
 
     def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
         """Values fitted at the best of many fixed delays.
@@ -228,14 +228,15 @@ class MotorFit:
         two parameters, fixing one determines the other.
         """
         jacobian, left_over = derivatives(*self._problem(values))
-        times = self.recorded.times[self._rows()]
+        times, robot = self.recorded.times[self._rows()], self.recorded.robot
+        joints, kinds = robot.num_joints, len(robot.joints_by_kind)
         scales = np.array([quantity(name).scale for name in values])
         jacobian = jacobian @ coordinate_derivatives(values) * scales
         influence = np.sqrt((jacobian**2).sum(axis=(0, 1)))
         allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
-            white, widths = half_widths(jacobian[..., left], left_over, times, len(JOINT_NAMES))
+            white, widths = half_widths(jacobian[..., left], left_over, times, joints, kinds)
             # Judged under white noise: a parameter with an influence is kept, however wide its full interval is.
             doubt = np.nan_to_num(white / allowed[left], nan=np.inf)
             if doubt.max() <= 1.0:
@@ -247,10 +248,11 @@ class MotorFit:
         return {}
 
     def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Weights (24,): the inverse RMS of each signal in values (T, 24); 0 for missing signals."""
+        """Weights (S,): the inverse RMS of each signal in values (T, S); 0 for missing signals."""
         weights = np.zeros(values.shape[1])
         for name in self.recorded.signals:
-            weights[columns(name)] = 1.0 / max(np.sqrt(np.nanmean(values[:, columns(name)] ** 2)), 1e-9)
+            part = self.recorded.columns(name)
+            weights[part] = 1.0 / max(np.sqrt(np.nanmean(values[:, part] ** 2)), 1e-9)
         return weights
 
     def _parameters(self, values: Mapping[str, float], frozen: Sequence[str] = ()) -> Any:
@@ -299,8 +301,10 @@ class MotorFit:
     @property
     def _sizes(self) -> tuple[int, int]:
         """Numbers of positions and velocities."""
-        joints = len(JOINT_NAMES)
-        return (joints, joints) if self.base == "fixed" else (joints + 7, joints + 6)
+        robot = self.recorded.robot
+        if self.base == "fixed":
+            return robot.num_joints, robot.num_joints
+        return robot.num_positions, robot.num_velocities
 
     def _residual(
         self, params: Any, predicted: Any, measured: Any, model: Any, return_all: bool, state: Any
@@ -333,9 +337,9 @@ class MotorFit:
         data = mujoco.MjData(model)
         positions, velocities = self.recorded.start
         if self.base == "free":
-            data.qpos[:7] = resting_pose(positions)
-        data.qpos[-len(JOINT_NAMES) :] = positions
-        data.qvel[-len(JOINT_NAMES) :] = velocities
+            data.qpos[:7] = self.recorded.robot.resting_pose(positions)
+        data.qpos[-len(positions) :] = positions
+        data.qvel[-len(velocities) :] = velocities
         fill_command_history(model, data.history[None], self.recorded.control[:1])
         kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
         state = np.empty(mujoco.mj_stateSize(model, kind))
@@ -346,12 +350,12 @@ class MotorFit:
         clock = np.arange(len(control)) * self.recorded.timestep
         measured = self.sysid.TimeSeries(self.recorded.times, self.recorded.measured)
         return self.sysid.ModelSequences(
-            "mini_quadruped", spec, "recording", state, self.sysid.TimeSeries(clock, control), measured
+            self.recorded.robot.name, spec, "recording", state, self.sysid.TimeSeries(clock, control), measured
         )
 
     def _signals(self, state: NDArray[np.float64], sensordata: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Positions, velocities and efforts (K, 24) after each physics step, from the toolbox's rollout."""
-        joints = len(JOINT_NAMES)
+        """Positions, velocities and efforts (K, S) after each physics step, from the toolbox's rollout."""
+        joints = self.recorded.robot.num_joints
         positions, velocities = self._sizes
         # A state is the time, the positions, the velocities, and what the motors remember.
         after_positions = 1 + positions
@@ -360,13 +364,13 @@ class MotorFit:
             [
                 state[:, after_positions - joints : after_positions],
                 state[:, after_velocities - joints : after_velocities],
-                sensordata[:, columns("effort")],
+                sensordata[:, self.recorded.columns("effort")],
             ],
             axis=1,
         )
 
     def _at(self, times: NDArray[np.float64], signals: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Signals (K, 24) after each physics step, at times (T,) in s; linear in between."""
+        """Signals (K, S) after each physics step, at times (T,) in s; linear in between."""
         place = np.clip(times / self.recorded.timestep - 1.0, 0.0, len(signals) - 1.0)
         whole = np.rint(place)
         place = np.where(np.abs(place - whole) < 1e-6, whole, place)

@@ -8,13 +8,12 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.files import check_free, write_json
-from quadruped_env.identification.dataset import UNITS, columns
+from quadruped_env.identification.dataset import UNITS
 from quadruped_env.identification.identify import NO_INTERVALS, Identification, pooled
 from quadruped_env.reporting.pages.page import circumstances, figure, write_html
 from quadruped_env.reporting.palette import BLUE, INK, ORANGE
 from quadruped_env.reporting.plots.joints import Line, joint_panels
 from quadruped_env.reporting.results import REPORT_FILE
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 
 MOTORS_FILE: Final = "motors.json"
 NUMBERS_FILE: Final = "identification.json"
@@ -99,7 +98,7 @@ def _joints_table(found: Identification) -> dict[str, Any]:
     before, after = found.errors(after=False)["position"], found.errors(after=True)["position"]
     rows = [
         [name, *(f"{value:.4f}" if np.isfinite(value) else "left out" for value in (before[i], after[i]))]
-        for i, name in enumerate(JOINT_NAMES)
+        for i, name in enumerate(found.recorded.robot.joint_names)
     ]
     return {
         "title": "Position error of each joint on held-out time",
@@ -110,12 +109,12 @@ def _joints_table(found: Identification) -> dict[str, Any]:
 
 
 def _figures(found: Identification) -> list[dict[str, str]]:
-    recorded = found.recorded
+    recorded, robot = found.recorded, found.recorded.robot
     mark = float(recorded.times[recorded.train][-1])
     steps = np.arange(len(recorded.control), dtype=np.float64) * recorded.timestep
     figures = []
     for name in recorded.signals:
-        part = columns(name)
+        part = recorded.columns(name)
         lines = {
             "measured": Line(recorded.times, recorded.measured[:, part], INK),
             "before": Line(recorded.times, found.predicted_before[:, part], ORANGE),
@@ -123,23 +122,23 @@ def _figures(found: Identification) -> list[dict[str, str]]:
         }
         if name == "position":
             lines = {"commanded": Line(steps, recorded.control, "#AAAAAA"), **lines}
-        limits = (JOINT_POSITION_LOW, JOINT_POSITION_HIGH) if name == "position" else None
+        limits = (robot.joint_position_low, robot.joint_position_high) if name == "position" else None
         figures.append(
             figure(
                 f"{name.capitalize()}s",
-                joint_panels(lines, f"{UNITS[name]}", limits, mark),
+                joint_panels(robot, lines, f"{UNITS[name]}", limits, mark),
                 "Measured, and simulated with the motors before and after. The time after the grey line is held out.",
             )
         )
     before, after = (
-        Line(recorded.times, (predicted - recorded.measured)[:, columns("position")], colour)
+        Line(recorded.times, (predicted - recorded.measured)[:, recorded.columns("position")], colour)
         for predicted, colour in ((found.predicted_before, ORANGE), (found.predicted_after, BLUE))
     )
     figures.insert(
         1,
         figure(
             "Position errors",
-            joint_panels({"before": before, "after": after}, "rad", mark=mark),
+            joint_panels(robot, {"before": before, "after": after}, "rad", mark=mark),
             "Simulated minus measured position. The time after the grey line is held out.",
         ),
     )

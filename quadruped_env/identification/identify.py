@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.identification.dataset import UNITS, Recorded, align, columns, remarks
+from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.quantities import FITTED, quantity, value_of
 from quadruped_env.progress import Progress
-from quadruped_env.robot import JOINT_NAMES, MotorConfig
+from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
 
@@ -62,9 +62,9 @@ class Identification:
     before: MotorConfig
     after: MotorConfig
     predicted_before: NDArray[np.float64]
-    """Simulated signals with the motors before the fit, at the times of the measurements (T, 24)"""
+    """Simulated signals with the motors before the fit, at the times of the measurements (T, S)"""
     predicted_after: NDArray[np.float64]
-    """Simulated signals with the motors after the fit (T, 24)"""
+    """Simulated signals with the motors after the fit (T, S)"""
     remarks: tuple[str, ...]
     """Remarks on the recording, in sentences"""
     mismatches: Mapping[str, float]
@@ -81,7 +81,7 @@ class Identification:
         return self.base_fits and self.base == "fixed"
 
     def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
-        """Root mean square error (8,) of every measured signal, over the held-out time or the fit's.
+        """Root mean square error (J,) of every measured signal, over the held-out time or the fit's.
 
         NaN for a joint whose signal was not measured.
         """
@@ -90,7 +90,7 @@ class Identification:
         squared = (predicted - self.recorded.measured)[rows] ** 2
         count = np.isfinite(squared).sum(axis=0)
         rms = np.sqrt(np.nansum(squared, axis=0) / np.where(count, count, np.nan))
-        return {name: rms[columns(name)] for name in self.recorded.signals}
+        return {name: rms[self.recorded.columns(name)] for name in self.recorded.signals}
 
     def verdict(self) -> str:
         """Verdict on the fit, from the position error on held-out time."""
@@ -136,7 +136,10 @@ class Identification:
             "estimates": [vars(estimate) for estimate in self.estimates],
             "errors": {
                 part: {
-                    when: {name: _as_json(rms) for name, rms in self.errors(after, part == "held_out").items()}
+                    when: {
+                        name: dict(zip(self.recorded.robot.joint_names, map(_as_json, rms.tolist()), strict=True))
+                        for name, rms in self.errors(after, part == "held_out").items()
+                    }
                     for when, after in (("before", False), ("after", True))
                 }
                 for part in ("fit", "held_out")
@@ -184,22 +187,24 @@ def identify(
     timestep: float | None = None,
     without: Sequence[str] = (),
     progress: Progress | None = None,
+    robot: Robot = MINI_QUADRUPED,
 ) -> Identification:
     """Estimate the motors from commands and measurements of one recording.
 
     Args:
-        measured: positions, and velocities and efforts if they were recorded, of all eight joints. An effort is the
+        measured: positions, and velocities and efforts if they were recorded, of all joints. An effort is the
             motor's torque in the physics step before its timestamp, as this package records it.
         commands: joint targets on the same clock; each holds until the next.
         base: `fixed` for a robot that hangs on a stand with its feet in the air; `free` for one that stands or walks
             on flat ground and begins at rest.
-        start: initial motors; None takes the model file's motors.
+        start: initial motors; None takes the robot's.
         fitted: parameters to fit, names in `QUANTITIES`.
         train_share: fraction of the time, from the beginning, used for the fit.
         timestep: physics time step, s; None takes the task's. Fitted motors are valid for this time step only, because
             a coarse step adds numerical damping.
         without: joints whose measurements are excluded.
         progress: called with the approximate fraction done.
+        robot: robot that was recorded.
 
     Raises:
         QuadrupedError: if the recordings do not overlap, the commands are constant, or an argument is out of range.
@@ -214,9 +219,9 @@ def identify(
     timestep = TaskConfig().physics_timestep if timestep is None else timestep
     if not 1e-4 <= timestep <= 0.01:
         raise QuadrupedError(f"identify: the time step must be from 0.0001 to 0.01 s; found {timestep:g}")
-    before = start or MotorConfig()
-    measured, commands = measured.in_joint_order(), commands.in_joint_order()
-    recorded = align(measured, commands, train_share, timestep, without)
+    before = start or robot.motors
+    measured, commands = measured.in_joint_order(robot), commands.in_joint_order(robot)
+    recorded = align(robot, measured, commands, train_share, timestep, without)
     mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     fit = MotorFit(recorded, base, before, fitted, progress)
     after = fit.run()
@@ -242,9 +247,9 @@ def identify(
 
 
 def pooled(rms: NDArray[np.float64]) -> float:
-    """RMS over the joints of their RMS values (8,), without NaN."""
+    """RMS over the joints of their RMS values (J,), without NaN."""
     return float(np.sqrt(np.nanmean(rms**2)))
 
 
-def _as_json(rms: NDArray[np.float64]) -> dict[str, float | None]:
-    return {name: float(value) if np.isfinite(value) else None for name, value in zip(JOINT_NAMES, rms, strict=True)}
+def _as_json(value: float) -> float | None:
+    return value if np.isfinite(value) else None

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import JOINT_KINDS, MotorConfig
+from quadruped_env.robot import MotorConfig, Robot
 
 DELAY: Final = "delay"
 MAX_FIT_DELAY: Final = 0.2
@@ -46,8 +46,8 @@ FITTED: Final = ("stall_torque", "kp", "kd", "damping", "friction_loss", "armatu
 """Parameters that are fitted by default. A no-load speed can be identified only from motion close to it."""
 
 
-def names_of(fitted: Sequence[str]) -> list[str]:
-    """Names of the parameters of some quantities: one for the hips and one for the knees, but only one delay.
+def names_of(fitted: Sequence[str], robot: Robot) -> list[str]:
+    """Names of the parameters of some quantities: one for each kind of joint (hips, knees), but only one delay.
 
     Raises:
         QuadrupedError: if a quantity is unknown.
@@ -55,7 +55,8 @@ def names_of(fitted: Sequence[str]) -> list[str]:
     for field in fitted:
         if field not in QUANTITIES:
             raise QuadrupedError(f"identify: cannot estimate {field!r}; valid names are {', '.join(QUANTITIES)}")
-    return [name for field in fitted for name in ([DELAY] if field == DELAY else [f"{k}.{field}" for k in JOINT_KINDS])]
+    kinds = robot.joints_by_kind
+    return [name for field in fitted for name in ([DELAY] if field == DELAY else [f"{kind}.{field}" for kind in kinds])]
 
 
 def quantity(name: str) -> Quantity:
@@ -108,11 +109,8 @@ def value_of(motors: MotorConfig, name: str) -> float:
 
 def with_values(motors: MotorConfig, values: Mapping[str, float]) -> MotorConfig:
     """The motors with some parameters changed."""
-    kinds = {
-        kind: replace(
-            getattr(motors, kind),
-            **{name.rpartition(".")[2]: value for name, value in values.items() if name.startswith(f"{kind}.")},
-        )
-        for kind in JOINT_KINDS
-    }
-    return MotorConfig(**kinds, delay=values.get(DELAY, motors.delay))
+    changes: dict[str, Any] = {}
+    for name, value in values.items():
+        kind, _, field = name.rpartition(".")
+        changes[kind or field] = replace(changes.get(kind, getattr(motors, kind)), **{field: value}) if kind else value
+    return replace(motors, **changes)

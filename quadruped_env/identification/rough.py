@@ -97,7 +97,7 @@ def derivatives(
 
 
 def half_widths(
-    jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int
+    jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int, kinds: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Half-widths (P,) of 95 % intervals under white noise, and of robust 95 % intervals.
 
@@ -111,7 +111,8 @@ def half_widths(
         jacobian: derivatives of the residuals (T, S, P).
         left: residuals (T, S).
         times: times of the measurements, s (T,).
-        joints: number of joints; signals are ordered by kind, then by joint.
+        joints: number of joints; signals are in the order of `SIGNALS`, then of the joints.
+        kinds: number of kinds of joints, each with its own parameters.
     """
     from scipy.stats import t as student
 
@@ -127,7 +128,7 @@ def half_widths(
     inverse = vectors / values @ vectors.T / np.outer(scale, scale)
     degrees = max(len(rest) - size, 1)
     widths = [student.ppf(_LEVEL, degrees) * np.sqrt(np.diag(inverse) * (rest @ rest) / degrees)]
-    # Scores of each measurement, (T, kinds, joints, P), summed over the signals of a joint.
+    # Scores of each measurement, (T, signals, joints, P), summed over the signals of a joint.
     scores = (jacobian * left[..., None]).reshape(len(left), -1, joints, size).sum(axis=1)
     for seconds in _BLOCKS:
         block = (times / seconds).astype(np.intp)
@@ -137,8 +138,8 @@ def half_widths(
         if len(sums) > size:
             widths.append(_clustered(inverse, sums.sum(axis=1), len(sums) - 1))
     moving = int(np.count_nonzero(np.abs(scores).sum(axis=(0, 2))))
-    # A parameter of the hips affects half of the joints.
-    widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // 2 - 1, 1)))
+    # With two kinds, a parameter of one affects half of the joints.
+    widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // kinds - 1, 1)))
     newton = inverse @ (flat.T @ rest)
     return widths[0], np.max(widths, axis=0) + np.abs(newton)
 

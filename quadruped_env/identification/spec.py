@@ -2,15 +2,15 @@
 
 import mujoco
 
-from quadruped_env.robot import JOINT_NAMES, asset_path
+from quadruped_env.robot import Robot, scene_spec
 
 
-def joint_spec(base: str, timestep: float) -> mujoco.MjSpec:
-    """The robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
-    spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
+def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
+    """A robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
+    spec = scene_spec(robot)
     spec.option.timestep = timestep
     wanted = {
-        name.removesuffix("joint") + signal for name in JOINT_NAMES for signal in ("position", "velocity", "torque")
+        sensor for field in ("joint_position", "joint_velocity", "joint_torque") for sensor in robot.sensors[field]
     }
     for sensor in list(spec.sensors):
         if sensor.name not in wanted:

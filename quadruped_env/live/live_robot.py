@@ -15,7 +15,7 @@ from quadruped_env.live.gaits import read_settings, settings_message
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node, Refused, message_reader
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.robot import STANCE, load_model, resting_pose
+from quadruped_env.robot import MINI_QUADRUPED, STANCE, Robot, load_model, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
 from quadruped_env.simulation import SingleSimulation
@@ -50,6 +50,7 @@ class LiveRobot:
     Args:
         node: the node that subscribes, and publishes commands and pushes.
         refused: called with the reason for each message that cannot be drawn.
+        robot: description of the robot.
     """
 
     name = NAME
@@ -58,7 +59,8 @@ class LiveRobot:
     diverged = False
     term_names: tuple[str, ...] = ()
 
-    def __init__(self, node: Node, refused: Refused = lambda reason: None) -> None:
+    def __init__(self, node: Node, refused: Refused = lambda reason: None, robot: Robot = MINI_QUADRUPED) -> None:
+        self.robot = robot
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)

@@ -16,17 +16,7 @@ from quadruped_env.replay.saturation import Saturation, saturation
 from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
 from quadruped_env.reporting.films.film import FRAME_RATE, Motion
 from quadruped_env.reporting.results import REPORT_FILE
-from quadruped_env.robot import (
-    FOOT_RADIUS,
-    JOINT_NAMES,
-    JOINT_POSITION_HIGH,
-    JOINT_POSITION_LOW,
-    VELOCITY_LIMIT,
-    MotorConfig,
-    foot_centres,
-    forward_kinematics,
-    sole_heights,
-)
+from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.skeleton import Pose
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
@@ -52,16 +42,17 @@ _POSE_COLUMNS: Final = ("x", "y", "z", "qw", "qx", "qy", "qz")
 class Replay:
     """A recording and its replay. Results are cached on first use; do not modify them."""
 
+    robot: Robot
     mode: str
     """`kinematic` or `dynamic`"""
     recorded: JointTrajectory
-    """Recording, in the order of `JOINT_NAMES`"""
+    """Recording, in the order of the robot's joints"""
     played: JointTrajectory
     """Played joint states on the recording's clock: its own rows (kinematic), or measurements at 50 Hz (dynamic)"""
     motion: Recording | None
     """Motion of the robot in dynamic mode; None in kinematic mode, which has no physics"""
     clipped: NDArray[np.intp]
-    """Number of recorded positions of each joint that were moved to a limit (8,)"""
+    """Number of recorded positions of each joint that were moved to a limit (J,)"""
     targets: JointTrajectory
     """Joint targets: the recording within the joint limits"""
     motors: MotorConfig
@@ -71,12 +62,13 @@ class Replay:
     def link_poses(self) -> dict[str, Pose]:
         """Link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
 
-        In the world in dynamic mode, and in the frame of `base_link` in kinematic mode.
+        In the world in dynamic mode, and in the frame of the base in kinematic mode.
         """
-        return forward_kinematics(self.played.positions, None if self.motion is None else self.motion.base_pose)
+        base_pose = None if self.motion is None else self.motion.base_pose
+        return self.robot.forward_kinematics(self.played.positions, base_pose)
 
     def tracking_error(self) -> NDArray[np.float64]:
-        """Played minus recorded position at the same time, rad (T, 8)."""
+        """Played minus recorded position at the same time, rad (T, J)."""
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     def saturation(self) -> Saturation | None:
@@ -107,8 +99,8 @@ class Replay:
         times = np.arange(0.0, self.played.duration + 1e-9, 1.0 / FRAME_RATE)
         positions = self.played.positions_at(times)
         base_pose = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], (len(times), 1))
-        base_pose[:, 2] = FOOT_RADIUS - foot_centres(positions)[..., 2].min(axis=-1)
-        return Motion(f"{name}, kinematic", 1.0 / FRAME_RATE, base_pose, positions)
+        base_pose[:, 2] = -self.robot.sole_heights(positions, base_pose).min(axis=-1)
+        return Motion(f"{name}, kinematic", self.robot, 1.0 / FRAME_RATE, base_pose, positions)
 
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""
@@ -117,14 +109,14 @@ class Replay:
     @cached_property
     def _report(self) -> dict[str, Any]:
         error = self.tracking_error()
-        lags = lag(self.targets, self.played) if self.motion is not None else [None] * len(JOINT_NAMES)
+        lags = lag(self.targets, self.played) if self.motion is not None else [None] * self.robot.num_joints
         joints = {
             name: {
                 **_summary(error[:, i]),
                 "max_at": float(self.played.times[np.argmax(np.abs(error[:, i]))]),
                 "lag": lags[i],
             }
-            for i, name in enumerate(JOINT_NAMES)
+            for i, name in enumerate(self.robot.joint_names)
         }
         gaps = [{"start": gap.start, "seconds": gap.seconds} for gap in self.recorded.gaps()]
         return {
@@ -148,7 +140,7 @@ class Replay:
             "fell_at": self.motion.fell_at,
             "base_pose_start": start.tolist(),
             "base_pose_end": self.motion.base_pose[-1].tolist(),
-            "feet_on_ground_at_start": int((sole_heights(self.played.positions[0], start) < TOUCHING).sum()),
+            "feet_on_ground_at_start": int((self.robot.sole_heights(self.played.positions[0], start) < TOUCHING).sum()),
         }
 
     @cached_property
@@ -161,9 +153,9 @@ class Replay:
             name: {
                 "positions_clipped": int(self.clipped[i]),
                 "fastest_recorded": None if speeds is None else float(np.abs(speeds[:, i]).max()),
-                "speed_limit": VELOCITY_LIMIT,
+                "speed_limit": float(self.robot.velocity_limit[i]),
             }
-            for i, name in enumerate(JOINT_NAMES)
+            for i, name in enumerate(self.robot.joint_names)
         }
         saturated = self.saturation()
         if saturated is not None:
@@ -206,7 +198,7 @@ class Replay:
         """Remarks on the recording and the replay, in sentences."""
         remarks = list(self.recorded.source.notes)
         if self.clipped.any():
-            names = ", ".join(name for name, count in zip(JOINT_NAMES, self.clipped, strict=True) if count)
+            names = ", ".join(name for name, count in zip(self.robot.joint_names, self.clipped, strict=True) if count)
             remarks.append(f"{self.clipped.sum()} recorded positions were moved to a joint's limit: {names}.")
         gaps = self.recorded.gaps()
         if gaps:
@@ -218,10 +210,11 @@ class Replay:
         fast = [
             name
             for name, entry in self._limits.items()
-            if entry["fastest_recorded"] is not None and entry["fastest_recorded"] > VELOCITY_LIMIT
+            if entry["fastest_recorded"] is not None and entry["fastest_recorded"] > entry["speed_limit"]
         ]
         if fast and self.motion is not None:
-            remarks.append(f"Recorded faster than the motors' {VELOCITY_LIMIT:g} rad/s: {', '.join(fast)}.")
+            limits = " or ".join(f"{limit:g}" for limit in np.unique(self.robot.velocity_limit))
+            remarks.append(f"Recorded faster than the motors' {limits} rad/s: {', '.join(fast)}.")
         if self.motion is not None:
             remarks.append(self.motion.outcome())
         return remarks
@@ -246,7 +239,7 @@ class Replay:
         table = np.concatenate([part for pose in links.values() for part in pose], axis=1)
         write_table(directory / POSES_FILE, self.played.stamps, titles, table, overwrite, progress)
         if self.mode == "dynamic":
-            self.played.save(directory / JOINTS_FILE, overwrite)
+            self.played.save(directory / JOINTS_FILE, overwrite, robot=self.robot)
         comparison = {"comparison": self.comparison().report()} if compare else {}
         write_json(directory / NUMBERS_FILE, {**self.report(), **comparison})
 
@@ -258,33 +251,35 @@ def replay(
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     measured: JointTrajectory | None = None,
+    robot: Robot = MINI_QUADRUPED,
 ) -> Replay:
     """Play a recording.
 
     Args:
-        trajectory: all eight joints, in any order.
+        trajectory: all joints of the robot, in any order.
         mode: `kinematic` sets the joints to the recorded positions, without forces and ground. `dynamic` interpolates
             the positions linearly at 50 Hz as motor targets, with gravity and ground; the robot starts at rest on its
             feet in the first position.
         clip: True to move positions outside the joint limits to the limit.
         progress: called with the fraction done, in dynamic mode.
-        motors: motors to use instead of the model file's, in dynamic mode.
+        motors: motors to use instead of the robot's, in dynamic mode.
         measured: recording of the real robot on the same clock, for the comparison.
+        robot: robot that plays it.
 
     Raises:
-        QuadrupedError: if a joint is unknown or missing, a position is outside its joint's limits and `clip` is
+        QuadrupedError: if a joint is missing, a position is outside its joint's limits and `clip` is
             false (or so far outside that it is corrupt), or the mode is unknown.
     """
     if mode not in MODES:
         raise QuadrupedError(f"replay: unknown mode {mode!r}; valid modes are {', '.join(MODES)}")
-    recorded = trajectory.in_joint_order()
-    playable, clipped = _within_limits(recorded, clip)
-    motors = motors or MotorConfig()
-    measured = None if measured is None else measured.in_joint_order()
+    recorded = trajectory.in_joint_order(robot)
+    playable, clipped = _within_limits(robot, recorded, clip)
+    motors = motors or robot.motors
+    measured = None if measured is None else measured.in_joint_order(robot)
     if mode == "kinematic":
-        return Replay(mode, recorded, playable, None, clipped, playable, motors, measured)
-    motion = play(playable, progress=progress, motors=motors)
-    return Replay(mode, recorded, motion.joints, motion, clipped, playable, motors, measured)
+        return Replay(robot, mode, recorded, playable, None, clipped, playable, motors, measured)
+    motion = play(playable, progress=progress, motors=motors, robot=robot)
+    return Replay(robot, mode, recorded, motion.joints, motion, clipped, playable, motors, measured)
 
 
 def replay_files(directory: Path) -> list[Path]:
@@ -292,10 +287,10 @@ def replay_files(directory: Path) -> list[Path]:
     return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
-def _within_limits(trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:
+def _within_limits(robot: Robot, trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:
     """The trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
-    positions = trajectory.positions
-    excess = np.maximum(JOINT_POSITION_LOW - positions, positions - JOINT_POSITION_HIGH)
+    positions, low, high = trajectory.positions, robot.joint_position_low, robot.joint_position_high
+    excess = np.maximum(low - positions, positions - high)
     beyond = excess > LIMIT_TOLERANCE
     if not beyond.any():
         return trajectory, beyond.sum(axis=0)
@@ -304,12 +299,12 @@ def _within_limits(trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajec
         row, column = np.argwhere(damaged if clip else beyond)[0]
         cure = "too far to clip: fix the value" if clip else "clip (--clip) to play at the limit, or fix the recording"
         raise QuadrupedError(
-            f"{trajectory.source.row(row)}, position.{JOINT_NAMES[column]}: {positions[row, column]:g} rad at "
-            f"{trajectory.times[row]:g} s is outside {JOINT_POSITION_LOW[column]:g} to "
-            f"{JOINT_POSITION_HIGH[column]:g} rad; values outside: {beyond.sum()}; {cure}"
+            f"{trajectory.source.row(row)}, position.{robot.joint_names[column]}: {positions[row, column]:g} rad at "
+            f"{trajectory.times[row]:g} s is outside {low[column]:g} to "
+            f"{high[column]:g} rad; values outside: {beyond.sum()}; {cure}"
         )
-    within = positions.clip(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
-    return JointTrajectory(trajectory.stamps, JOINT_NAMES, within, source=trajectory.source), beyond.sum(axis=0)
+    within = positions.clip(low, high)
+    return JointTrajectory(trajectory.stamps, robot.joint_names, within, source=trajectory.source), beyond.sum(axis=0)
 
 
 def _summary(error: NDArray[np.float64]) -> dict[str, float]:

@@ -11,7 +11,6 @@ from quadruped_env.reporting.pages.page import circumstances, figure, write_html
 from quadruped_env.reporting.palette import BLUE, INK, VERMILION
 from quadruped_env.reporting.plots.joints import Line, joint_panels
 from quadruped_env.reporting.results import REPORT_FILE
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from quadruped_env.task import TaskConfig
 
 _GOOD: Final = 0.05
@@ -127,9 +126,9 @@ def _tracking_figure(replay: Replay) -> dict[str, str]:
         "recorded": Line(replay.recorded.times, replay.recorded.positions, INK, dashed=True),
         "played": Line(replay.played.times, replay.played.positions, BLUE),
     }
-    limits = JOINT_POSITION_LOW, JOINT_POSITION_HIGH
+    limits = replay.robot.joint_position_low, replay.robot.joint_position_high
     caption = "Recorded and played positions. Red lines are the joint limits, where they are within the plotted range."
-    return figure("Positions", joint_panels(lines, "rad", limits), caption)
+    return figure("Positions", joint_panels(replay.robot, lines, "rad", limits), caption)
 
 
 def _motor_figures(replay: Replay) -> list[dict[str, str]]:
@@ -138,7 +137,7 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
     assert replay.played.efforts is not None
     assert replay.played.velocities is not None
     times = replay.played.times
-    motors = [replay.motors.of_joint(name) for name in JOINT_NAMES]
+    motors = [replay.motors.of_joint(name) for name in replay.robot.joint_names]
     stall, top = (np.array([getattr(motor, name) for motor in motors]) for name in ("stall_torque", "no_load_speed"))
     torque = {
         "requested": Line(times, np.clip(saturation.asked, -2 * stall, 2 * stall), VERMILION),
@@ -148,12 +147,12 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
     return [
         figure(
             "Torques",
-            joint_panels(torque, "N m", (-stall, stall)),
+            joint_panels(replay.robot, torque, "N m", (-stall, stall)),
             "Torques that the controllers requested (clipped at twice the limit) and that the motors applied.",
         ),
         figure(
             "Speeds",
-            joint_panels(speed, "rad/s", (-top, top)),
+            joint_panels(replay.robot, speed, "rad/s", (-top, top)),
             "Speeds of the joints. Red lines are the no-load speeds of the motors.",
         ),
     ]
@@ -165,6 +164,7 @@ def _comparison_figures(replay: Replay) -> list[dict[str, str]]:
         figure(
             f"Recorded and simulated {name}",
             joint_panels(
+                replay.robot,
                 {
                     "recorded": Line(signals.times, signals.recorded[name], INK),
                     "simulated": Line(signals.times, signals.simulated[name], BLUE),

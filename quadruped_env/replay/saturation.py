@@ -6,18 +6,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.robot import JOINT_NAMES, MotorConfig
+from quadruped_env.robot import MotorConfig
 from quadruped_env.trajectory import JointTrajectory
 
 
 @dataclass(frozen=True)
 class Saturation:
-    """Requested torques of the eight joints, sampled at the ends of the control steps."""
+    """Requested torques of the joints, sampled at the ends of the control steps."""
 
+    joint_names: tuple[str, ...]
+    """(J,)"""
     asked: NDArray[np.float64]
-    """Torque that the controller requested, N m (T, 8)"""
+    """Torque that the controller requested, N m (T, J)"""
     excess: NDArray[np.float64]
-    """Part of the torque beyond the motor's limit at its speed, N m (T, 8); 0 within the limit"""
+    """Part of the torque beyond the motor's limit at its speed, N m (T, J); 0 within the limit"""
     times: NDArray[np.float64]
     """Times of the samples, s (T,)"""
 
@@ -30,7 +32,7 @@ class Saturation:
                 "largest_torque_asked": float(np.abs(self.asked[:, i]).max()),
                 "first_at": float(self.times[at_limit[:, i]][0]) if at_limit[:, i].any() else None,
             }
-            for i, name in enumerate(JOINT_NAMES)
+            for i, name in enumerate(self.joint_names)
         }
 
 
@@ -38,8 +40,9 @@ def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorC
     """Compute the torques that the controllers requested, from joint targets and measured motion.
 
     Args:
-        targets: joint targets, in the order of `JOINT_NAMES`.
-        played: measurements of the simulation with velocities, one row at the end of each control step.
+        targets: joint targets.
+        played: measurements of the simulation with velocities, one row at the end of each control step; its joints
+            have the order of the targets'.
         motors: motors of the simulation.
     """
     assert played.velocities is not None
@@ -48,7 +51,7 @@ def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorC
     # A target is held over its control step, and arrives later by the motors' delay.
     sent = np.maximum(np.ceil((times - motors.delay) / step - 1e-6) - 1.0, 0.0) * step if step else times
     speed = played.velocities
-    of_joint = [motors.of_joint(name) for name in JOINT_NAMES]
+    of_joint = [motors.of_joint(name) for name in played.names]
     kp, kd, stall, top = (
         np.array([getattr(motor, name) for motor in of_joint]) for name in ("kp", "kd", "stall_torque", "no_load_speed")
     )
@@ -56,4 +59,4 @@ def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorC
     slope = stall / top
     excess = np.maximum(asked - np.minimum(stall, stall - slope * speed), 0.0)
     excess += np.maximum(np.maximum(-stall, -stall - slope * speed) - asked, 0.0)
-    return Saturation(asked, excess, times)
+    return Saturation(played.names, asked, excess, times)

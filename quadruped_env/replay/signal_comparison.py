@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
@@ -28,8 +27,11 @@ _MIN_RANGE: Final = 0.01
 class Signals:
     """Recorded and simulated joint states at the same times.
 
-    Arrays are (T, 8), in the order of `JOINT_NAMES`; a signal that one side does not have is left out.
+    Arrays are (T, J), in the order of the joints; a signal that one side does not have is left out.
     """
+
+    joint_names: tuple[str, ...]
+    """(J,)"""
 
     times: NDArray[np.float64]
     """Times from the start of the simulation, s (T,)"""
@@ -39,7 +41,7 @@ class Signals:
     """True if the recorded velocities were computed from the recorded positions"""
 
     def difference(self, signal: str) -> NDArray[np.float64]:
-        """Simulated minus recorded values (T, 8); NaN where nothing was recorded."""
+        """Simulated minus recorded values (T, J); NaN where nothing was recorded."""
         return self.simulated[signal] - self.recorded[signal]
 
     def report(self) -> dict[str, Any]:
@@ -49,7 +51,7 @@ class Signals:
                 "unit": SIGNALS[signal],
                 "joints": {
                     name: _agreement(self.recorded[signal][:, i], self.simulated[signal][:, i])
-                    for i, name in enumerate(JOINT_NAMES)
+                    for i, name in enumerate(self.joint_names)
                 },
             }
             for signal in self.recorded
@@ -74,8 +76,8 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
     """Resample a recording at the times of the simulation that it covers.
 
     Args:
-        recorded: all eight joints, on the clock of the simulation. Missing velocities are computed from positions.
-        simulated: in the order of `JOINT_NAMES`.
+        recorded: all joints of the simulation, on its clock. Missing velocities are computed from positions.
+        simulated: measurements of the simulation.
 
     Raises:
         QuadrupedError: if they have no time in common, or a joint is missing.
@@ -86,26 +88,32 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
             f"{recorded.source.name}: lasts from {recorded.stamps[0]} to {recorded.stamps[-1]} ns, the simulation from "
             f"{simulated.stamps[0]} to {simulated.stamps[-1]} ns; compare recordings from the same clock"
         )
-    ordered = recorded.in_joint_order()
+    ordered = recorded.select(simulated.names)
     derived = ordered.velocities is None and len(ordered) > 1
     if derived:
         ordered = ordered.differentiate()
     at = ordered.at(simulated.stamps[inside])
     here, there = ({kind: getattr(part, kind) for kind in SIGNALS} for part in (at, simulated))
     both = [kind for kind in SIGNALS if here[kind] is not None and there[kind] is not None]
-    return Signals(simulated.times[inside], {k: here[k] for k in both}, {k: there[k][inside] for k in both}, derived)
+    return Signals(
+        simulated.names,
+        simulated.times[inside],
+        {kind: here[kind] for kind in both},
+        {kind: there[kind][inside] for kind in both},
+        derived,
+    )
 
 
 def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
     """Lag of each joint behind its target, s: the time shift with the smallest error, up to `MAX_LAG`.
 
-    None for a joint that hardly moves. Both trajectories are in the order of `JOINT_NAMES`.
+    None for a joint that hardly moves. Both trajectories have the same joints in the same order.
     """
     shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
     # At the start, target and motion are equal for every lag.
     rows = np.flatnonzero(played.times >= MAX_LAG)
     if len(rows) < 2:
-        return [None] * len(JOINT_NAMES)
+        return [None] * len(played.names)
     rows = rows[:: -(-len(rows) // _LAG_ROWS)]
     offset = (int(played.stamps[0]) - int(target.stamps[0])) / NS_PER_SECOND
     errors = np.array(

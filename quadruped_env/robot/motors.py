@@ -66,7 +66,8 @@ class MotorConfig(PlainFields):
 
     def of_joint(self, name: str) -> JointMotor:
         """The motor of a joint."""
-        return self.hip if "hip" in name else self.knee
+        motor: JointMotor = getattr(self, kind_of_joint(name))
+        return motor
 
     def write(self, spec: mujoco.MjSpec, max_delay: float | None = None) -> None:
         """Set these motors in a robot's specification.
@@ -92,6 +93,11 @@ class MotorConfig(PlainFields):
             if longest > 0.0:
                 actuator.delay, actuator.interp = self.delay, _LINEAR
                 actuator.nsample = math.ceil(longest / spec.option.timestep - 1e-9) + 1
+
+
+def kind_of_joint(name: str) -> str:
+    """Kind of a joint, one of `JOINT_KINDS`: a hip if its name says so, else a knee."""
+    return "hip" if "hip" in name else "knee"
 
 
 def fill_command_history(

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env._plain import plain
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import ground, transforms
-from quadruped_env.robot.motors import JointMotor, MotorConfig
+from quadruped_env.robot.motors import JointMotor, MotorConfig, kind_of_joint
 from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.robot.transforms import Transform
 
@@ -139,6 +139,19 @@ class Robot:
     def left_legs(self) -> tuple[bool, ...]:
         """True for each leg whose foot is to the left of the base's centre in the stance."""
         return tuple(bool(y > 0.0) for y in self.foot_centres(self.stance)[:, 1])
+
+    @property
+    def leg_joints(self) -> tuple[tuple[int, ...], ...]:
+        """Indices of the joints of each leg, from the base to the foot."""
+        return self.skeleton.leg_joints
+
+    @functools.cached_property
+    def joints_by_kind(self) -> Mapping[str, list[int]]:
+        """Indices of the joints of each kind (`hip`, `knee`), which have the same motors, in order of appearance."""
+        kinds: dict[str, list[int]] = {}
+        for joint, name in enumerate(self.joint_names):
+            kinds.setdefault(kind_of_joint(name), []).append(joint)
+        return kinds
 
     def spec(self) -> mujoco.MjSpec:
         """A new specification of the robot alone, to be changed and compiled.

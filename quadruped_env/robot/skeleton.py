@@ -59,6 +59,17 @@ class Skeleton:
         """Model with only the robot's bodies and joints."""
         self.total_mass = float(self.model.body_mass.sum())
         """Sum of all masses, kg."""
+        self.leg_joints = tuple(self._joints_up_to(link) for link, _ in self.feet)
+        """See `Robot.leg_joints`."""
+
+    def _joints_up_to(self, link: str) -> tuple[int, ...]:
+        """Indices of the joints between the base and a link, from the base on."""
+        model, body, joints = self.model, self.model.body(link).id, []
+        while body != model.body(self.link_names[0]).id:
+            # Joint 0 is the free joint of the base.
+            joints += [model.body_jntadr[body] - 1 + i for i in reversed(range(model.body_jntnum[body]))]
+            body = model.body_parentid[body]
+        return tuple(int(joint) for joint in reversed(joints))
 
     def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
         """See `Robot.forward_kinematics`."""

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.progress import Progress
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import conversion, saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, find_gaps, interpolate
@@ -190,6 +190,7 @@ class JointTrajectory:
         tf_rate: float = 20.0,
         compress: bool = False,
         base_pose: ArrayLike | None = None,
+        robot: Robot = MINI_QUADRUPED,
         progress: Progress | None = None,
     ) -> None:
         """Write the trajectory to a file or bag, in full or not at all; `load` reads it back to the last bit.
@@ -197,12 +198,13 @@ class JointTrajectory:
         Args:
             path: `NAME.csv` is this project's CSV, `NAME` a directory with a rosbag2 bag, and `NAME.mcap` or `NAME.db3`
                 a bag's bare storage file. Missing directories are made. Bags are for Humble and later, and contain
-                `/joint_states` and, for this robot's joints, `/robot_description`, `/tf` and `/tf_static`.
+                `/joint_states` and, for the robot's joints, `/robot_description`, `/tf` and `/tf_static`.
             overwrite: replace an existing file or bag.
             storage: of a bag in a directory: `mcap` (default) or `sqlite3`.
             tf_rate: rate of `/tf` in Hz, at multiples of its period; 0 leaves it out.
             compress: compress a bag with zstd.
-            base_pose: position in m and quaternion wxyz of `base_link` in `odom` (T, 7), to be part of `/tf`.
+            base_pose: position in m and quaternion wxyz of the base in `odom` (T, 7), to be part of `/tf`.
+            robot: robot that a bag describes.
             progress: called with the fraction written.
 
         Raises:
@@ -210,7 +212,7 @@ class JointTrajectory:
             MissingExtraError: if a bag is to be written and the libraries for it are not installed.
         """
         base = None if base_pose is None else checked_values("base_pose", base_pose, (len(self), 7), self.source)
-        options = saving.WriteOptions(storage, tf_rate, compress, overwrite)
+        options = saving.WriteOptions(storage, tf_rate, compress, overwrite, robot)
         saving.save(saving.in_pieces(self.to_rows(base), progress), Path(path), options)
 
     def __repr__(self) -> str:
@@ -267,17 +269,17 @@ class JointTrajectory:
         order = [self.names.index(name) for name in names]
         return self._changed(names=names, **{kind: array[:, order] for kind, array in self._arrays().items()})
 
-    def in_joint_order(self) -> "JointTrajectory":
-        """The trajectory with this robot's joints in the order of `JOINT_NAMES`.
+    def in_joint_order(self, robot: Robot = MINI_QUADRUPED) -> "JointTrajectory":
+        """The trajectory with a robot's joints in their order.
 
         Warns:
-            QuadrupedWarning: if there are joints that this robot does not have; they are left out.
+            QuadrupedWarning: if there are joints that the robot does not have; they are left out.
 
         Raises:
             QuadrupedError: if a joint is missing.
         """
-        ordered = self.select(JOINT_NAMES)
-        unknown = [name for name in self.names if name not in JOINT_NAMES]
+        ordered = self.select(robot.joint_names)
+        unknown = [name for name in self.names if name not in robot.joint_names]
         if unknown:
             warnings.warn(
                 f"{self.source.name}: left out joints that this robot does not have: {', '.join(unknown)}",
@@ -286,12 +288,8 @@ class JointTrajectory:
             )
         return ordered
 
-    @cached_property
-    def _joint_positions(self) -> NDArray[np.float64]:
-        return self.in_joint_order().positions
-
     def positions_at(self, seconds: ArrayLike) -> NDArray[np.float64]:
-        """Joint positions at times, in the order of `JOINT_NAMES`.
+        """Joint positions at times, in the order of `names`.
 
         Linear between rows, constant before the first and after the last. At the time of a row the result is
         bit-identical to the positions of the row.
@@ -300,12 +298,11 @@ class JointTrajectory:
             seconds: times from the first timestamp, s (...,).
 
         Returns:
-            Positions in rad (..., 8).
+            Positions in rad (..., J).
 
         Raises:
-            QuadrupedError: if a joint is missing, or a time is NaN.
+            QuadrupedError: if a time is NaN.
         """
-        positions = self._joint_positions
         time = np.asarray(seconds, dtype=np.float64) * NS_PER_SECOND
         if np.isnan(time).any():
             raise QuadrupedError(f"{self.source.name}: positions_at: a time is NaN; give numbers, in s")
@@ -313,7 +310,7 @@ class JointTrajectory:
         # In floating point, k times a period in s is rarely a whole number of ns, but is meant to be.
         whole = np.rint(time)
         time = np.where(np.abs(time - whole) <= 1e-15 * whole, whole, time)
-        return interpolate(self._nanoseconds, positions, time)
+        return interpolate(self._nanoseconds, self.positions, time)
 
     def at(self, stamps: ArrayLike) -> "JointTrajectory":
         """The trajectory at other timestamps, interpolated linearly.

@@ -8,6 +8,7 @@ from typing import Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.progress import Progress
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.trajectory.formats import bag_writer, project_csv
 from quadruped_env.trajectory.formats.bag_writer import STORAGES, TF_RATE, BagOptions
 from quadruped_env.trajectory.rows import Rows
@@ -24,6 +25,7 @@ class WriteOptions:
     tf_rate: float = TF_RATE
     compress: bool = False
     overwrite: bool = False
+    robot: Robot = MINI_QUADRUPED
 
 
 def in_pieces(rows: Rows, progress: Progress | None = None) -> Iterator[Rows]:
@@ -81,4 +83,4 @@ def _bag_options(path: Path, options: WriteOptions) -> BagOptions:
         )
     if path.suffix and options.compress and storage == "sqlite3":
         raise QuadrupedError(f"{path}: a bare sqlite3 file cannot be compressed; name a directory, or use mcap")
-    return BagOptions(storage, options.tf_rate, options.compress)
+    return BagOptions(storage, options.tf_rate, options.compress, options.robot)

@@ -20,9 +20,10 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.episode import STILL
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.task import CommandConfig, RandomizationConfig, Section
-from quadruped_env.viewer.robot import Robot, ViewedRobot, contact_forces, heading
+from quadruped_env.viewer.robot import TaskRobot, ViewedRobot, contact_forces, heading
 from quadruped_env.viewer.sample import Sample
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
 
@@ -67,6 +68,7 @@ class RobotView:
     """Snapshot of a robot to draw; all arrays are copies."""
 
     source: str
+    robot: Robot
     body_position: NDArray[np.float64]
     """Body positions in the world frame (bodies, 3), m."""
     body_rotation: NDArray[np.float64]
@@ -131,15 +133,24 @@ class ViewController:
             robot.
         chosen: names of the initial sources, one per robot.
         results: directory for recordings.
+        robot: description of the robots.
 
     Raises:
-        QuadrupedError: if a source is unknown or does not fit this robot.
+        QuadrupedError: if a source is unknown or does not fit the robot.
     """
 
-    def __init__(self, sources: Mapping[str, Source], chosen: Sequence[str], results: Path = RESULTS) -> None:
+    def __init__(
+        self,
+        sources: Mapping[str, Source],
+        chosen: Sequence[str],
+        results: Path = RESULTS,
+        robot: Robot = MINI_QUADRUPED,
+    ) -> None:
         if not 1 <= len(chosen) <= MAX_ROBOTS:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
         self.sources = sources
+        self.robot = robot
+        """Description of the robots."""
         self.command_ranges = CommandConfig()
         self.offered = Offered()
         self._lock = threading.RLock()
@@ -174,7 +185,7 @@ class ViewController:
         The index after the last robot adds one.
 
         Raises:
-            QuadrupedError: if there is no such robot or source, or the source does not fit this robot. Nothing
+            QuadrupedError: if there is no such robot or source, or the source does not fit the robot. Nothing
                 changes then.
         """
         robot = None if name is None else self._make(name)
@@ -347,7 +358,7 @@ class ViewController:
             if self._take is None:
                 self._saver.check_room()
                 robot = self._watched_robot
-                self._take = Take(robot.name, robot.timestep, [robot.history[-1]])
+                self._take = Take(robot.name, robot.robot, robot.timestep, [robot.history[-1]])
 
     def stop_recording(self) -> None:
         """End the current recording, if any, and save it in the background."""
@@ -409,7 +420,9 @@ class ViewController:
         if name not in self.sources:
             raise QuadrupedError(f"source: there is no {name!r}; there are {', '.join(self.sources)}")
         source = self.sources[name]
-        return Robot(source, RANDOMIZATIONS[self._randomization]) if isinstance(source, ControllerSpec) else source()
+        if isinstance(source, ControllerSpec):
+            return TaskRobot(source, RANDOMIZATIONS[self._randomization], self.robot)
+        return source()
 
     def _tick(self) -> None:
         self._time += self._timestep
@@ -438,6 +451,7 @@ def _view(robot: ViewedRobot) -> RobotView:
     points, forces = contact_forces(robot.model, data)
     return RobotView(
         robot.name,
+        robot.robot,
         robot.data.xpos.copy(),
         robot.data.xmat.reshape(-1, 3, 3).copy(),
         heading(robot.data),

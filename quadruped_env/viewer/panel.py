@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.reporting.palette import GREY, INK, LIMIT
-from quadruped_env.robot import LEG_NAMES
 from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, View, ViewController
 from quadruped_env.viewer.keys import ARROWS_FIRST
 from quadruped_env.viewer.paths import without_directories
@@ -162,7 +161,7 @@ class Panel:
             frequency = gui.add_slider("Frequency, Hz", min=slow, max=fast, step=0.05, initial_value=slow)
             phases = [
                 gui.add_slider(f"Phase {leg}, cycles", min=0.0, max=1.0, step=0.01, initial_value=0.0)
-                for leg in LEG_NAMES
+                for leg in self._controller.robot.leg_names
             ]
         self._amplitude, self._frequency, self._phases = amplitude, frequency, phases
         self._on(amplitude, lambda: self._set_gait(amplitude=amplitude.value))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LEG_COLOURS, LIMIT, VERMILION
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
+from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LIMIT, VERMILION, joint_colours, leg_colours
+from quadruped_env.robot import Robot
 from quadruped_env.task import Section
 from quadruped_env.viewer.controller import RobotView
 from quadruped_env.viewer.robot import HISTORY_SECONDS
@@ -32,7 +32,7 @@ _POINTS: Final = 125
 class Plots:
     """A panel of charts at the left edge."""
 
-    def __init__(self, server: "viser.ViserServer", commands: Section) -> None:
+    def __init__(self, server: "viser.ViserServer", commands: Section, robot: Robot) -> None:
         panel = server.gui.add_panel()
         panel.dock_left()
         panel.set_width(_WIDTH)
@@ -41,13 +41,13 @@ class Plots:
         with panel.add_tab("Walk"):
             self._forward = _Chart(server, "Forward velocity, m/s", _VELOCITY_LINES, ahead)
             self._yaw = _Chart(server, "Yaw rate, rad/s", _VELOCITY_LINES, turn)
-            self._gait = server.gui.add_html(gait_diagram((), 0.02))
+            self._gait = server.gui.add_html(gait_diagram(robot, (), 0.02))
         with panel.add_tab("Joints"):
-            self._hips = _Chart(server, "Hip positions, rad", _JOINT_LINES, _limits(0))
-            self._knees = _Chart(server, "Knee positions, rad", _JOINT_LINES, _limits(1))
-            self._speeds = _Chart(
-                server, "Fastest joint of each leg, rad/s", (*_LEG_LINES, ("limit", LIMIT, (4, 4))), (0.0, 6.0)
-            )
+            self._kinds = [_JointChart(server, robot, kind) for kind in robot.joints_by_kind]
+            self._fastest = float(robot.velocity_limit.max())
+            lines: list[_Line] = [(leg, colour, ()) for leg, colour in leg_colours(robot).items()]
+            lines.append(("limit", LIMIT, (4, 4)))
+            self._speeds = _Chart(server, "Fastest joint of each leg, rad/s", lines, (0.0, 1.2 * self._fastest))
         with panel.add_tab("Reward"):
             self._reward = server.gui.add_html("")
 
@@ -65,12 +65,12 @@ class Plots:
         for i, chart in enumerate((self._forward, self._yaw)):
             chart.show(times, velocity[:, i], smooth[:, i], command[:, i])
         joints = over_time(drawn, "joint_position")
-        for i, chart in enumerate((self._hips, self._knees)):
-            limits = np.full(len(times), JOINT_POSITION_LOW[i]), np.full(len(times), JOINT_POSITION_HIGH[i])
-            chart.show(times, *joints[:, i::2].T, *limits)
-        speeds = np.abs(over_time(drawn, "joint_velocity")).reshape(len(times), len(LEG_NAMES), 2).max(axis=2)
-        self._speeds.show(times, *speeds.T, np.full(len(times), VELOCITY_LIMIT))
-        self._gait.content = gait_diagram(robot.history, robot.timestep)
+        for kind in self._kinds:
+            kind.show(times, joints)
+        speeds = np.abs(over_time(drawn, "joint_velocity"))
+        by_leg = [speeds[:, list(leg)].max(axis=1) for leg in robot.robot.leg_joints]
+        self._speeds.show(times, *by_leg, np.full(len(times), self._fastest))
+        self._gait.content = gait_diagram(robot.robot, robot.history, robot.timestep)
         recent = robot.history[-round(_REWARD_SECONDS / robot.timestep) :]
         terms = over_time(recent, "reward_terms").mean(axis=0) / robot.timestep
         self._reward.content = reward_bars(robot.term_names, terms)
@@ -84,8 +84,6 @@ _VELOCITY_LINES: Final[tuple[_Line, ...]] = (
     ("mean", BLUE, ()),
     ("command", GREEN, (6, 4)),
 )
-_LEG_LINES: Final[tuple[_Line, ...]] = tuple((leg, colour, ()) for leg, colour in LEG_COLOURS.items())
-_JOINT_LINES: Final[tuple[_Line, ...]] = (*_LEG_LINES, ("limits", LIMIT, (4, 4)), ("", LIMIT, (4, 4)))
 
 
 class _Chart:
@@ -120,15 +118,35 @@ class _Chart:
         self._handle.data = (times, *lines)
 
 
-def gait_diagram(history: Sequence[Sample], timestep: float) -> str:
+class _JointChart:
+    """Positions of the joints of one kind, with the outermost of their limits."""
+
+    def __init__(self, server: "viser.ViserServer", robot: Robot, kind: str) -> None:
+        self._joints = robot.joints_by_kind[kind]
+        self._limits = (
+            float(robot.joint_position_low[self._joints].min()),
+            float(robot.joint_position_high[self._joints].max()),
+        )
+        joints = joint_colours(robot)
+        lines: list[_Line] = [(*joints[joint], ()) for joint in self._joints]
+        lines += [("limits", LIMIT, (4, 4)), ("", LIMIT, (4, 4))]
+        self._chart = _Chart(server, f"{kind.capitalize()} positions, rad", lines, _padded(self._limits))
+
+    def show(self, times: NDArray[np.float64], positions: NDArray[np.float64]) -> None:
+        """Draw positions (T, J) over times (s) (T,)."""
+        limits = (np.full(len(times), limit) for limit in self._limits)
+        self._chart.show(times, *positions[:, self._joints].T, *limits)
+
+
+def gait_diagram(robot: Robot, history: Sequence[Sample], timestep: float) -> str:
     """Gait diagram as SVG: one bar per foot and stance phase, time to the right, the present at the right edge."""
     left, right, top, row, bar = 30, 360, 4, 22, 14
-    bottom = top + row * len(LEG_NAMES)
+    bottom = top + row * robot.num_legs
     scale = (right - left) / GAIT_SECONDS
     recent = history[-round(GAIT_SECONDS / timestep) :]
     parts = []
-    contact = over_time(recent, "contact").astype(bool).reshape(-1, len(LEG_NAMES))
-    for leg, (name, colour) in enumerate(LEG_COLOURS.items()):
+    contact = over_time(recent, "contact").astype(bool).reshape(-1, robot.num_legs)
+    for leg, (name, colour) in enumerate(leg_colours(robot).items()):
         y = top + row * leg
         parts.append(f'<text x="{left - 8}" y="{y + bar - 2}" text-anchor="end">{name}</text>')
         parts.append(f'<rect x="{left}" y="{y}" width="{right - left}" height="{bar}" fill="#EEF1F4"/>')
@@ -188,11 +206,6 @@ def _heading(title: str, lines: Sequence[_Line]) -> str:
         f'<div style="{_FONT};display:flex;flex-wrap:wrap;padding:8px 12px 2px 12px;color:{INK}">'
         f'<b style="flex-grow:1">{escape(title)}</b>{keys}</div>'
     )
-
-
-def _limits(first: int) -> tuple[float, float]:
-    """Bounds of a chart that shows the limits of the hips (0) or of the knees (1)."""
-    return _padded((JOINT_POSITION_LOW[first], JOINT_POSITION_HIGH[first]))
 
 
 def _padded(bounds: tuple[float, float]) -> tuple[float, float]:

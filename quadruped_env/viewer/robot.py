@@ -13,7 +13,7 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
-from quadruped_env.robot import load_model
+from quadruped_env.robot import MINI_QUADRUPED, Robot, load_model
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Section, Task
@@ -29,6 +29,8 @@ class ViewedRobot(Protocol):
 
     name: str
     """Name of its source."""
+    robot: Robot
+    """Its description."""
     timestep: float
     """Time between samples, s."""
     history: deque[Sample]
@@ -79,26 +81,30 @@ class ViewedRobot(Protocol):
         ...
 
 
-class Robot:
-    """A simulated robot in its own simulation.
+class TaskRobot:
+    """A simulated robot in a task of its own.
 
     Args:
         source: its controller.
         randomization: replaces the source's own randomization.
+        robot: its description.
 
     Raises:
-        QuadrupedError: if the source does not fit this robot.
+        QuadrupedError: if the source does not fit the robot.
     """
 
-    def __init__(self, source: ControllerSpec, randomization: Section | None = None) -> None:
+    def __init__(
+        self, source: ControllerSpec, randomization: Section | None = None, robot: Robot = MINI_QUADRUPED
+    ) -> None:
         self.name = source.name
+        self.robot = robot
         controller = source.make()
         config = task_config(controller.action_mode, task_of(controller))
         if randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
-        self._simulation = SingleSimulation(load_model(config.physics_timestep, config.motor))
-        self.task = Task(self._simulation, config)
+        self._simulation = SingleSimulation(load_model(config.physics_timestep, config.motor, robot), robot)
+        self.task = Task(self._simulation, config, robot=robot)
         self.term_names = self.task.term_names
         self.timestep = config.control_timestep
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))

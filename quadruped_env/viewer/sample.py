@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """Readings at the end of a control step, copied."""
+    """Readings of a robot with J joints and L legs at the end of a control step, copied."""
 
     time: float
     """Time since the start of the episode, s."""
@@ -26,15 +26,15 @@ class Sample:
     base_pose: Floats
     """Position in m and quaternion wxyz in the world (7,)"""
     joint_position: Floats
-    """Joint positions (8,), rad."""
+    """Joint positions (J,), rad."""
     joint_velocity: Floats
-    """Joint velocities (8,), rad/s."""
+    """Joint velocities (J,), rad/s."""
     joint_torque: Floats
-    """Joint torques (8,), N m."""
+    """Joint torques (J,), N m."""
     foot_position: Floats
-    """Centre of each foot's sphere in the world frame (4, 3), m."""
+    """Centre of each foot's sphere in the world frame (L, 3), m."""
     contact: NDArray[np.bool_]
-    """True for each foot on the ground (4,)."""
+    """True for each foot on the ground (L,)."""
     reward_terms: Floats
     """Weighted terms of the last step, in the task's order (T,); zeros at the start"""
 

@@ -8,10 +8,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.robot import LEG_NAMES
+from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.viewer.controller import RobotView, View
 from quadruped_env.viewer.sample import over_time
-from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, LEGS, PUSH
+from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, PUSH, rgb
 
 if TYPE_CHECKING:
     import viser
@@ -210,10 +210,10 @@ class Scene:
             count = round(_TRAIL_SECONDS / robot.timestep)
             # From the present backwards, so that old points stay where they are.
             feet = over_time(robot.history[-count:][::-1][::_TRAIL_STRIDE], "foot_position") + shift[i]
-            for leg in range(len(LEG_NAMES)):
+            for leg, colour in enumerate(leg_colours(robot.robot).values()):
                 path = feet[:, leg]
                 segments.append(np.stack([path[:-1], path[1:]], axis=1))
-                colours.append(np.broadcast_to(np.array(LEGS[leg], np.uint8), (len(path) - 1, 2, 3)))
+                colours.append(np.broadcast_to(np.array(rgb(colour), np.uint8), (len(path) - 1, 2, 3)))
         _draw(self._trails, np.concatenate(segments), np.concatenate(colours), self.visible["foot trails"])
 
     def _draw_push(self, robots: tuple[RobotView, ...], shift: Points) -> None:

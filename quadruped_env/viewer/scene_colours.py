@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from quadruped_env.reporting.palette import BLUE, GREEN, LEG_COLOURS, ORANGE, VERMILION
+from quadruped_env.reporting.palette import BLUE, GREEN, ORANGE, VERMILION
 
 Colour = tuple[int, int, int]
 
@@ -17,4 +17,3 @@ COMMANDED: Final = rgb(GREEN)
 ACTUAL: Final = rgb(BLUE)
 CONTACT: Final = rgb(VERMILION)
 PUSH: Final = rgb(ORANGE)
-LEGS: Final = tuple(map(rgb, LEG_COLOURS.values()))

@@ -63,7 +63,7 @@ class Show:
         self._server = start_server(host, port)
         self._scene = Scene(self._server, controller.model())
         self.panel = Panel(self._server, controller, self._scene)
-        self._plots = Plots(self._server, controller.command_ranges)
+        self._plots = Plots(self._server, controller.command_ranges, controller.robot)
         self._server.on_client_disconnect(lambda _: self._left())
         self.draw(controller.view())
 

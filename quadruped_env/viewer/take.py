@@ -16,7 +16,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_mes
 from quadruped_env.files import free_path
 from quadruped_env.reporting.films.film import Motion
 from quadruped_env.reporting.films.video import save_film
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot import Robot
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.viewer.sample import Sample, over_time
@@ -38,6 +38,7 @@ class Take:
     """The recorded samples of one robot."""
 
     title: str
+    robot: Robot
     timestep: float
     """Time between samples, s."""
     samples: list[Sample] = field(default_factory=list)
@@ -52,7 +53,7 @@ class Take:
         stamps = np.rint(np.arange(len(self.samples)) * self.timestep * NS_PER_SECOND).astype(np.int64)
         return JointTrajectory(
             stamps,
-            JOINT_NAMES,
+            self.robot.joint_names,
             over_time(self.samples, "joint_position"),
             over_time(self.samples, "joint_velocity"),
             over_time(self.samples, "joint_torque"),
@@ -62,6 +63,7 @@ class Take:
         """The motion for a film."""
         return Motion(
             self.title,
+            self.robot,
             self.timestep,
             over_time(self.samples, "base_pose"),
             over_time(self.samples, "joint_position"),

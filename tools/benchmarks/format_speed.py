@@ -17,8 +17,9 @@ _START: Final = """
 import json, sys, time
 from pathlib import Path
 import numpy as np
-from quadruped_env import JOINT_NAMES, JointTrajectory
-from quadruped_env.benchmarks.render_speed import stay_on_one_core
+from benchmarks.render_speed import stay_on_one_core
+from quadruped_env import JointTrajectory
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.trajectory import saving
 from quadruped_env.trajectory.loading import Stream
 from quadruped_env.trajectory.options import ReadOptions
@@ -34,9 +35,9 @@ rng, count = np.random.default_rng(0), int(sys.argv[2])
 def pieces():
     for first in range(0, count, {BLOCK}):
         n = min({BLOCK}, count - first)
-        numbers = rng.uniform(-1.0, 1.0, (3, n, 8))
+        numbers = rng.uniform(-1.0, 1.0, (3, n, MINI_QUADRUPED.num_joints))
         timestamps = 1_700_000_000_000_000_000 + 20_000_000 * np.arange(first, first + n)
-        yield JointTrajectory(timestamps, JOINT_NAMES, *numbers).to_rows()
+        yield JointTrajectory(timestamps, MINI_QUADRUPED.joint_names, *numbers).to_rows()
 start = time.perf_counter()
 saving.save(pieces(), Path(sys.argv[1]), saving.WriteOptions())
 messages = count

@@ -64,7 +64,7 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
     best, results = None, []
     for multisamples in reversed(MULTISAMPLINGS):
         for shadow_size in reversed(SHADOW_SIZES):
-            with Camera(shadow_size, multisamples) as camera:
+            with Camera(walk.robot, shadow_size, multisamples) as camera:
                 camera.picture(walk, 0)
                 times, pictures = [], []
                 for sample in walk.frame_samples():

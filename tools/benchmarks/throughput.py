@@ -24,11 +24,12 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
 from quadruped_env.files import write_json
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, forward_kinematics
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import Task
 
 ROWS: Final = 256
 SYNC_ROWS: Final = 64
+ROBOT: Final = MINI_QUADRUPED
 CHUNKS: Final = 15
 
 FALLING: Final = {"randomization": {"push_velocity": 3.0, "push_interval": (1.0, 4.0)}}
@@ -57,9 +58,10 @@ def _seconds(work: Callable[[], object]) -> float:
 
 
 def _joint_targets(task: Task, actions: NDArray[Any]) -> NDArray[np.float64]:
-    """Joint targets for actions (..., 8) in position mode, rad."""
-    target = STANCE + task.config.action.position_scale * actions.astype(np.float64)
-    return np.clip(target, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+    """Joint targets for actions (..., J) in position mode, rad."""
+    robot = task.control.robot
+    target = robot.stance + task.config.action.position_scale * actions.astype(np.float64)
+    return np.clip(target, robot.joint_position_low, robot.joint_position_high)
 
 
 def vector_over_bare() -> list[Measure]:
@@ -75,7 +77,7 @@ def vector_over_bare() -> list[Measure]:
     steps = 60
     ratios, rates, bare_rates, resets = [], [], [], 0
     for _ in range(CHUNKS + 1):
-        actions = rng.uniform(-1.0, 1.0, (steps, ROWS, 8)).astype(np.float32)
+        actions = rng.uniform(-1.0, 1.0, (steps, ROWS, ROBOT.num_joints)).astype(np.float32)
         state = batch.state.copy()
         controls = _joint_targets(env.unwrapped.task, actions)
         env_seconds = 0.0
@@ -127,7 +129,7 @@ def single_over_ant() -> list[Measure]:
     ant.reset(seed=0)
     ratios, above, rates = [], [], []
     for _ in range(CHUNKS + 1):
-        actions = rng.uniform(-1.0, 1.0, (steps, 8)).astype(np.float32)
+        actions = rng.uniform(-1.0, 1.0, (steps, ROBOT.num_joints)).astype(np.float32)
         spec = mujoco.mjtState.mjSTATE_INTEGRATION
         state = np.empty(mujoco.mj_stateSize(model, spec))
         mujoco.mj_getState(model, env.unwrapped.data, state, spec)
@@ -204,7 +206,7 @@ def vector_over_sync() -> list[Measure]:
     sync.reset(seed=0)
     ratios = []
     for _ in range(CHUNKS + 1):
-        actions = rng.uniform(-1.0, 1.0, (20, SYNC_ROWS, 8)).astype(np.float32)
+        actions = rng.uniform(-1.0, 1.0, (20, SYNC_ROWS, ROBOT.num_joints)).astype(np.float32)
 
         def run(env: Any, actions: Any = actions) -> float:
             return _seconds(lambda: [env.step(action) for action in actions])
@@ -237,7 +239,8 @@ def training_over_bare() -> list[Measure]:
         state = batch.state.copy()
         seconds = _seconds(lambda: model.learn(4 * steps, reset_num_timesteps=False))
         bare.state[:] = state
-        controls = _joint_targets(env.task, 0.3 * rng.uniform(-1.0, 1.0, (4 * config.n_steps, config.num_envs, 8)))
+        shape = 4 * config.n_steps, config.num_envs, ROBOT.num_joints
+        controls = _joint_targets(env.task, 0.3 * rng.uniform(-1.0, 1.0, shape))
 
         def step_bare(controls: Any = controls) -> None:
             for control in controls:
@@ -311,9 +314,11 @@ def run_python(program: str, *arguments: str) -> dict[str, Any]:
 
 def kinematics() -> list[Measure]:
     """Forward kinematics of a million poses of the whole robot, on one core."""
-    positions = np.random.default_rng(0).uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH, (1_000_000, 8))
-    seconds = float(np.median([_seconds(lambda: forward_kinematics(positions)) for _ in range(3)]))
-    return [Measure("forward kinematics of 1,000,000 poses", seconds, "s", "< 3", seconds < 3.0, "all nine links")]
+    low, high = ROBOT.joint_position_low, ROBOT.joint_position_high
+    positions = np.random.default_rng(0).uniform(low, high, (1_000_000, ROBOT.num_joints))
+    seconds = float(np.median([_seconds(lambda: ROBOT.forward_kinematics(positions)) for _ in range(3)]))
+    links = f"all {len(ROBOT.link_names)} links"
+    return [Measure("forward kinematics of 1,000,000 poses", seconds, "s", "< 3", seconds < 3.0, links)]
 
 
 WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {

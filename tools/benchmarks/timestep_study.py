@@ -21,7 +21,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import write_json
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.progress import Progress
-from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, load_model
+from quadruped_env.robot import MINI_QUADRUPED, load_model
 from quadruped_env.simulation import BatchSimulation
 
 CONTROL_TIMESTEP: Final = 0.02
@@ -32,6 +32,7 @@ TOLERANCE: Final = 0.03
 
 TIMESTEPS: Final = (0.010, 0.005, 0.004, 0.0025, 0.002, 0.001)
 """Physics time steps, s."""
+ROBOT: Final = MINI_QUADRUPED
 ITERATIONS: Final = ((2, 4), (4, 8), (10, 20), (100, 50))
 """Newton iterations, and line search iterations in each."""
 CONVERGED: Final = ITERATIONS[-1]
@@ -130,7 +131,7 @@ def standing_height(setting: Setting) -> float:
     """Height of the base, m, after some seconds of standing in the stance."""
     simulation = _at_stance(setting, 1)
     for _ in range(round(_STANDING_SECONDS / CONTROL_TIMESTEP)):
-        simulation.step(STANCE[None], setting.substeps)
+        simulation.step(ROBOT.stance[None], setting.substeps)
     return float(simulation.readings.base_position[0, 2])
 
 
@@ -144,8 +145,8 @@ def impact_velocity(setting: Setting) -> float:
     state = simulation.readings
     height, speed = _DROP_HEIGHT, 0.0
     while True:
-        simulation.step(STANCE[None], 1)
-        next_height = float(state.foot_position[0, :, 2].min()) - FOOT_RADIUS
+        simulation.step(ROBOT.stance[None], 1)
+        next_height = float(state.foot_position[0, :, 2].min()) - ROBOT.foot_radius
         next_speed = -float((state.linear_velocity_b[0] * state.up_b[0]).sum())
         if next_height <= 0.0:
             return speed + (next_speed - speed) * height / (height - next_height)
@@ -160,7 +161,7 @@ def gait_speeds(
     The starts are spread over the gait's cycle and have random joint positions. The mean is over whole cycles.
     """
     rng = np.random.default_rng(seed)
-    jitter = _START_JITTER * rng.uniform(-1.0, 1.0, (starts, len(STANCE)))
+    jitter = _START_JITTER * rng.uniform(-1.0, 1.0, (starts, ROBOT.num_joints))
     simulation = _at_stance(setting, starts, jitter=jitter, num_threads=num_threads)
     state = simulation.readings
     offset = gait.period * np.arange(starts) / starts
@@ -171,7 +172,7 @@ def gait_speeds(
     for step in range(end):
         t = step * CONTROL_TIMESTEP
         amplitude = min(1.0, t / _RAMP_SECONDS)
-        simulation.step(STANCE + amplitude * (gait.positions(t + offset) - STANCE), setting.substeps)
+        simulation.step(ROBOT.stance + amplitude * (gait.positions(t + offset) - ROBOT.stance), setting.substeps)
         fallen |= (state.up_b[:, 2] < _FALLEN) | simulation.diverged()
         if step >= begin:
             travelled += state.linear_velocity_b[:, 0]
@@ -183,9 +184,9 @@ def _at_stance(
 ) -> BatchSimulation:
     """Robots at rest in the stance, a height in m above touching the ground."""
     simulation = BatchSimulation(setting.model(), rows, num_threads)
-    qpos = np.zeros((rows, 15))
-    qpos[:, 2], qpos[:, 3], qpos[:, 7:] = STANCE_HEIGHT + height, 1.0, STANCE + jitter
-    simulation.reset(np.arange(rows), qpos, np.zeros((rows, 14)))
+    qpos = np.zeros((rows, ROBOT.num_positions))
+    qpos[:, 2], qpos[:, 3], qpos[:, 7:] = ROBOT.stance_height + height, 1.0, ROBOT.stance + jitter
+    simulation.reset(np.arange(rows), qpos, np.zeros((rows, ROBOT.num_velocities)))
     return simulation
 
 

@@ -24,7 +24,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
     robot = LiveRobot(session.node, session.refuse)
-    controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS)
+    controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, robot.robot)
     controller.restart_after_fall = False
     controller.offered = robot.offered()
     show = Show(controller, port=arguments.port)

@@ -14,7 +14,7 @@ from quadruped_env.evaluation.episode import Recording
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.overlay import Overlay
-from quadruped_env.robot import load_model
+from quadruped_env.robot import Robot, load_model
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 
 Picture = NDArray[np.uint8]
@@ -59,18 +59,19 @@ class Motion:
     """Motion of one robot that a film shows: T samples."""
 
     title: str
+    robot: Robot
     timestep: float
     """Time between samples, s"""
     base_pose: NDArray[np.floating]
     """Position in m and quaternion wxyz of the base in the world (T, 7)"""
     joint_position: NDArray[np.floating]
-    """Joint positions, rad (T, 8)"""
+    """Joint positions, rad (T, J)"""
     velocity: NDArray[np.floating] | None = None
     """Forward velocity in m/s and yaw rate in rad/s (T, 2), if known"""
     command: NDArray[np.floating] | None = None
     """Velocity command in the same units (T, 2), or None for a robot that follows none"""
     contact: NDArray[np.bool_] | None = None
-    """True for each foot on the ground (T, 4), if known"""
+    """True for each foot on the ground (T, L), if known"""
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
@@ -80,6 +81,7 @@ class Motion:
         position, orientation = rollout.base_position[part, row], rollout.orientation[part, row]
         return cls(
             title,
+            rollout.robot,
             rollout.timestep,
             np.concatenate([position, orientation], axis=1),
             rollout.joint_position[part, row],
@@ -94,7 +96,13 @@ class Motion:
         joints = recording.joints
         timestep = joints.duration / max(len(joints) - 1, 1)
         return cls(
-            title, timestep, recording.base_pose, joints.positions, recording.velocity, contact=recording.contact
+            title,
+            recording.robot,
+            timestep,
+            recording.base_pose,
+            joints.positions,
+            recording.velocity,
+            contact=recording.contact,
         )
 
     @property
@@ -123,10 +131,17 @@ def smoothed_position(motion: Motion, sample: int) -> NDArray[np.float64]:
     return motion.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
 
 
+def check_opengl() -> None:
+    """Raise a QuadrupedError if OpenGL is not available."""
+    model = mujoco.MjSpec().compile()
+    SceneRenderer(model, mujoco.MjData(model), "rgb_array", WIDTH, HEIGHT).close()
+
+
 class Camera:
     """Renders motions with a camera that follows the robot.
 
     Args:
+        robot: robot of the motions.
         shadow_size: side of the shadow map, pixels; 0 for no shadow.
         multisamples: samples per pixel.
 
@@ -134,8 +149,8 @@ class Camera:
         QuadrupedError: if OpenGL is not available.
     """
 
-    def __init__(self, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
-        self._model = load_model()
+    def __init__(self, robot: Robot, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
+        self._model = load_model(robot=robot)
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = shadow_size
         self._model.vis.quality.offsamples = multisamples
@@ -181,7 +196,7 @@ class Camera:
         Raises:
             MissingExtraError: if Pillow is not installed.
         """
-        overlay = Overlay(motion.title, motion.timestep, motion.velocity, motion.command, motion.contact)
+        overlay = Overlay(motion.robot, motion.title, motion.timestep, motion.velocity, motion.command, motion.contact)
         for sample in motion.frame_samples():
             yield overlay.draw(self.picture(motion, sample), sample)
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.reporting.palette import BLUE, INK, LEG_COLOURS
-from quadruped_env.robot import LEG_NAMES
+from quadruped_env.reporting.palette import BLUE, INK, leg_colours
+from quadruped_env.robot import Robot
 
 AVERAGED: Final = 0.5
 """Window over which the shown velocity is averaged, about a stride, s."""
@@ -18,8 +18,12 @@ _HEAD_HEIGHT, _PANEL_HEIGHT = 32, 76
 _MARGIN: Final = 14
 _AIR: Final = 232
 """Grey level of a foot in the air."""
-_BAND, _BAND_STEP = 11, 15
-"""Height of a foot's band, and distance from one band to the next, pixels."""
+_GAIT_HEIGHT: Final = 60
+"""Height of the gait diagram, pixels."""
+_BAND_SHARE: Final = 0.75
+"""Height of a foot's band, relative to the distance from one band to the next."""
+_GAIT_TOP: Final = 10
+"""Distance of the gait diagram from the top of the panel, pixels."""
 _GAIT_WIDTH: Final = 250
 _BAR_LEFT, _BAR_RIGHT = 78, 204
 _QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
@@ -30,11 +34,12 @@ class Overlay:
     """Draws the overlays on pictures of one motion.
 
     Args:
+        robot: robot that moves.
         title: title of the motion.
         timestep: time between samples, s.
         velocity: forward velocity in m/s and yaw rate in rad/s (T, 2), or None.
         command: velocity command in the same units (T, 2), or None.
-        contact: True for each foot on the ground (T, 4), or None.
+        contact: True for each foot on the ground (T, L), or None.
 
     Raises:
         MissingExtraError: if Pillow is not installed.
@@ -42,6 +47,7 @@ class Overlay:
 
     def __init__(
         self,
+        robot: Robot,
         title: str,
         timestep: float,
         velocity: NDArray[np.floating] | None,
@@ -54,11 +60,12 @@ class Overlay:
             raise MissingExtraError("A film", "report") from error
         self._to_image, self._pen_for = Image.fromarray, ImageDraw.Draw
         self._font, self._small = ImageFont.load_default(16), ImageFont.load_default(13)
+        self._robot = robot
         self._title = title
         self._timestep = timestep
         self._command = command
         self._velocity = None if velocity is None else trailing_mean(velocity, round(AVERAGED / timestep))
-        self._gait = None if contact is None else gait_strip(contact, timestep)
+        self._gait = None if contact is None else gait_strip(robot, contact, timestep)
 
     def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
         """The picture (H, W, 3) of a sample, with overlays."""
@@ -80,12 +87,12 @@ class Overlay:
                     self._draw_velocity(pen, row, sample, 14 + 28 * row)
             if self._gait is not None:
                 left = image.width - _MARGIN - _GAIT_WIDTH
-                for leg, name in enumerate(LEG_NAMES):
-                    at = left - 26, 10 + _BAND_STEP * leg + _BAND // 2
-                    pen.text(at, name, fill=INK, font=self._small, anchor="lm")
+                for (top, bottom), name in zip(_bands(self._robot), self._robot.leg_names, strict=True):
+                    at = left - 6, _GAIT_TOP + (top + bottom) // 2
+                    pen.text(at, name, fill=INK, font=self._small, anchor="rm")
                 end = max(1, round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH))
                 strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - _GAIT_WIDTH) : end]))
-                image.paste(strip, (image.width - _MARGIN - strip.width, 10))
+                image.paste(strip, (image.width - _MARGIN - strip.width, _GAIT_TOP))
             panel[:] = image
         return picture
 
@@ -120,18 +127,24 @@ def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float
     return (total[stop] - total[start]) / (stop - start)[:, None]
 
 
-def gait_strip(contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
+def _bands(robot: Robot) -> list[tuple[int, int]]:
+    """Top and bottom of each foot's band in the gait diagram, pixels; thinner for more feet."""
+    step = _GAIT_HEIGHT // robot.num_legs
+    return [(step * leg, step * leg + max(1, int(_BAND_SHARE * step))) for leg in range(robot.num_legs)]
+
+
+def gait_strip(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
     """The gait diagram of a whole motion as a picture: one band per foot, coloured while the foot is on the ground.
 
     Args:
-        contact: True for each foot on the ground (T, 4).
+        robot: robot that moves.
+        contact: True for each foot on the ground (T, L).
         timestep: time between samples, s; `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
     """
     columns = max(1, round(len(contact) * timestep / GAIT_SECONDS * _GAIT_WIDTH))
     samples = np.arange(columns) * len(contact) // columns
-    strip = np.full((_BAND_STEP * len(LEG_NAMES), columns, 3), 255, np.uint8)
-    for leg, name in enumerate(LEG_NAMES):
-        colour = np.array([int(LEG_COLOURS[name][i : i + 2], 16) for i in (1, 3, 5)], np.uint8)
-        band = np.where(contact[samples, leg, None], colour, np.uint8(_AIR))
-        strip[_BAND_STEP * leg : _BAND_STEP * leg + _BAND] = band
+    strip = np.full((_GAIT_HEIGHT, columns, 3), 255, np.uint8)
+    for leg, ((top, bottom), colour) in enumerate(zip(_bands(robot), leg_colours(robot).values(), strict=True)):
+        shade = np.array(list(bytes.fromhex(colour.removeprefix("#"))), np.uint8)
+        strip[top:bottom] = np.where(contact[samples, leg, None], shade, np.uint8(_AIR))
     return strip

@@ -12,7 +12,7 @@ from quadruped_env._python import pip_command
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import check_free, write_whole
 from quadruped_env.progress import Progress
-from quadruped_env.reporting.films.film import FRAME_RATE, Camera, Motion, Picture
+from quadruped_env.reporting.films.film import FRAME_RATE, Camera, Motion, Picture, check_opengl
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
 STILLS: Final = 4
@@ -43,16 +43,16 @@ def prepare_video(path: Path | None, overwrite: bool = False) -> None:
     _pillow()
     if path.suffix == ".mp4":
         _pyav()
-    Camera().close()
+    check_opengl()
 
 
 def save_film(path: Path, motions: Sequence[Motion], progress: Progress | None = None) -> None:
-    """Write a film of several motions, one after another, in the format of the file's suffix.
+    """Write a film of several motions of a robot, one after another, in the format of the file's suffix.
 
     Raises:
         QuadrupedError, MissingExtraError: as `prepare_video`, or if the file cannot be written.
     """
-    with Camera() as camera:
+    with Camera(motions[0].robot) as camera:
         save_video(path, camera.films(motions, progress))
 
 

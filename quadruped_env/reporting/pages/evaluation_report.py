@@ -4,6 +4,9 @@ import dataclasses
 from pathlib import Path
 from typing import Any, Final
 
+import numpy as np
+from numpy.typing import NDArray
+
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.failures import Failure, worst_episodes
 from quadruped_env.evaluation.metrics import WINDOW
@@ -12,10 +15,18 @@ from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Motion
-from quadruped_env.reporting.pages.page import circumstances, data_url, figure, tables, without_nan, words, write_page
+from quadruped_env.reporting.pages.page import (
+    circumstances,
+    data_url,
+    figure,
+    leg_legend,
+    tables,
+    without_nan,
+    words,
+    write_page,
+)
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.results import prepare_output
-from quadruped_env.robot import EFFORT_LIMIT, VELOCITY_LIMIT
 
 _EPISODE: Final = "The episode is the first one without a fall, or else the longest."
 
@@ -76,6 +87,12 @@ def write_report(
     return report, numbers, missing if with_video else missing[1:]
 
 
+def _span(limits: NDArray[np.float64]) -> str:
+    """The limits of all joints (J,) as text: one number, or their range."""
+    low, high = limits.min(), limits.max()
+    return f"{low:g}" if low == high else f"{low:g} to {high:g}"
+
+
 def _failure(comparison: Comparison, failure: Failure, pictures: Pictures) -> dict[str, Any]:
     return {
         "title": f"Command: {words(failure.command)}",
@@ -90,7 +107,7 @@ def _failure(comparison: Comparison, failure: Failure, pictures: Pictures) -> di
 
 def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
     shown = shown_commands(comparison)
-    main = shown.get("forwards", 0)
+    main, robot = shown.get("forwards", 0), comparison.robot
     command = words(comparison.commands[main])
     figures = [
         figure(
@@ -114,8 +131,7 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
         figure(
             "Gait: which feet are on the ground",
             plots.gait_diagram(comparison, main),
-            f"Bars show when a foot is on the ground. Command: {command}. L and R: left and right; F and H: front and "
-            f"hind.",
+            f"Bars show when a foot is on the ground. Command: {command}.{leg_legend(robot)}",
         )
     )
     if comparison.conditions("forwards"):
@@ -133,12 +149,13 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             plots.motor_limits(comparison),
             "The policy, all commands. Above: distribution of torque and speed. Red lines are the motor's limits; a "
             "foot that hits the ground can turn a joint faster. Below: median (white), 95th percentile (bar) and "
-            f"maximum (diamond) of each joint, relative to {EFFORT_LIMIT:g} N m and {VELOCITY_LIMIT:g} rad/s.",
+            f"maximum (diamond) of each joint, relative to {_span(robot.effort_limit)} N m and "
+            f"{_span(robot.velocity_limit)} rad/s.",
         ),
         figure(
             "Joints over time",
             plots.joint_traces(comparison, main),
-            f"Position, speed and torque of the policy's eight joints. Command: {command}. Red lines are the limits.",
+            f"Position, speed and torque of the policy's joints. Command: {command}. Red lines are the limits.",
         ),
         figure(
             "Foot clearance and slip",

@@ -17,6 +17,7 @@ from quadruped_env.files import write_json, write_whole
 from quadruped_env.provenance import git_commit, machine, versions
 from quadruped_env.reporting.plots.canvas import label
 from quadruped_env.reporting.results import REPORT_FILE
+from quadruped_env.robot import Robot
 
 METRICS_FILE: Final = "metrics.json"
 FORMAT_VERSION: Final = 2
@@ -66,6 +67,7 @@ def tables(comparison: Comparison) -> dict[str, Any]:
             if comparison.conditions(motion)
         ],
         "metrics": METRICS,
+        "robot": _description(comparison.robot),
         "start_up": START_UP,
         "window": WINDOW,
     }
@@ -75,7 +77,7 @@ def _row(title: str, metric: str, comparison: Comparison, motion: str | None) ->
     return {
         "label": title,
         "unit": METRICS[metric].unit,
-        "limit": METRICS[metric].limit,
+        "limit": METRICS[metric].limit_of(comparison.robot),
         "cells": [_cell(metric, comparison.estimate(name, metric, motion)) for name in comparison.values],
     }
 
@@ -94,6 +96,21 @@ def words(command: Command) -> str:
     if yaw_rate:
         parts.append(f"{yaw_rate:g} rad/s")
     return " and ".join(parts)
+
+
+def _description(robot: Robot) -> str:
+    """A sentence that introduces a robot and its task."""
+    return (
+        f"A robot with {robot.num_legs} legs and {robot.num_joints} motors, of {robot.total_mass:.3g} kg and with its "
+        f"base {100.0 * robot.stance_height:.0f} cm above the ground, walks in a physics simulation (MuJoCo) and "
+        f"follows commands of forward velocity and yaw rate."
+    )
+
+
+def leg_legend(robot: Robot) -> str:
+    """A sentence that explains names of legs made of a letter for the side and one for the end; empty for others."""
+    known = all(len(name) == 2 and name[0] in "LR" and name[1] in "FH" for name in robot.leg_names)
+    return " L and R: left and right; F and H: front and hind." if known else ""
 
 
 def circumstances(command_line: str) -> dict[str, Any]:

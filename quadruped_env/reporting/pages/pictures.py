@@ -78,7 +78,7 @@ def take_pictures(
 ) -> Pictures:
     """Render a film of motions, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
     try:
-        with Camera() as camera:
+        with Camera(motions[0].robot) as camera:
             video = encode_mp4(camera.films(motions, progress))
             stills = {failure.row: _stills(camera, motion, failure) for motion, failure in failures}
     except QuadrupedError as error:

@@ -11,7 +11,7 @@ from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
 from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Motion
-from quadruped_env.reporting.pages.page import circumstances, figure, tables, without_nan, words, write_page
+from quadruped_env.reporting.pages.page import circumstances, figure, leg_legend, tables, without_nan, words, write_page
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.results import prepare_output
 
@@ -150,8 +150,8 @@ def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[di
         figure(
             "Gait: which feet are on the ground",
             plots.gait_diagram(comparison, main),
-            f"Bars show when a foot is on the ground. Command: {words(comparison.commands[main])}. L and R: left and "
-            "right; F and H: front and hind.",
+            f"Bars show when a foot is on the ground. Command: {words(comparison.commands[main])}."
+            f"{leg_legend(comparison.robot)}",
         ),
     ]
     curves = {

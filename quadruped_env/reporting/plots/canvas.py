@@ -48,6 +48,11 @@ def label(controller: str) -> str:
     return CONTROLLERS.get(controller, controller)
 
 
+def joint_label(name: str) -> str:
+    """Label of a joint, from its name."""
+    return name.removesuffix("_joint").replace("_", " ")
+
+
 def controller_styles(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
     """Colour and marker of each controller: fixed for those of `CONTROLLERS`, free ones for the others."""
     taken = set(CONTROLLER_COLOURS.values())

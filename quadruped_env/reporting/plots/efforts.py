@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import counted_samples, masked_mean
 from quadruped_env.reporting.palette import GREY, LIMIT
-from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, label
-from quadruped_env.robot import EFFORT_LIMIT, JOINT_NAMES, VELOCITY_LIMIT
+from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, joint_label, label
 
 _BINS: Final = 90
 _SHARES: Final = (50, 95, 100)
@@ -54,36 +53,47 @@ def cost_over_speed(comparison: Comparison) -> str:
 
 
 def motor_limits(comparison: Comparison) -> str:
-    """Operating points of the policy's motors: torque over speed with the limits, and each joint's peak values."""
+    """Operating points of the policy's motors: torque over speed with the limits, and each joint's peak values.
+
+    Above one panel per kind of joint, below one per quantity.
+    """
     rollout = comparison.rollouts["policy"]
-    counted = counted_samples(rollout)
+    robot, counted = rollout.robot, counted_samples(rollout)
     torque, speed = rollout.joint_torque[counted], rollout.joint_velocity[counted]
+    strongest, fastest = robot.effort_limit, robot.velocity_limit
+    kinds = robot.joints_by_kind
     reach = 1.25
 
     def draw(axes: Any) -> None:
         from matplotlib.colors import LogNorm
 
         edges = (
-            np.linspace(-reach * VELOCITY_LIMIT, reach * VELOCITY_LIMIT, _BINS + 1),
-            np.linspace(-1.1 * EFFORT_LIMIT, 1.1 * EFFORT_LIMIT, _BINS + 1),
+            np.linspace(-reach * fastest.max(), reach * fastest.max(), _BINS + 1),
+            np.linspace(-1.1 * strongest.max(), 1.1 * strongest.max(), _BINS + 1),
         )
-        line = np.linspace(-reach * VELOCITY_LIMIT, reach * VELOCITY_LIMIT, 201)
-        for ax, joint, title in zip(axes[0], (0, 1), ("hips", "knees"), strict=True):
-            counts, _, _ = np.histogram2d(speed[:, joint::2].ravel(), torque[:, joint::2].ravel(), edges)
+        line = np.linspace(edges[0][0], edges[0][-1], 201)
+        figure, grid = axes[0, 0].figure, axes[0, 0].get_gridspec()
+        for ax in axes[0]:
+            ax.remove()
+        upper = grid[0, :].subgridspec(1, len(kinds)).subplots(squeeze=False)[0]
+        for ax, (kind, joints) in zip(upper, kinds.items(), strict=True):
+            counts, _, _ = np.histogram2d(speed[:, joints].ravel(), torque[:, joints].ravel(), edges)
             share = 100.0 * counts / max(counts.sum(), 1.0)
             seen = np.where(share > 0.0, share, np.nan).T
             mesh = ax.pcolormesh(*edges, seen, cmap="viridis_r", norm=LogNorm(1e-3, 10.0), rasterized=True)
-            for sign in (-1.0, 1.0):
-                # At full voltage the torque decreases linearly, to zero at the no-load speed; it is negative beyond.
-                most = np.clip(EFFORT_LIMIT * (sign - line / VELOCITY_LIMIT), -EFFORT_LIMIT, EFFORT_LIMIT)
-                ax.plot(line, most, color=LIMIT, linewidth=1.2)
-            ax.set(xlabel="speed (rad/s)", title=title)
+            for stall, top in dict.fromkeys(zip(strongest[joints].tolist(), fastest[joints].tolist(), strict=True)):
+                for sign in (-1.0, 1.0):
+                    # At full voltage the torque decreases linearly, to zero at the no-load speed; beyond it is
+                    # negative.
+                    most = np.clip(stall * (sign - line / top), -stall, stall)
+                    ax.plot(line, most, color=LIMIT, linewidth=1.2)
+            ax.set(xlabel="speed (rad/s)", title=f"{kind}s")
             ax.set_xlim(edges[0][0], edges[0][-1])
             ax.set_ylim(edges[1][0], edges[1][-1])
-        axes[0, 0].set_ylabel("torque (N m)")
-        axes[0, 0].figure.colorbar(mesh, ax=axes[0], label="% of the time", pad=0.01, aspect=14)
-        names = [name.removesuffix("_joint").replace("_", " ") for name in JOINT_NAMES]
-        quantities = (("torque", torque, EFFORT_LIMIT), ("speed", speed, VELOCITY_LIMIT))
+        upper[0].set_ylabel("torque (N m)")
+        figure.colorbar(mesh, ax=upper, label="% of the time", pad=0.01, aspect=14)
+        names = list(map(joint_label, robot.joint_names))
+        quantities = (("torque", torque, strongest), ("speed", speed, fastest))
         for ax, (quantity, values, limit) in zip(axes[1], quantities, strict=True):
             if len(values):
                 half, most, peak = 100.0 * np.percentile(np.abs(values), _SHARES, axis=0) / limit

@@ -1,4 +1,4 @@
-"""Figures of all eight joints over time, with several lines per joint."""
+"""Figures of all joints over time, with several lines per joint."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.reporting.palette import LIMIT
-from quadruped_env.reporting.plots.canvas import draw_figure
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.reporting.plots.canvas import draw_figure, joint_label
+from quadruped_env.robot import Robot
 
 _MAX_POINTS: Final = 1500
 """Points drawn per line: more than a figure has pixels."""
@@ -17,59 +17,63 @@ _MAX_POINTS: Final = 1500
 
 @dataclass(frozen=True)
 class Line:
-    """One line in each of the eight panels."""
+    """One line in each of the panels."""
 
     times: NDArray[np.floating]
     """Times of the samples, s (T,)"""
     values: NDArray[np.float64]
-    """Values of the joints (T, 8), in the order of `JOINT_NAMES`; NaN leaves a gap"""
+    """Values of the joints (T, J), in the order of the robot; NaN leaves a gap"""
     colour: str
     dashed: bool = False
 
 
 def joint_panels(
+    robot: Robot,
     lines: Mapping[str, Line],
     label: str,
     limits: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
     mark: float | None = None,
 ) -> str:
-    """One panel per joint: hips on the left, knees on the right, one row per leg.
+    """One panel per joint: one row per leg, with its joints from the base outwards, and a last row of other joints.
 
     Args:
+        robot: robot of the joints.
         lines: title -> line.
         label: label of the vertical axes, with its unit.
-        limits: minimum and maximum of each joint (8,); drawn where they are within the range of the data.
+        limits: minimum and maximum of each joint (J,); drawn where they are within the range of the data.
         mark: time to mark, s.
     """
+    on_legs = {joint for leg in robot.leg_joints for joint in leg}
+    others = tuple(joint for joint in range(robot.num_joints) if joint not in on_legs)
+    rows = [joints for joints in (*robot.leg_joints, others) if joints]
+
+    def draw_joint(ax: Any, joint: int) -> None:
+        for title, line in lines.items():
+            shown = _shown_rows(line.values[:, joint])
+            style: dict[str, Any] = {"linestyle": (0, (4, 2))} if line.dashed else {}
+            values = line.values[shown, joint]
+            ax.plot(line.times[shown], values, color=line.colour, linewidth=1.0, label=title, **style)
+        ax.set_ylim(*ax.get_ylim())
+        for limit in () if limits is None else (limits[0][joint], limits[1][joint]):
+            ax.axhline(limit, color=LIMIT, linewidth=1.0)
+        if mark is not None:
+            ax.axvline(mark, color="#888888", linewidth=0.8)
+        ax.set_title(joint_label(robot.joint_names[joint]))
 
     def draw(axes: Any) -> None:
-        for i, name in enumerate(JOINT_NAMES):
-            ax = axes[i // 2, i % 2]
-            for title, line in lines.items():
-                shown = _shown_rows(line.values[:, i])
-                style: dict[str, Any] = {"linestyle": (0, (4, 2))} if line.dashed else {}
-                ax.plot(
-                    line.times[shown],
-                    line.values[shown, i],
-                    color=line.colour,
-                    linewidth=1.0,
-                    label=title,
-                    **style,
-                )
-            ax.set_ylim(*ax.get_ylim())
-            for limit in () if limits is None else (limits[0][i], limits[1][i]):
-                ax.axhline(limit, color=LIMIT, linewidth=1.0)
-            if mark is not None:
-                ax.axvline(mark, color="#888888", linewidth=0.8)
-            ax.set_title(name.removesuffix("_joint").replace("_", " "))
-            if i % 2 == 0:
-                ax.set_ylabel(label)
+        for panels, joints in zip(axes, rows, strict=True):
+            for ax, joint in zip(panels, joints, strict=False):
+                draw_joint(ax, joint)
+            for ax in panels[len(joints) :]:
+                ax.set_visible(False)
+            panels[0].set_ylabel(label)
         for ax in axes[-1]:
             ax.set_xlabel("time (s)")
         handles, titles = axes[0, 0].get_legend_handles_labels()
         axes[0, 0].figure.legend(handles, titles, loc="outside upper center", ncols=len(lines))
 
-    return draw_figure(len(JOINT_NAMES) // 2, 2, 7.0, draw, sharex=True)
+    height = 0.6 + 1.6 * len(rows)
+    return draw_figure(len(rows), max(map(len, rows)), height, draw, sharex=True)
 
 
 def _shown_rows(values: NDArray[np.float64]) -> NDArray[np.intp]:

@@ -7,9 +7,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import counted_samples, foot_clearance, slip_of_feet
-from quadruped_env.reporting.palette import LEG_COLOURS, LIMIT
+from quadruped_env.reporting.palette import LIMIT, joint_colours, leg_colours
 from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, label, shown_samples
-from quadruped_env.robot import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
 
 _CENTI: Final = 100.0
 
@@ -22,16 +21,16 @@ def gait_diagram(comparison: Comparison, command: int, seconds: float = 2.0) -> 
         for ax, controller in zip(axes[:, 0], shown, strict=True):
             one = comparison.rollouts[controller].select([comparison.episode(command, controller)])
             samples = shown_samples(one.valid, one.timestep, seconds)
-            for leg, name in enumerate(LEG_NAMES):
+            for leg, colour in enumerate(leg_colours(one.robot).values()):
                 spans = _spans(one.contact[samples, 0, leg])
                 start = (samples[0] if len(samples) else 0) * one.timestep
                 ax.broken_barh(
                     [(start + begin * one.timestep, length * one.timestep) for begin, length in spans],
                     (leg - 0.36, 0.72),
-                    color=LEG_COLOURS[name],
+                    color=colour,
                 )
-            ax.set_yticks(range(len(LEG_NAMES)), LEG_NAMES)
-            ax.set_ylim(len(LEG_NAMES) - 0.4, -0.6)
+            ax.set_yticks(range(one.robot.num_legs), one.robot.leg_names)
+            ax.set_ylim(one.robot.num_legs - 0.4, -0.6)
             ax.grid(visible=False, axis="y")
             ax.set_title(label(controller))
             ax.set_ylabel("foot")
@@ -60,10 +59,10 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
         for ax in axes[0]:
             ax.remove()
         heights = figure.add_subplot(grid[0, :])
-        for leg, name in enumerate(LEG_NAMES):
-            heights.plot(time, _CENTI * one.foot_height[samples, 0, leg], color=LEG_COLOURS[name], label=name)
+        for leg, (name, colour) in enumerate(leg_colours(one.robot).items()):
+            heights.plot(time, _CENTI * one.foot_height[samples, 0, leg], color=colour, label=name)
         heights.set(xlabel="time (s)", ylabel="height of the sole (cm)", title=label("policy"))
-        heights.legend(ncols=4, loc="upper right")
+        heights.legend(ncols=one.robot.num_legs, loc="upper right")
         top = heights.get_ylim()[1]
         heights.set_ylim(top=top * 1.25)
         for controller, rollout in shown.items():
@@ -77,7 +76,13 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
                 finite = np.isfinite(values).all(axis=1)
                 if finite.any():
                     mean = values[finite].mean(axis=0)
-                    ax.plot(LEG_NAMES, _CENTI * mean, linestyle="none", label=label(controller), **styles[controller])
+                    ax.plot(
+                        one.robot.leg_names,
+                        _CENTI * mean,
+                        linestyle="none",
+                        label=label(controller),
+                        **styles[controller],
+                    )
         axes[1, 0].set(ylabel="clearance (cm)", xlabel="foot")
         axes[1, 1].set(ylabel="slip (cm/s)", xlabel="foot")
         for ax in axes[1]:
@@ -90,7 +95,7 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
 
 
 def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
-    """Position, speed and torque of the policy's joints with their limits, after the start-up.
+    """Position, speed and torque of the policy's joints with their limits, after the start-up: one column per kind.
 
     Args:
         comparison: results to plot.
@@ -100,30 +105,33 @@ def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> 
     one = comparison.rollouts["policy"].select([comparison.episode(command)])
     samples = shown_samples(one.valid, one.timestep, seconds)
     time = (samples + 1) * one.timestep
+    robot = one.robot
     quantities: tuple[tuple[str, NDArray[Any], NDArray[Any], NDArray[Any]], ...] = (
-        ("position (rad)", one.joint_position, JOINT_POSITION_LOW, JOINT_POSITION_HIGH),
-        ("speed (rad/s)", one.joint_velocity, np.full(8, -VELOCITY_LIMIT), np.full(8, VELOCITY_LIMIT)),
-        ("torque (N m)", one.joint_torque, np.full(8, -EFFORT_LIMIT), np.full(8, EFFORT_LIMIT)),
+        ("position (rad)", one.joint_position, robot.joint_position_low, robot.joint_position_high),
+        ("speed (rad/s)", one.joint_velocity, -robot.velocity_limit, robot.velocity_limit),
+        ("torque (N m)", one.joint_torque, -robot.effort_limit, robot.effort_limit),
     )
+    kinds, colours = robot.joints_by_kind, joint_colours(robot)
 
     def draw(axes: Any) -> None:
         for row, (quantity, values, low, high) in zip(axes, quantities, strict=True):
-            for joint, ax in enumerate(row):
-                for limit in (low[joint], high[joint]):
+            for joints, ax in zip(kinds.values(), row, strict=True):
+                for limit in {*low[joints], *high[joints]}:
                     line = ax.axhline(limit, color=LIMIT, linewidth=1.0)
-                for leg, name in enumerate(LEG_NAMES):
-                    trace = values[samples, 0, 2 * leg + joint]
-                    ax.plot(time, trace, color=LEG_COLOURS[name], linewidth=1.2, label=name)
-                margin = 0.06 * (high[joint] - low[joint])
-                ax.set_ylim(low[joint] - margin, high[joint] + margin)
+                for joint in joints:
+                    name, colour = colours[joint]
+                    ax.plot(time, values[samples, 0, joint], color=colour, linewidth=1.2, label=name)
+                least, most = low[joints].min(), high[joints].max()
+                margin = 0.06 * (most - least)
+                ax.set_ylim(least - margin, most + margin)
             row[0].set_ylabel(quantity)
-        axes[0, 0].set_title("hips")
-        axes[0, 1].set_title("knees")
+        for kind, ax in zip(kinds, axes[0], strict=True):
+            ax.set_title(f"{kind}s")
         for ax in axes[-1]:
             ax.set_xlabel("time (s)")
         handles, names = axes[0, 0].get_legend_handles_labels()
         axes[0, 0].figure.legend(
-            [*handles, line], [*names, "limit"], loc="outside upper center", ncols=5, columnspacing=1.0
+            [*handles, line], [*names, "limit"], loc="outside upper center", ncols=robot.num_legs + 1, columnspacing=1.0
         )
 
-    return draw_figure(3, 2, 4.8, draw, sharex=True)
+    return draw_figure(len(quantities), len(kinds), 4.8, draw, sharex=True)

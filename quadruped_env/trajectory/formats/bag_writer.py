@@ -5,7 +5,7 @@
     /tf                  tf2_msgs/TFMessage, as robot_state_publisher computes it from the rows
     /tf_static           tf2_msgs/TFMessage, latched, once
 
-The last three are written if the joints are this robot's. Metadata have version 8: Humble cannot read the qualities of
+The last three are written if the joints are the robot's. Metadata have version 8: Humble cannot read the qualities of
 service of the newer version (https://github.com/ros2/rosbag2/issues/2013). Messages are in the order of their times.
 """
 
@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import PART, unwritable, whole
-from quadruped_env.robot import JOINT_NAMES, asset_path, fixed_transforms, joint_transforms
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
 from quadruped_env.ros.joint_state import Encoder
@@ -53,6 +53,8 @@ class BagOptions:
     """Rate of /tf in Hz, at multiples of its period; 0 writes no /tf"""
     compress: bool = False
     """Compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd"""
+    robot: Robot = MINI_QUADRUPED
+    """Robot that the bag describes"""
 
     def __post_init__(self) -> None:
         if self.storage not in STORAGES:
@@ -157,8 +159,8 @@ def _write_messages(pieces: Iterable[Rows], writer: Any, options: BagOptions) ->
         if encode is None:
             encode = Encoder(piece.names)
             joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
-            if set(JOINT_NAMES) <= set(piece.names):
-                tf = _TfWriter(writer, options.tf_rate, int(piece.stamps[0]))
+            if set(options.robot.joint_names) <= set(piece.names):
+                tf = _TfWriter(writer, options.robot, options.tf_rate, int(piece.stamps[0]))
         until = 0
         transforms = iter(()) if tf is None else tf.messages(piece)
         following = next(transforms, None)
@@ -180,15 +182,15 @@ def _write_messages(pieces: Iterable[Rows], writer: Any, options: BagOptions) ->
 class _TfWriter:
     """Writes the robot's description and transforms next to its joint states."""
 
-    def __init__(self, writer: Any, rate: float, start: int) -> None:
+    def __init__(self, writer: Any, robot: Robot, rate: float, start: int) -> None:
         self._writer = writer
+        self._robot = robot
         self._period = round(NS_PER_SECOND / rate) if rate else 0
         self._last: tuple[int, NDArray[np.float64]] | None = None
         self._encode: TfEncoder | None = None
         description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
-        urdf = asset_path("mini_quadruped.urdf").read_text()
-        writer.write(description, start, cdr.serialize(cdr.message("std_msgs/msg/String", data=urdf)))
-        fixed = fixed_transforms()
+        writer.write(description, start, cdr.serialize(cdr.message("std_msgs/msg/String", data=robot.urdf)))
+        fixed = robot.fixed_transforms()
         message = tf_encoder(fixed)(start, tf_numbers(fixed, 1)[0])
         writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
         self._topic = connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
@@ -198,7 +200,8 @@ class _TfWriter:
         if self._topic is None:
             return
         base = piece.base_pose
-        stamps, rows = piece.stamps, piece.values["position"][:, [piece.names.index(name) for name in JOINT_NAMES]]
+        columns = [piece.names.index(name) for name in self._robot.joint_names]
+        stamps, rows = piece.stamps, piece.values["position"][:, columns]
         if base is not None:
             rows = np.concatenate([rows, base], axis=1)
         first = -(-int(stamps[0]) // self._period) * self._period
@@ -214,10 +217,10 @@ class _TfWriter:
         if base is not None:
             rows = _continuous(rows)
         values = interpolate((stamps - stamps[0]).astype(np.float64), rows, (due - stamps[0]).astype(np.float64))
-        poses = None if base is None else values[:, len(JOINT_NAMES) :]
+        joints, poses = values[:, : len(columns)], None if base is None else values[:, len(columns) :]
         if poses is not None:
             poses[:, 3:] /= np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
-        transforms = joint_transforms(values[:, : len(JOINT_NAMES)], poses)
+        transforms = self._robot.joint_transforms(joints, poses)
         self._encode = self._encode or tf_encoder(transforms)
         for stamp, numbers in zip(due.tolist(), tf_numbers(transforms, len(due)), strict=True):
             yield stamp, self._encode(stamp, numbers)
