@@ -8,7 +8,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.evaluation.metrics import GRAVITY
+from quadruped_env.reporting.films.film import size_of
 from quadruped_env.reporting.palette import leg_colours
+from quadruped_env.robot import Robot
 from quadruped_env.viewer.controller import RobotView, View
 from quadruped_env.viewer.sample import over_time
 from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, PUSH, rgb
@@ -18,6 +21,7 @@ if TYPE_CHECKING:
 
 OVERLAYS: Final = ("contact forces", "velocity arrows", "foot trails", "names")
 
+# Lengths are for a robot of size 1.
 _LANE: Final = 0.6
 """Distance between robots next to each other, m."""
 _FOLLOW_TIME: Final = 0.3
@@ -29,7 +33,8 @@ _STILL_DISTANCE: Final = 1e-4
 _TRAIL_SECONDS: Final = 2.0
 _TRAIL_STRIDE: Final = 2
 """Number of samples per trail segment."""
-_METRES_PER_NEWTON: Final = 0.006
+_METRES_PER_WEIGHT: Final = 0.235
+"""Length of the arrow for a contact force that equals the robot's weight, m."""
 _CONTACT_OFFSET: Final = 0.035
 """Outward offset of force arrows from the contact, so that the leg does not hide them, m."""
 _METRES_PER_VELOCITY: Final = 0.6
@@ -45,6 +50,8 @@ _PUSH_SHOWN: Final = 0.8
 """Time for which a push is shown, s."""
 _LABEL_HEIGHT: Final = 0.24
 """Height of labels above the base's centre, m."""
+_LOOK_AT: Final = (0.0, 0.0, 0.1)
+"""Point that the camera looks at, relative to the centre of the robots, m."""
 _CAMERAS: Final = ((0.75, -1.45, 0.62), (1.1, -1.9, 1.0), (1.35, -2.3, 1.3))
 """Initial camera positions relative to the centre of one, two or three robots, m."""
 
@@ -57,15 +64,19 @@ class Scene:
     Args:
         server: the server of the page.
         model: the robot's model; it is modified.
+        robot: its description.
     """
 
-    def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel) -> None:
+    def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel, robot: Robot) -> None:
         from mjviser import ViserMujocoScene
 
         self.visible = dict.fromkeys(OVERLAYS, True)
         self.follow = True
         self.abreast = True
         self._server = server
+        self._size = size_of(robot)
+        self._metres_per_newton = self._size * _METRES_PER_WEIGHT / (robot.total_mass * GRAVITY)
+        self._leg_colours = [np.array(rgb(colour), np.uint8) for colour in leg_colours(robot).values()]
         self._robots = ViserMujocoScene(server, model, num_envs=1)
         self._robots.camera_tracking_enabled = False
         server.scene.configure_environment_map("studio", environment_intensity=0.3)
@@ -75,7 +86,7 @@ class Scene:
         self._push: tuple[float, float, float] | None = None
         self._ground()
         self._aim(1)
-        server.initial_camera.look_at = (0.0, 0.0, 0.1)
+        server.initial_camera.look_at = tuple(self._size * value for value in _LOOK_AT)
         server.initial_camera.fov = math.radians(45.0)
         one = np.zeros((1, 2, 3), np.float32)
         add = server.scene
@@ -105,7 +116,7 @@ class Scene:
         """Draw a view."""
         robots = view.robots
         lanes = np.zeros((len(robots), 3))
-        lanes[:, 1] = _LANE * ((len(robots) - 1) / 2 - np.arange(len(robots)))
+        lanes[:, 1] = _LANE * self._size * ((len(robots) - 1) / 2 - np.arange(len(robots)))
         self._go_along(np.array([robot.now.base_pose[:2] for robot in robots]), view.watched)
         shift = lanes + self._offsets
         with self._server.atomic():
@@ -139,7 +150,7 @@ class Scene:
 
     def _aim(self, robots: int) -> None:
         """Set the initial camera of browsers that connect from now on."""
-        self._server.initial_camera.position = _CAMERAS[robots - 1]
+        self._server.initial_camera.position = tuple(self._size * value for value in _CAMERAS[robots - 1])
 
     def _ground(self) -> None:
         self._server.scene.add_grid(
@@ -174,14 +185,14 @@ class Scene:
         for i, robot in enumerate(robots):
             left = _direction(robot.heading + math.pi / 2)
             side = np.sign((robot.contact_points - robot.now.base_pose[:3]) @ left)
-            start = robot.contact_points + _CONTACT_OFFSET * side[:, None] * left + shift[i]
-            arrows.append(np.stack([start, start + _METRES_PER_NEWTON * robot.contact_forces], axis=1))
+            start = robot.contact_points + _CONTACT_OFFSET * self._size * side[:, None] * left + shift[i]
+            arrows.append(np.stack([start, start + self._metres_per_newton * robot.contact_forces], axis=1))
         _draw(self._contacts, np.concatenate(arrows), visible=self.visible["contact forces"])
 
     def _draw_velocities(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         arrows, arcs, heads = [], [], []
         for i, robot in enumerate(robots):
-            above = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _ARROW_HEIGHT)
+            above = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _ARROW_HEIGHT * self._size)
             for lane, (velocity, yaw_rate) in enumerate((robot.now.command, robot.now.smooth_velocity)):
                 # Offset vertically, so that one does not hide the other.
                 origin = above + np.array([0.0, 0.0, 0.028 * lane])
@@ -189,10 +200,11 @@ class Scene:
                 arrows.append([origin, origin + tip])
                 centre = np.array([*above[:2], _TURN_HEIGHT])
                 angles = robot.heading + yaw_rate * np.linspace(0.0, 1.0, _ARC_POINTS + 1)
-                arc = centre + _TURN_RADII[lane] * _direction(angles)
+                radius = _TURN_RADII[lane] * self._size
+                arc = centre + radius * _direction(angles)
                 arcs.append(np.stack([arc[:-1], arc[1:]], axis=1))
                 # A short segment beyond the end aligns the arrowhead with the arc.
-                beyond = _TURN_RADII[lane] * _direction(angles[-1] + math.copysign(0.17, yaw_rate))
+                beyond = radius * _direction(angles[-1] + math.copysign(0.17, yaw_rate))
                 heads.append([arc[-1], centre + beyond])
         visible = self.visible["velocity arrows"]
         colours = np.tile(np.array([COMMANDED, ACTUAL], np.uint8), (len(robots), 1))
@@ -210,10 +222,10 @@ class Scene:
             count = round(_TRAIL_SECONDS / robot.timestep)
             # From the present backwards, so that old points stay where they are.
             feet = over_time(robot.history[-count:][::-1][::_TRAIL_STRIDE], "foot_position") + shift[i]
-            for leg, colour in enumerate(leg_colours(robot.robot).values()):
+            for leg, colour in enumerate(self._leg_colours):
                 path = feet[:, leg]
                 segments.append(np.stack([path[:-1], path[1:]], axis=1))
-                colours.append(np.broadcast_to(np.array(rgb(colour), np.uint8), (len(path) - 1, 2, 3)))
+                colours.append(np.broadcast_to(colour, (len(path) - 1, 2, 3)))
         _draw(self._trails, np.concatenate(segments), np.concatenate(colours), self.visible["foot trails"])
 
     def _draw_push(self, robots: tuple[RobotView, ...], shift: Points) -> None:
@@ -225,7 +237,7 @@ class Scene:
         for i, robot in enumerate(robots):
             towards = _direction(robot.heading + direction)
             # The arrow ends at the base.
-            end = robot.now.base_pose[:3] + shift[i] - 0.12 * towards
+            end = robot.now.base_pose[:3] + shift[i] - 0.12 * self._size * towards
             arrows.append([end - 0.35 * strength * towards, end])
         _draw(self._pushes, np.array(arrows))
 
@@ -242,7 +254,7 @@ class Scene:
             text = f"{robot.source}: {state}"
             if self._labels[i].text != text:
                 self._labels[i].text = text
-            self._labels[i].position = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _LABEL_HEIGHT)
+            self._labels[i].position = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _LABEL_HEIGHT * self._size)
             self._labels[i].visible = self.visible["names"] and len(robots) > 1
 
 

@@ -61,7 +61,7 @@ class Show:
         self._host = host
         self._stop = threading.Event()
         self._server = start_server(host, port)
-        self._scene = Scene(self._server, controller.model())
+        self._scene = Scene(self._server, controller.model(), controller.robot)
         self.panel = Panel(self._server, controller, self._scene)
         self._plots = Plots(self._server, controller.command_ranges, controller.robot)
         self._server.on_client_disconnect(lambda _: self._left())

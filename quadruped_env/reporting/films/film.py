@@ -14,7 +14,7 @@ from quadruped_env.evaluation.episode import Recording
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.overlay import Overlay
-from quadruped_env.robot import Robot, load_model
+from quadruped_env.robot import MINI_QUADRUPED, Robot, load_model
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 
 Picture = NDArray[np.uint8]
@@ -46,12 +46,18 @@ _VIEW_AZIMUTH: Final = 115.0
 _VIEW_ELEVATION: Final = -17.0
 """Elevation of the camera, degrees."""
 _VIEW_DISTANCE: Final = 0.95
-"""Distance of the camera from the point that it looks at, m."""
+"""Distance of the camera from the point that it looks at, m, for a robot of size 1."""
 _VIEW_HEIGHT: Final = 0.08
-"""Height over the ground of the point that the camera looks at, m: it leaves room for the overlay."""
+"""Height over the ground of the point that the camera looks at, m, for a robot of size 1: it leaves room for the
+overlay."""
 _SMOOTHING: Final = 0.25
 """Half the window over which the camera's position is averaged, s: it follows the robot without shaking with each
 stride."""
+
+
+def size_of(robot: Robot) -> float:
+    """Height of a robot relative to the built-in one, by which distances and lengths of a picture are scaled."""
+    return robot.stance_height / MINI_QUADRUPED.stance_height
 
 
 @dataclass(frozen=True)
@@ -164,7 +170,9 @@ class Camera:
         self._model.geom_sameframe[self._ground] = mujoco.mjtSameFrame.mjSAMEFRAME_NONE
         self._data = mujoco.MjData(self._model)
         self._view = mujoco.MjvCamera()
-        self._view.azimuth, self._view.elevation, self._view.distance = _VIEW_AZIMUTH, _VIEW_ELEVATION, _VIEW_DISTANCE
+        self._view.azimuth, self._view.elevation = _VIEW_AZIMUTH, _VIEW_ELEVATION
+        self._view.distance = _VIEW_DISTANCE * size_of(robot)
+        self._view_height = _VIEW_HEIGHT * size_of(robot)
         self._renderer = SceneRenderer(self._model, self._data, "rgb_array", WIDTH, HEIGHT)
 
     def __enter__(self) -> Self:
@@ -185,7 +193,7 @@ class Camera:
         steps = np.round(self._data.qpos[:2] / self._ground_step)
         self._model.geom_pos[self._ground, :2] = steps * self._ground_step
         mujoco.mj_forward(self._model, self._data)
-        self._view.lookat[:] = *smoothed_position(motion, sample), _VIEW_HEIGHT
+        self._view.lookat[:] = *smoothed_position(motion, sample), self._view_height
         picture = self._renderer.render(self._data, self._view)
         assert picture is not None
         return picture

@@ -11,13 +11,13 @@ import mujoco
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.reporting.films.film import FRAME_RATE, Motion, smoothed_position
+from quadruped_env.reporting.films.film import FRAME_RATE, Motion, size_of, smoothed_position
 from quadruped_env.robot import load_model
 
 _CAMERA: Final = (0.65, -0.85, 0.42)
-"""Camera position relative to the robot, m: the robot walks slightly towards the viewer."""
+"""Camera position relative to a robot of size 1, m: the robot walks slightly towards the viewer."""
 _LOOK_AT: Final = (0.0, 0.0, 0.06)
-"""Point that the camera looks at, relative to the robot, m."""
+"""Point that the camera looks at, relative to a robot of size 1, m."""
 _PORT: Final = 8090
 """First port to try. Viser cannot record without a server; it listens on the loopback interface only, and only while
 the recording is made."""
@@ -43,8 +43,9 @@ def scene_html(motion: Motion) -> str:
     try:
         scene = ViserMujocoScene(server, model, num_envs=1)
         scene.camera_tracking_enabled = False
-        server.initial_camera.position = _CAMERA
-        server.initial_camera.look_at = _LOOK_AT
+        size = size_of(motion.robot)
+        server.initial_camera.position = tuple(size * value for value in _CAMERA)
+        server.initial_camera.look_at = tuple(size * value for value in _LOOK_AT)
         server.initial_camera.fov = np.radians(40.0)
         recording = server.get_scene_serializer()
         for sample in motion.frame_samples():
