@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -93,7 +93,7 @@ class Baseline:
             }
         return {
             "preset": self.preset,
-            "gait": {key: value for key, value in asdict(self.gait).items() if not key.startswith("_")},
+            "gait": self.gait.parameters(),
             "violations": self.gait.violations(),
             "rate_hz": self.rate,
             "seconds": self.commands.duration,
