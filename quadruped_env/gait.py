@@ -7,17 +7,24 @@ For each leg, with phase p of the joint and angular frequency w:
 
 The form is that of the ROS 2 tutorial, whose parameters are the preset `article`. `CommandedGait` adapts it to a
 commanded forward velocity and yaw rate. Units: rad, rad/s, s.
+
+The other presets were tuned on the built-in robot. On another robot with a hip and a knee per leg, the feet make the
+same motions about its stance, to first order: the joint angles are mapped by the legs' Jacobians.
 """
 
+import functools
 import math
-from dataclasses import dataclass, field
-from typing import Final
+from dataclasses import dataclass, field, replace
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quadruped_env._plain import plain
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, LEG_NAMES, VELOCITY_LIMIT
+from quadruped_env.robot.corners import corners, half_track, leg_jacobians
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
 
 PRESETS: Final = ("article", "trot", "walk", "bound", "pace", "tuned")
 
@@ -30,7 +37,27 @@ LEG_PHASES: Final = {
     "bound": (0.0, 0.0, 0.5, 0.5),
     "pace": (0.0, 0.5, 0.0, 0.5),
 }
-"""Phase of each leg by gait, in the order LF, RF, LH, RH, cycles."""
+"""Phase of each leg by gait, in the order left fore, right fore, left hind, right hind, cycles."""
+
+_TUNED_ON: Final = MINI_QUADRUPED
+"""Robot on which train/tune_gait.py found the presets and tables below."""
+
+
+def joint_phases(robot: Robot, gait: str = "trot") -> NDArray[np.float64]:
+    """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
+    phases = np.array([LEG_PHASES[gait][corner] for corner in corners(robot)])
+    return np.repeat(phases * math.tau, 2)
+
+
+def _leg_maps(robot: Robot) -> NDArray[np.float64] | None:
+    """Matrix (2, 2) of each leg from a change of hip and knee of the tuned robot to one of this robot (L, 2, 2).
+
+    Both move the foot by the same distance forwards and upwards. None for the tuned robot itself.
+    """
+    if robot == _TUNED_ON:
+        return None
+    own, tuned = leg_jacobians(robot), leg_jacobians(_TUNED_ON)[list(corners(robot))]
+    return np.array(np.linalg.solve(own, tuned), dtype=np.float64)
 
 
 @dataclass(frozen=True)
@@ -41,7 +68,8 @@ class SinusoidalGait:
         hip_amplitude, knee_amplitude: amplitudes, one number or one per leg, rad.
         hip_offset, knee_offset: offsets, one number or one per leg, rad.
         angular_frequency: angular frequency, rad/s.
-        phases: phase of each joint (8,), in the order of `JOINT_NAMES`, rad.
+        phases: phase of each joint (J,), rad.
+        robot: robot with a hip and a knee per leg, whose limits apply.
     """
 
     hip_amplitude: float | tuple[float, ...]
@@ -50,19 +78,21 @@ class SinusoidalGait:
     knee_offset: float | tuple[float, ...]
     angular_frequency: float
     phases: tuple[float, ...]
+    robot: Robot = MINI_QUADRUPED
     _amplitude: NDArray[np.float64] = field(init=False, repr=False, compare=False)
     _offset: NDArray[np.float64] = field(init=False, repr=False, compare=False)
     _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        if len(self.phases) != len(JOINT_NAMES):
+        num_joints, num_legs = self.robot.num_joints, self.robot.num_legs
+        if len(self.phases) != num_joints:
             raise QuadrupedError(
-                f"SinusoidalGait: phases must have {len(JOINT_NAMES)} values, one per joint; found {len(self.phases)}"
+                f"SinusoidalGait: phases must have {num_joints} values, one per joint; found {len(self.phases)}"
             )
         for name in ("hip_amplitude", "hip_offset", "knee_amplitude", "knee_offset"):
-            if np.shape(getattr(self, name)) not in ((), (len(LEG_NAMES),)):
-                raise QuadrupedError(f"SinusoidalGait: {name} must be one number or {len(LEG_NAMES)}, one per leg")
-        amplitude, offset = np.empty(8), np.empty(8)
+            if np.shape(getattr(self, name)) not in ((), (num_legs,)):
+                raise QuadrupedError(f"SinusoidalGait: {name} must be one number or {num_legs}, one per leg")
+        amplitude, offset = np.empty(num_joints), np.empty(num_joints)
         amplitude[_HIPS], amplitude[_KNEES] = self.hip_amplitude, self.knee_amplitude
         offset[_HIPS], offset[_KNEES] = self.hip_offset, self.knee_offset
         values = np.concatenate([amplitude, offset, self.phases, [self.angular_frequency]])
@@ -73,24 +103,31 @@ class SinusoidalGait:
         object.__setattr__(self, "_phases", np.array(self.phases, dtype=np.float64))
 
     @classmethod
-    def preset(cls, name: str) -> "SinusoidalGait":
-        """A gait by name: `article` as published, or one tuned for this robot.
+    def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
+        """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
         `tuned` is `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
-            QuadrupedError: if there is no such preset.
+            QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
         if name == "tuned":
-            return CommandedGait.tuned().at((0.4, 0.0))
+            return CommandedGait.tuned(robot).at((0.4, 0.0))
         if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
             )
-        return _PRESETS[name]
+        if robot == _TUNED_ON:
+            return _PRESETS[name]
+        return _published(robot) if name == "article" else _mapped(_PRESETS[name], robot)
+
+    def parameters(self) -> dict[str, Any]:
+        """The numbers of the gait as plain values for JSON."""
+        names = ("hip_amplitude", "hip_offset", "knee_amplitude", "knee_offset", "angular_frequency", "phases")
+        return {name: plain(getattr(self, name)) for name in names}
 
     def positions(self, t: ArrayLike) -> NDArray[np.float64]:
-        """Joint positions (..., 8) in rad at times t (...,) in s."""
+        """Joint positions (..., J) in rad at times t (...,) in s."""
         angle = self._angle(t)
         wave = np.empty_like(angle)
         wave[..., _HIPS] = np.sin(angle[..., _HIPS])
@@ -98,7 +135,7 @@ class SinusoidalGait:
         return self._amplitude * wave + self._offset
 
     def velocities(self, t: ArrayLike) -> NDArray[np.float64]:
-        """Joint velocities (..., 8) in rad/s at times t (...,) in s: the derivative of `positions`."""
+        """Joint velocities (..., J) in rad/s at times t (...,) in s: the derivative of `positions`."""
         angle = self._angle(t)
         wave = np.empty_like(angle)
         wave[..., _HIPS] = np.cos(angle[..., _HIPS])
@@ -121,14 +158,13 @@ class SinusoidalGait:
         speed = abs(self.angular_frequency) * amplitude
         found = []
         tolerance = 1e-9
-        for i, joint in enumerate(JOINT_NAMES):
-            if low[i] < JOINT_POSITION_LOW[i] - tolerance or high[i] > JOINT_POSITION_HIGH[i] + tolerance:
-                found.append(
-                    f"{joint}: {low[i]:.3f} to {high[i]:.3f} rad is outside "
-                    f"{JOINT_POSITION_LOW[i]:g} to {JOINT_POSITION_HIGH[i]:g} rad"
-                )
-            if speed[i] > VELOCITY_LIMIT + tolerance:
-                found.append(f"{joint}: {speed[i]:.3f} rad/s is over {VELOCITY_LIMIT:g} rad/s")
+        robot = self.robot
+        for i, joint in enumerate(robot.joint_names):
+            lower, upper = robot.joint_position_low[i], robot.joint_position_high[i]
+            if low[i] < lower - tolerance or high[i] > upper + tolerance:
+                found.append(f"{joint}: {low[i]:.3f} to {high[i]:.3f} rad is outside {lower:g} to {upper:g} rad")
+            if speed[i] > robot.velocity_limit[i] + tolerance:
+                found.append(f"{joint}: {speed[i]:.3f} rad/s is over {robot.velocity_limit[i]:g} rad/s")
         return found
 
 
@@ -171,14 +207,96 @@ _PRESETS: Final = {
 }
 
 
+def _published(robot: Robot) -> SinusoidalGait:
+    """The gait `article` on another robot: each corner's leg keeps its angles and phases."""
+    article = _PRESETS["article"]
+    phases = np.array(article.phases).reshape(4, 2)[list(corners(robot))]
+    return replace(article, phases=tuple(phases.ravel().tolist()), robot=robot)
+
+
+def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
+    """A gait of the tuned robot on another one, with the same motions of the feet."""
+    legs = list(corners(robot))
+    hip_amplitude, hip_offset, knee_amplitude, knee_offset = (
+        np.broadcast_to(value, 4)[legs]
+        for value in (gait.hip_amplitude, gait.hip_offset, gait.knee_amplitude, gait.knee_offset)
+    )
+    phases = np.array(gait.phases).reshape(4, 2)[legs]
+    lag = phases[:, 1] - phases[:, 0]
+    waves = (
+        np.stack([hip_amplitude, -knee_amplitude * np.sin(lag)], axis=1).ravel(),
+        np.stack([np.zeros(4), knee_amplitude * np.cos(lag)], axis=1).ravel(),
+        np.stack([hip_offset, knee_offset], axis=1).ravel(),
+    )
+    mapped = _map_waves(robot, _leg_maps(robot), *waves)
+    return _sinusoids(robot, gait.angular_frequency, np.repeat(phases[:, 0], 2), *mapped)
+
+
+Waves = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+"""Sine part, cosine part and offset of joint positions (..., J), rad."""
+
+
+def _map_waves(
+    robot: Robot,
+    maps: NDArray[np.float64] | None,
+    sine: NDArray[np.float64],
+    cosine: NDArray[np.float64],
+    offset: NDArray[np.float64],
+) -> Waves:
+    """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot."""
+    if maps is None:
+        return sine, cosine, offset
+    tuned_stance = _TUNED_ON.stance.reshape(-1, 2)[list(corners(robot))].ravel()
+
+    def apply(change: NDArray[np.float64]) -> NDArray[np.float64]:
+        legs = change.reshape(*change.shape[:-1], robot.num_legs, 2)
+        return np.einsum("lij,...lj->...li", maps, legs).reshape(change.shape)
+
+    return apply(sine), apply(cosine), robot.stance + apply(offset - tuned_stance)
+
+
+def _sinusoids(
+    robot: Robot,
+    angular_frequency: float,
+    phases: NDArray[np.float64],
+    sine: NDArray[np.float64],
+    cosine: NDArray[np.float64],
+    offset: NDArray[np.float64],
+) -> SinusoidalGait:
+    """A gait from sine and cosine parts and offsets of all joints (J,) at the phases of their legs (J,)."""
+    hip_sine, hip_cosine, knee_sine, knee_cosine = sine[_HIPS], cosine[_HIPS], sine[_KNEES], cosine[_KNEES]
+    plain = hip_cosine == 0.0
+    phases = phases.copy()
+    phases[_HIPS] += np.where(plain, 0.0, np.arctan2(hip_cosine, hip_sine))
+    phases[_KNEES] += np.arctan2(-knee_sine, knee_cosine)
+    return SinusoidalGait(
+        hip_amplitude=tuple(np.where(plain, hip_sine, np.hypot(hip_sine, hip_cosine)).tolist()),
+        hip_offset=tuple(offset[_HIPS].tolist()),
+        knee_amplitude=tuple(np.hypot(cosine, sine)[_KNEES].tolist()),
+        knee_offset=tuple(offset[_KNEES].tolist()),
+        angular_frequency=angular_frequency,
+        phases=tuple(phases.tolist()),
+        robot=robot,
+    )
+
+
 def wave_positions(
     phase: NDArray[np.float64],
+    phases: NDArray[np.float64],
     sine: NDArray[np.float64],
     cosine: NDArray[np.float64],
     offset: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Joint positions (N, 8) in rad at gait phases (N,) in rad, from the result of `CommandedGait.waves`."""
-    angle = phase[:, None] + JOINT_PHASES
+    """Joint positions (N, J) in rad at gait phases (N,) in rad.
+
+    Args:
+        phase: phase of the gait, (N,), rad.
+        phases: result of `joint_phases`, (J,), rad.
+        sine: sine part of each joint, as all three from `CommandedGait.waves`, (N, J), rad.
+        cosine: cosine part, (N, J), rad.
+        offset: offset, (N, J), rad.
+    """
+    angle = phase[:, None] + phases
     return sine * np.sin(angle) + cosine * np.cos(angle) + offset
 
 
@@ -210,8 +328,9 @@ class CommandedGait:
         angular_frequency: angular frequency, rad/s.
         half_track: effective half of the track width, tuned to compensate for slip, m.
         speeds: ground speeds of the tables (K,), increasing, m/s.
-        fore: table for LF and RF.
-        hind: table for LH and RH.
+        fore: table for the fore legs.
+        hind: table for the hind legs.
+        robot: robot that walks. The tables are joint angles of the robot on which they were tuned.
     """
 
     angular_frequency: float
@@ -219,21 +338,44 @@ class CommandedGait:
     speeds: tuple[float, ...]
     fore: LegTable
     hind: LegTable
+    robot: Robot = MINI_QUADRUPED
+    _corners: tuple[int, ...] = field(init=False, repr=False, compare=False)
+    _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    _maps: NDArray[np.float64] | None = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_corners", corners(self.robot))
+        object.__setattr__(self, "_phases", joint_phases(self.robot))
+        object.__setattr__(self, "_maps", _leg_maps(self.robot))
 
     @classmethod
-    def tuned(cls) -> "CommandedGait":
-        """The gait whose tables `train/tune_gait.py` found."""
-        return _TUNED
+    def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
+        """The gait whose tables `train/tune_gait.py` found, mapped to a robot.
 
-    def waves(self, command: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Sine part, cosine part and offset of every joint (N, 8) in rad, for commands (N, 2) in m/s and rad/s."""
+        Raises:
+            QuadrupedError: if the scripted gaits do not fit the robot.
+        """
+        return _tuned(robot)
+
+    def parameters(self) -> dict[str, Any]:
+        """The numbers of the gait as plain values for JSON."""
+        return {
+            "angular_frequency": self.angular_frequency,
+            "half_track": self.half_track,
+            "speeds": plain(self.speeds),
+            "fore": plain(self.fore),
+            "hind": plain(self.hind),
+        }
+
+    def waves(self, command: ArrayLike) -> Waves:
+        """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
         command = np.asarray(command, dtype=np.float64)
         turn = command[:, 1] * self.half_track
-        sine, cosine, offset = (np.zeros((len(command), len(JOINT_NAMES))) for _ in range(3))
+        sine, cosine, offset = (np.zeros((len(command), self.robot.num_joints)) for _ in range(3))
         left, right = command[:, 0] - turn, command[:, 0] + turn
-        for leg, (speed, table) in enumerate(
-            ((left, self.fore), (right, self.fore), (left, self.hind), (right, self.hind))
-        ):
+        by_corner = ((left, self.fore), (right, self.fore), (left, self.hind), (right, self.hind))
+        for leg, corner in enumerate(self._corners):
+            speed, table = by_corner[corner]
             hip, knee = 2 * leg, 2 * leg + 1
             for target, joint, values in (
                 (sine, hip, table.hip_amplitude),
@@ -243,47 +385,42 @@ class CommandedGait:
                 (offset, knee, table.knee_offset),
             ):
                 target[:, joint] = np.interp(speed, self.speeds, values)
-        return sine, cosine, offset
+        return _map_waves(self.robot, self._maps, sine, cosine, offset)
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
-        """Joint positions (N, 8) in rad at gait phases (N,) in rad, for commands (N, 2)."""
-        return wave_positions(np.asarray(phase, dtype=np.float64), *self.waves(command))
+        """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
+        return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *self.waves(command))
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
         """The sinusoidal gait for one command."""
         sine, cosine, offset = (values[0] for values in self.waves([command]))
-        lag = np.arctan2(-sine[_KNEES], cosine[_KNEES])
-        phases = JOINT_PHASES.copy()
-        phases[_KNEES] += lag
-        return SinusoidalGait(
-            hip_amplitude=tuple(sine[_HIPS].tolist()),
-            hip_offset=tuple(offset[_HIPS].tolist()),
-            knee_amplitude=tuple(np.hypot(cosine, sine)[_KNEES].tolist()),
-            knee_offset=tuple(offset[_KNEES].tolist()),
-            angular_frequency=self.angular_frequency,
-            phases=tuple(phases.tolist()),
-        )
+        return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
 
 
-JOINT_PHASES: Final = np.repeat(np.array(LEG_PHASES["trot"]) * math.tau, 2)
-"""Phase of each joint's leg in the trot (8,), rad."""
-
-_TUNED: Final = CommandedGait(
-    angular_frequency=math.tau * 2.2,
-    half_track=0.58,
-    speeds=(-0.4, -0.3, -0.2, -0.095, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.554),
-    fore=LegTable(
+_TABLES: Final[dict[str, Any]] = {
+    "angular_frequency": math.tau * 2.2,
+    "half_track": 0.58,
+    "speeds": (-0.4, -0.3, -0.2, -0.095, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.554),
+    "fore": LegTable(
         hip_amplitude=(0.2065, 0.141, 0.0773, 0.1105, 0.0, 0.1785, 0.229, 0.2136, 0.2631, 0.1936, 0.1062),
         hip_offset=(0.6676, 0.5615, 0.5786, 0.5725, 0.6, 0.6453, 0.7038, 0.732, 0.7608, 0.7624, 0.7956),
         knee_cosine=(0.0254, -0.0136, -0.0958, -0.0828, 0.0, 0.0713, 0.1218, 0.1785, 0.2408, 0.2592, 0.2805),
         knee_sine=(0.1049, 0.0852, -0.0411, -0.1391, 0.0, -0.2624, -0.3303, -0.3007, -0.2647, -0.245, -0.2233),
         knee_offset=(-0.4281, -0.5645, -0.6097, -0.6678, -0.72, -0.7735, -0.7434, -0.7744, -0.774, -0.7576, -0.7605),
     ),
-    hind=LegTable(
+    "hind": LegTable(
         hip_amplitude=(0.2648, 0.3007, 0.3298, 0.2866, 0.0, 0.1483, 0.113, 0.0339, -0.0365, -0.0792, -0.1308),
         hip_offset=(0.5823, 0.6718, 0.6396, 0.5963, 0.6, 0.6881, 0.6114, 0.5865, 0.521, 0.4716, 0.4174),
         knee_cosine=(-0.2504, -0.2074, -0.1332, -0.0749, 0.0, 0.062, 0.1341, 0.1849, 0.2592, 0.3225, 0.2872),
         knee_sine=(-0.251, -0.2753, -0.2939, -0.2838, 0.0, -0.0945, -0.0838, -0.0594, -0.0935, -0.1443, -0.2049),
         knee_offset=(-0.7179, -0.7268, -0.7337, -0.748, -0.72, -0.568, -0.5828, -0.5954, -0.5819, -0.602, -0.5927),
     ),
-)
+}
+
+
+@functools.cache
+def _tuned(robot: Robot) -> CommandedGait:
+    track = _TABLES["half_track"]
+    if robot != _TUNED_ON:
+        track *= half_track(robot) / half_track(_TUNED_ON)
+    return CommandedGait(**{**_TABLES, "half_track": track}, robot=robot)

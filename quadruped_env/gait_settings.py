@@ -8,7 +8,6 @@ import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SinusoidalGait
-from quadruped_env.robot import LEG_NAMES
 
 AMPLITUDES: Final = (0.0, 2.0)
 """Range of the amplitude, as a multiple of the preset's."""
@@ -25,7 +24,7 @@ class GaitSettings:
     frequency: float
     """Cycles per second, Hz."""
     phases: tuple[float, ...]
-    """Phase of each leg, in cycles, in the order of `LEG_NAMES`."""
+    """Phase of each leg, in cycles, in the order of the robot's legs."""
 
     def __post_init__(self) -> None:
         for name, value, (low, high) in (
@@ -34,23 +33,24 @@ class GaitSettings:
         ):
             if not low <= value <= high:
                 raise QuadrupedError(f"gait: {name} must be in {low:g} to {high:g}; found {value:g}")
-        if len(self.phases) != len(LEG_NAMES) or not np.isfinite(self.phases).all():
-            raise QuadrupedError(f"gait: phases must be {len(LEG_NAMES)} finite numbers; found {self.phases!r}")
+        if not np.isfinite(self.phases).all():
+            raise QuadrupedError(f"gait: phases must be finite numbers; found {self.phases!r}")
 
     @classmethod
-    def of(cls, preset: str) -> Self:
-        """Settings that leave a preset unchanged.
-
-        Raises:
-            QuadrupedError: if there is no such preset.
-        """
-        gait = SinusoidalGait.preset(preset)
+    def of(cls, gait: SinusoidalGait) -> Self:
+        """Settings that leave a gait unchanged."""
         phases = tuple(phase / math.tau % 1.0 for phase in gait.phases[::2])
         return cls(1.0, gait.angular_frequency / math.tau, phases)
 
 
 def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
-    """A gait with modified amplitudes, frequency and leg phases; each knee keeps its phase lag to the hip."""
+    """A gait with modified amplitudes, frequency and leg phases; each knee keeps its phase lag to the hip.
+
+    Raises:
+        QuadrupedError: if the number of phases is not that of the robot's legs.
+    """
+    if len(settings.phases) != gait.robot.num_legs:
+        raise QuadrupedError(f"gait: expected {gait.robot.num_legs} phases, one per leg; found {len(settings.phases)}")
     phases = []
     for leg, cycles in enumerate(settings.phases):
         hip, knee = gait.phases[2 * leg : 2 * leg + 2]

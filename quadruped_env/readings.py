@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 
 Floats = NDArray[np.float64]
@@ -15,16 +16,23 @@ _FOOT_VECTORS: Final = ("foot_position", "foot_velocity", "foot_angular_velocity
 
 
 def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
-    """Columns of the model's sensor data for each field of `Readings`."""
+    """Columns of the model's sensor data for each field of `Readings`.
+
+    Raises:
+        QuadrupedError: if the model lacks a sensor of the robot, or has them in another order.
+    """
     columns = {}
     address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
     for field, sensors in robot.sensors.items():
         ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) for sensor in sensors]
-        start = stop = address[ids[0]]
+        start = stop = address[max(ids[0], 0)]
         for sensor, i in zip(sensors, ids, strict=True):
             # A view must be contiguous: the model lists the sensors of a group together, in joint or leg order.
-            assert i >= 0, f"the model has no sensor {sensor!r}"
-            assert address[i] == stop, f"sensor {sensor!r} does not follow its group"
+            if i < 0 or address[i] != stop:
+                raise QuadrupedError(
+                    f"robot {robot.name!r}: sensor {sensor!r} of {field} "
+                    f"{'is missing in the model' if i < 0 else 'must follow the one before it in the model'}"
+                )
             stop += width[i]
         columns[field] = slice(start, stop)
     return columns

@@ -17,7 +17,7 @@ from quadruped_env.policies import (
     ZeroController,
     load_policy,
 )
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 
 SECONDS, WARM_UP, DT = 4.0, 1.0, 0.02
 SEEDS = (0, 1)
@@ -67,7 +67,9 @@ def walked_in_env(mode, commands, policy=None):
 
 FOLLOWERS = {
     "tuned gait": lambda: walked(CommandedGaitController(), COMMANDS),
-    "tuned gait in the viewer": lambda: walked_one_by_one(lambda: EditableGaitController("tuned"), COMMANDS),
+    "tuned gait in the viewer": lambda: walked_one_by_one(
+        lambda: EditableGaitController("tuned", MINI_QUADRUPED), COMMANDS
+    ),
     "tuned gait under a residual policy": lambda: walked_in_env("residual", COMMANDS),
     "tuned gait at each command": lambda: np.concatenate(
         [walked(GaitController(CommandedGait.tuned().at(command), "at"), [STANDING]) for command in COMMANDS]
@@ -118,7 +120,7 @@ def test_gait_preset_walks_straight_ahead_whatever_the_command(preset, speed):
         forward, yaw_rate = walked(GaitController(gait, preset), [command])[0]
         assert forward == pytest.approx(speed, abs=0.1)
         assert abs(yaw_rate) < 0.2
-    forward, yaw_rate = walked_one_by_one(lambda: EditableGaitController(preset), [(0.4, 0.0)])[0]
+    forward, yaw_rate = walked_one_by_one(lambda: EditableGaitController(preset, MINI_QUADRUPED), [(0.4, 0.0)])[0]
     assert forward == pytest.approx(speed, abs=0.1)
     assert abs(yaw_rate) < 0.2
 

@@ -19,6 +19,7 @@ from quadruped_env.live import TOPICS, Network, Node, Topic
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.pace import Pace, Rate
 from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import MESSAGE_TYPES, Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -201,7 +202,7 @@ def test_joints_come_in_any_order_of_names():
     order = np.random.default_rng(1).permutation(8)
     positions, velocities = np.linspace(-1.0, 1.0, 8), np.arange(8.0)
     message = joint_state(names=[JOINT_NAMES[i] for i in order], position=positions[order], velocity=velocities[order])
-    joints = JointReader("/joint_states")(cdr.serialize(message))
+    joints = JointReader("/joint_states", MINI_QUADRUPED)(cdr.serialize(message))
     np.testing.assert_array_equal(joints.positions, positions)
     np.testing.assert_array_equal(joints.velocities, velocities)
     assert joints.efforts is None
@@ -222,7 +223,7 @@ def test_joints_come_in_any_order_of_names():
 )
 def test_joints_that_are_not_this_robots_are_refused(changes, words):
     with pytest.raises(QuadrupedError) as raised:
-        JointReader("/joint_states")(cdr.serialize(joint_state(**changes)))
+        JointReader("/joint_states", MINI_QUADRUPED)(cdr.serialize(joint_state(**changes)))
     assert str(raised.value).startswith("/joint_states: ")
     assert words in str(raised.value)
 

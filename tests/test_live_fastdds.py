@@ -15,6 +15,7 @@ from quadruped_env import asset_path
 from quadruped_env.live import Topic
 from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION
 from quadruped_env.live.transforms import description_message
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos
 
 pytest.importorskip("cyclonedds")
@@ -103,7 +104,7 @@ def read(line):
 
 
 def test_an_independent_dds_that_joins_late_gets_the_description(nodes, peer):
-    nodes().publish(ROBOT_DESCRIPTION).send(description_message())
+    nodes().publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
     with peer("localhost", "description") as process:
         output, _ = output_of(process)
     assert process.returncode == 0

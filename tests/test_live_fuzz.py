@@ -17,7 +17,7 @@ from quadruped_env.live.node import Received
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES, TOPICS
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED
 from quadruped_env.ros import Qos
 from quadruped_env.viewer import ViewController
 
@@ -130,7 +130,7 @@ def run_swamped(arguments, nodes, turns, seed=0):
 def test_viewer_swamped_with_damaged_messages_goes_on(nodes, tmp_path, seed):
     """And what it then draws is finite, whatever came before."""
     node, rng, refused = nodes(), np.random.default_rng(seed), []
-    live = LiveRobot(node, refused.append)
+    live = LiveRobot(node, MINI_QUADRUPED, refused.append)
     for subscription in node.subscriptions:
         topic = subscription.topic
         subscription.take = lambda topic=topic: [Received(damaged(rng, topic), 0, 1) for _ in range(3)]
@@ -147,7 +147,7 @@ def test_viewer_swamped_with_damaged_messages_goes_on(nodes, tmp_path, seed):
 
 def test_controller_swamped_with_damaged_messages_sends_only_finite_targets(nodes):
     """Among the good ones there are damaged ones that look well: what it commands stays within the joints' range."""
-    commands = nodes().subscribe(JOINT_COMMANDS, Qos(5000), read=JointReader(JOINT_COMMANDS.name))
+    commands = nodes().subscribe(JOINT_COMMANDS, Qos(5000), read=JointReader(JOINT_COMMANDS.name, MINI_QUADRUPED))
     run_swamped(NODES["controller"], nodes, turns=400, seed=5)
     targets = [one.positions for _, one in commands.messages(pytest.fail) if one.positions is not None]
     assert np.all(np.array(targets) <= JOINT_POSITION_HIGH)

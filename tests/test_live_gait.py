@@ -11,6 +11,7 @@ from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_mes
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, PUSH
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.controller import Offered
@@ -22,14 +23,14 @@ CHANGED = GaitSettings(0.5, 1.25, (0.0, 0.25, 0.5, 0.75))
 
 
 def test_adjustable_gait_unchanged_is_the_preset():
-    gait, preset = AdjustableGait("article"), SinusoidalGait.preset("article")
+    gait, preset = AdjustableGait("article", MINI_QUADRUPED), SinusoidalGait.preset("article")
     for t in (0.0, 0.05, 123.45):
         np.testing.assert_array_equal(gait.positions(t), preset.positions(t))
         np.testing.assert_array_equal(gait.velocities(t), preset.velocities(t))
 
 
 def test_adjustable_gait_with_another_frequency_goes_on_where_it_is():
-    gait = AdjustableGait("walk")
+    gait = AdjustableGait("walk", MINI_QUADRUPED)
     for t, frequency in ((3.3, 2.0), (4.7, 0.3), (5.1, 1.0)):
         before = gait.positions(t)
         gait.change(GaitSettings(1.0, frequency, gait.settings.phases), t)
@@ -39,7 +40,7 @@ def test_adjustable_gait_with_another_frequency_goes_on_where_it_is():
 
 
 def test_settings_are_read_as_they_are_written():
-    assert read_settings(settings_message(CHANGED)) == CHANGED
+    assert read_settings(settings_message(CHANGED), MINI_QUADRUPED) == CHANGED
 
 
 @pytest.mark.parametrize(
@@ -55,22 +56,22 @@ def test_settings_are_read_as_they_are_written():
 )
 def test_settings_that_are_none_are_refused(data, words):
     with pytest.raises(QuadrupedError, match=words):
-        read_settings(cdr.message(GAIT.type_name, data=data))
+        read_settings(cdr.message(GAIT.type_name, data=data), MINI_QUADRUPED)
 
 
 def test_gait_takes_settings_and_says_which_it_has(start, nodes):
     node = nodes()
-    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name))
+    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
     actual, wanted = node.subscribe(GAIT_SETTINGS, read=lambda data: data), node.publish(GAIT)
     gait = start("gait")
     found = []
 
     def says():
-        found.extend(read_settings(cdr.deserialize(one.data, GAIT.type_name)) for one in actual.take())
+        found.extend(read_settings(cdr.deserialize(one.data, GAIT.type_name), MINI_QUADRUPED) for one in actual.take())
         return found
 
     wait_until(says, alive=gait.process)
-    assert found == [GaitSettings.of("article")]
+    assert found == [GaitSettings.of(SinusoidalGait.preset("article"))]
     wait_until(lambda: wanted.readers, alive=gait.process)
     wanted.send(cdr.message(GAIT.type_name, data=[1.0]))
     wait_until(lambda: "refused: /gait: holds 1 numbers; send 6" in gait.said, lambda: gait.said, alive=gait.process)
@@ -93,7 +94,7 @@ def test_gait_takes_settings_and_says_which_it_has(start, nodes):
 
 
 def test_viewer_offers_what_has_a_node_that_takes_it(nodes, tmp_path):
-    robot, live = nodes("robot"), LiveRobot(nodes("viewer"))
+    robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
     show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
     assert live.offered() == Offered(command=False, push=False, clock=False, sources=False)
     assert show.gait is None
@@ -111,7 +112,7 @@ def test_viewer_offers_what_has_a_node_that_takes_it(nodes, tmp_path):
     assert show.gait == other
     received = []
     wait_until(lambda: received.extend(wanted.messages(pytest.fail)) or received)
-    assert read_settings(received[-1][1]) == other
+    assert read_settings(received[-1][1], MINI_QUADRUPED) == other
     show.close()
 
 
@@ -119,7 +120,7 @@ def test_viewer_offers_what_has_a_node_that_takes_it(nodes, tmp_path):
 def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, nodes, page, tmp_path):
     """The tutorial's last exercise: amplitude, frequency and phases; no physics, and so nothing to push or pause."""
     pytest.importorskip("viser")
-    states = nodes().subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name))
+    states = nodes().subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
     display = start("display", "--preset", "walk", "--port", "0")
     address = wait_until(
         lambda: next((line.split()[-1] for line in display.said.splitlines() if "http://" in line), None),
@@ -145,7 +146,9 @@ def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, 
     wait_until(lambda: abs(amplitude() / full - 0.5) < 0.1, alive=display.process)
     fill(page, "Frequency, Hz", 2.0)
     fill(page, "Phase RF, cycles", 0.3)
-    settings = nodes().subscribe(GAIT_SETTINGS, read=lambda data: read_settings(cdr.deserialize(data, GAIT.type_name)))
+    settings = nodes().subscribe(
+        GAIT_SETTINGS, read=lambda data: read_settings(cdr.deserialize(data, GAIT.type_name), MINI_QUADRUPED)
+    )
     last = []
     wait_until(
         lambda: (

@@ -17,7 +17,7 @@ from quadruped_env.live import Node, Topic
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.single_publisher import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.robot import STANCE, STANCE_HEIGHT
+from quadruped_env.robot import MINI_QUADRUPED, STANCE, STANCE_HEIGHT
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -188,7 +188,7 @@ def test_gait_publishes_the_tutorials_joint_states(start, domain_id):
         assert gait.interrupt() == 0
     finally:
         node.close()
-    read = JointReader(JOINT_STATES.name)
+    read = JointReader(JOINT_STATES.name, MINI_QUADRUPED)
     joints = [read(one.data) for one in received]
     stamps = np.array([one.stamp for one in joints])
     # A busy machine may make it pass over a tick.
@@ -217,7 +217,7 @@ def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
         wait_until(lambda: np.mean(watcher.watch(1.0)[0]) > 0.1, "the trot, which is faded in")
         speeds, heights = watcher.watch(3.0)
         assert gait.interrupt() == 0
-        read = JointReader(JOINT_COMMANDS.name)
+        read = JointReader(JOINT_COMMANDS.name, MINI_QUADRUPED)
         targets = [joints.positions for one in commands.take() if (joints := read(one.data)).positions is not None]
     finally:
         node.close()
@@ -295,7 +295,7 @@ def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, node
     # Beyond the range: brought into it.
     commands.send(joint_state(0, position=np.full(8, 9.0)))
     states = watcher.node.subscribe(JOINT_STATES)
-    wait_until(lambda: any(JointReader("test")(one.data).positions[0] > 1.2 for one in states.take()))
+    wait_until(lambda: any(JointReader("test", MINI_QUADRUPED)(one.data).positions[0] > 1.2 for one in states.take()))
     assert "Traceback" not in sim.said
 
 

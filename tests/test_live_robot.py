@@ -20,7 +20,7 @@ from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
 from quadruped_env.live.terrain import CELL, SIZE, Terrain
 from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
-from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, STANCE, STANCE_HEIGHT, resting_pose
+from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, MINI_QUADRUPED, STANCE, STANCE_HEIGHT, resting_pose
 from quadruped_env.ros import cdr
 from quadruped_env.viewer import ViewController
 
@@ -201,7 +201,7 @@ def test_the_sensors_say_what_the_robot_does(node):
     for _ in range(20):
         robot.step()
     subscriptions = [node.subscribe(topic) for topic in (CLOCK, IMU, JOINT_STATES, ODOMETRY, TF)]
-    sensors = Sensors(node)
+    sensors = Sensors(node, MINI_QUADRUPED)
     sensors.send(EPOCH + 5, robot.state)
     clock, imu, joints, odometry, tf = taken(node, *subscriptions)
     state = robot.state
@@ -227,9 +227,9 @@ def test_the_sensors_say_what_the_robot_does(node):
 def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
-        live = LiveRobot(viewer_node)
+        live = LiveRobot(viewer_node, MINI_QUADRUPED)
         show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-        robot, sensors = SimulatedRobot(), Sensors(robot_node)
+        robot, sensors = SimulatedRobot(), Sensors(robot_node, MINI_QUADRUPED)
         velocities, pushes = robot_node.subscribe(CMD_VEL), robot_node.subscribe(PUSH)
         robot.push(np.array([0.4, 0.2, 0.0]))
         show.set_command(0.3, -0.2)
@@ -273,7 +273,7 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
 def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
-        live = LiveRobot(viewer_node)
+        live = LiveRobot(viewer_node, MINI_QUADRUPED)
         show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
         states = robot_node.publish(JOINT_STATES)
         positions = np.array([0.3, -0.9] * 4)

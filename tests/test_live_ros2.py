@@ -15,6 +15,7 @@ from quadruped_env.live.text import plain
 from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF_STATIC
 from quadruped_env.live.transforms import description_message
 from quadruped_env.live.type_information import withhold_type_information
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, message_type
 
 pytest.importorskip("cyclonedds")
@@ -151,7 +152,7 @@ def test_late_subscriber_receives_description_and_static_transforms(nodes, ros2)
     known(ros2, TF_STATIC)
     node = nodes()
     transforms = filled(TF_STATIC.type_name, np.random.default_rng(3))
-    node.publish(ROBOT_DESCRIPTION).send(description_message())
+    node.publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
     node.publish(TF_STATIC).send(transforms)
     with ros2.node() as peer:
         for topic in (ROBOT_DESCRIPTION, TF_STATIC):

@@ -185,7 +185,7 @@ def test_random_targets_stay_within_range_and_speed():
     rng = np.random.default_rng(2)
     last = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
     for _ in range(1000):
-        target = limited(rng.normal(size=8) * 10.0 ** rng.integers(-2, 3), last, 0.02)
+        target = limited(MINI_QUADRUPED, rng.normal(size=8) * 10.0 ** rng.integers(-2, 3), last, 0.02)
         assert np.all((target >= JOINT_POSITION_LOW) & (target <= JOINT_POSITION_HIGH))
         assert np.abs(target - last).max() <= 0.1 + 1e-12
         last = target
@@ -280,7 +280,7 @@ def test_an_attitude_that_cannot_be_used_is_refused(changes, words):
 
 
 def test_commands_are_read_as_they_are_written():
-    write, read = CommandWriter(), JointReader("/joint_commands")
+    write, read = CommandWriter(MINI_QUADRUPED), JointReader("/joint_commands", MINI_QUADRUPED)
     np.testing.assert_array_equal(read_target(read(write(7, STANCE))), STANCE)
     assert read(write(7, STANCE)).stamp == 7
     assert read_target(read(write(7, LIMP))) is LIMP
@@ -291,10 +291,10 @@ def test_commands_are_read_as_they_are_written():
 
 
 def test_commands_of_ros2_control_are_read_as_they_are_written():
-    np.testing.assert_array_equal(read_positions(positions_message(STANCE)), STANCE)
+    np.testing.assert_array_equal(read_positions(positions_message(STANCE), MINI_QUADRUPED), STANCE)
     for wrong in (STANCE[:7], np.full(8, np.nan), []):
         with pytest.raises(QuadrupedError, match="send a finite number of rad for each of LF_hip_joint"):
-            read_positions(positions_message(np.array(wrong)))
+            read_positions(positions_message(np.array(wrong)), MINI_QUADRUPED)
 
 
 @pytest.mark.parametrize("kind", ["policy", "gait"])

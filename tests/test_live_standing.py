@@ -9,7 +9,7 @@ from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED, STANCE, STANCE_HEIGHT
 
 pytest.importorskip("cyclonedds")
 
@@ -19,7 +19,7 @@ SAFETY = Safety()
 
 
 def plan(start):
-    return StandUp.plan(np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.min_ramp_time)
+    return StandUp.plan(MINI_QUADRUPED, np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.min_ramp_time)
 
 
 def sampled(rise):
@@ -73,7 +73,7 @@ def got_up(robot):
     rise = plan(robot.state.joint_position[0])
     last, upright = rise.points[0], []
     for elapsed in np.arange(0.0, rise.duration + 1.0, PERIOD):
-        last = limited(rise.positions(elapsed), last, PERIOD)
+        last = limited(MINI_QUADRUPED, rise.positions(elapsed), last, PERIOD)
         robot.command(last)
         for _ in range(round(PERIOD / TIMESTEP)):
             robot.step()

@@ -30,6 +30,7 @@ from quadruped_env.live.text import as_csv, as_yaml, field_at, plain
 from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.transforms import TransformWriter, description_message
 from quadruped_env.replay.replay import replay
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -78,7 +79,7 @@ def test_yaml_is_that_of_ros():
 
 
 def test_a_field_is_chosen_by_its_path():
-    values = plain(cdr.deserialize(TransformWriter()(STAMP, np.zeros(8)), TF.type_name))
+    values = plain(cdr.deserialize(TransformWriter(MINI_QUADRUPED)(STAMP, np.zeros(8)), TF.type_name))
     assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
     assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
     assert field_at(values, "") is values
@@ -193,8 +194,8 @@ def test_a_recording_replays_to_the_same_motion(nodes, tmp_path):
     )
     node, bag = nodes(), tmp_path / "bag"
     states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
-    node.publish(ROBOT_DESCRIPTION).send(description_message())
-    tf_bytes = [TransformWriter()(int(stamps[row]), trajectory.positions[row]) for row in range(100)]
+    node.publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
+    tf_bytes = [TransformWriter(MINI_QUADRUPED)(int(stamps[row]), trajectory.positions[row]) for row in range(100)]
     with started("record", "-o", str(bag)) as process:
         wait_until(lambda: states.readers and transforms.readers)
         for row in range(100):
@@ -276,7 +277,7 @@ def test_a_recording_keeps_what_publishers_offer(tmp_path):
     from rosbags.rosbag2 import Reader
 
     with Recorder(tmp_path / "bag") as recorder:
-        recorder.write(ROBOT_DESCRIPTION, cdr.serialize(description_message()))
+        recorder.write(ROBOT_DESCRIPTION, cdr.serialize(description_message(MINI_QUADRUPED)))
         recorder.write(Topic("/joint_states", JOINT_STATES.type_name, Qos(10, False)), cdr.serialize(joint_state()))
     with Reader(tmp_path / "bag") as reader:
         profiles = {one.topic: one.ext.offered_qos_profiles[0] for one in reader.connections}

@@ -73,8 +73,8 @@ class TestModel:
 
     def test_sides_of_the_legs_follow_from_the_stance(self):
         robot = OTHER.robot()
-        assert robot.fore_legs == (False, False, True, True)
-        assert robot.left_legs == (False, True, False, True)
+        assert robot.fore_legs.tolist() == [False, False, True, True]
+        assert robot.left_legs.tolist() == [False, True, False, True]
         assert [robot.leg_names[i] for i in robot.foot_mirror] == ["LH", "RH", "LF", "RF"]
 
     def test_resting_pose_stands_on_all_feet_in_the_stance(self):

@@ -14,7 +14,7 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_video
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file, add_video
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.files import free_path
@@ -54,6 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="seed of the first random start (default: %(default)s)",
     )
+    add_robot_file(parser)
     add_output(
         parser,
         "FILE",
@@ -66,6 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Measure, record, and print the metrics."""
+    from quadruped_env.control.task_file import load_robot
     from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
     from quadruped_env.reporting.films.film import Motion
     from quadruped_env.reporting.films.video import prepare_video, save_film
@@ -81,6 +83,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.episodes,
         arguments.seed,
         ProgressLine("measuring"),
+        load_robot(arguments.task),
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:

@@ -5,7 +5,7 @@ The format of IN is detected by its content: this project's CSV, any CSV with --
 compressed or not), a ROS 1 bag. The format of OUT follows from its name:
 
     NAME.csv                this project's CSV
-    NAME                    a directory with a rosbag2 bag for Humble and later: /joint_states, and for this robot's
+    NAME                    a directory with a rosbag2 bag for Humble and later: /joint_states, and for the robot's
                             joints /robot_description, /tf and /tf_static
     NAME.mcap, NAME.db3     the bare storage file of such a bag
 
@@ -21,9 +21,10 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_overwrite
+from quadruped_env.cli.options import add_output, add_overwrite, add_robot_file
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.cli.reading import add_reading_options, reading_options
+from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.convert import convert
@@ -66,6 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="rate of /tf in a bag; 0 leaves it out (default: %(default)g)",
     )
     group.add_argument("--compress", action="store_true", help="compress a bag with zstd")
+    add_robot_file(parser)
     add_output(parser, "OUT", argparse.SUPPRESS)
     add_overwrite(parser, "replace OUT if it exists")
 
@@ -89,7 +91,13 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.source,
         target,
         ReadOptions.of(**reading_options(arguments)),
-        WriteOptions(arguments.storage, arguments.tf_rate, arguments.compress, arguments.overwrite),
+        WriteOptions(
+            arguments.storage,
+            arguments.tf_rate,
+            arguments.compress,
+            arguments.overwrite,
+            load_robot(arguments.task),
+        ),
         change if any(value is not None for value in changing) else None,
         ProgressLine("converting"),
     )

@@ -29,7 +29,7 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.cli.reading import add_reading_options, load_with, reading_options
 from quadruped_env.files import check_free, free_path
@@ -57,15 +57,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"parameters to estimate, of {', '.join(QUANTITIES)} (default: {' '.join(FITTED)})",
     )
     parser.add_argument("--without", nargs="+", default=[], metavar="JOINT", help="joints to leave out")
-    parser.add_argument(
-        "--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the model file's)"
-    )
+    parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the robot's)")
     parser.add_argument(
         "--share", type=float, default=0.7, help="fraction of the time that is used for the fit (default: %(default)g)"
     )
     parser.add_argument(
         "--timestep", type=float, metavar="S", help="physics time step, s (default: the environment's, 0.005)"
     )
+    add_robot_file(parser)
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)
     add_reading_options(parser)
@@ -73,6 +72,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Fit, write the results, and print them."""
+    from quadruped_env.control.task_file import load_robot
     from quadruped_env.identification import find_commands, identify
     from quadruped_env.identification.identification_report import check_report_extra, identification_files, save
     from quadruped_env.replay.motors_file import read_motors
@@ -80,7 +80,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     output = arguments.output or free_path(Path("results") / f"identify-{arguments.file.stem}")
     check_free(identification_files(output), arguments.overwrite)
     check_report_extra()
-    start = None if arguments.start is None else read_motors(arguments.start)
+    robot = load_robot(arguments.task)
+    start = None if arguments.start is None else read_motors(arguments.start, robot)
     measured = load_with(arguments.file, arguments, ProgressLine("reading"))
     if arguments.commands_topic is not None:
         options = {**reading_options(arguments), "topic": arguments.commands_topic}
@@ -97,6 +98,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.timestep,
         arguments.without,
         ProgressLine("fitting"),
+        robot,
     )
     save(found, output, invocation.line, arguments.overwrite)
     print(found.table())

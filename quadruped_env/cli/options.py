@@ -49,7 +49,18 @@ def add_task_file(parser: argparse.ArgumentParser) -> None:
         "--task",
         type=Path,
         metavar="FILE",
-        help="Python file of terms that a run was trained with, if it was; it is executed (docs/make-it-yours.md)",
+        help="Python file of the terms or the robot that a run was trained with, if it was; it is executed "
+        "(docs/make-it-yours.md)",
+    )
+
+
+def add_robot_file(parser: argparse.ArgumentParser) -> None:
+    """Add `--task`, for commands that need the robot alone."""
+    parser.add_argument(
+        "--task",
+        type=Path,
+        metavar="FILE",
+        help="Python file that defines another robot than the built-in one; it is executed (docs/make-it-yours.md)",
     )
 
 

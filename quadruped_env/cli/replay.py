@@ -25,7 +25,7 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_video
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file, add_video
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.cli.reading import add_reading_options, load_with
 from quadruped_env.files import check_free, free_path
@@ -53,6 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--motors", type=Path, metavar="MOTORS.json", help="motors of the robot, a result of `identify`"
     )
+    add_robot_file(parser)
     add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {NEXT_FREE})")
     parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")
     add_video(parser)
@@ -62,6 +63,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Play, write the results, and print them."""
+    from quadruped_env.control.task_file import load_robot
     from quadruped_env.replay.motors_file import read_motors
     from quadruped_env.replay.replay import replay, replay_files
     from quadruped_env.replay.replay_report import write_replay_report
@@ -71,13 +73,15 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     compare = arguments.compare is not None
     check_free(replay_files(output), arguments.overwrite)
     prepare_video(arguments.video, arguments.overwrite)
+    robot = load_robot(arguments.task)
     result = replay(
         load_with(arguments.file, arguments, ProgressLine("reading")),
         arguments.mode,
         arguments.clip,
         ProgressLine("playing"),
-        None if arguments.motors is None else read_motors(arguments.motors),
+        None if arguments.motors is None else read_motors(arguments.motors, robot),
         load_with(arguments.compare, arguments) if isinstance(arguments.compare, Path) else None,
+        robot,
     )
     result.save(output, arguments.overwrite, ProgressLine("writing"), compare)
     if not arguments.no_report:

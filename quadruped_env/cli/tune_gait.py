@@ -6,7 +6,6 @@ belong in quadruped_env/gait.py, and the velocities that the tuned gait reaches.
 
 import argparse
 import math
-from dataclasses import asdict
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
@@ -51,6 +50,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     )
     log(f"\n{achieved_table(gait)}\n")
     presets = tune_presets(arguments.generations, log)
-    write_json(arguments.output, {"tuned": asdict(gait), "presets": presets})
+    write_json(arguments.output, {"tuned": gait.parameters(), "presets": presets})
     log(f"written to {arguments.output}")
     return 0

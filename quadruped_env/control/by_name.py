@@ -12,6 +12,8 @@ from quadruped_env.control.policy import CARD_FILE, SHIPPED, Policy, load_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import shown_path
 from quadruped_env.gait import PRESETS
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
 from quadruped_env.trajectory import JointTrajectory
 
 RUNS: Final = Path("runs")
@@ -34,8 +36,8 @@ class ControllerSpec:
     """Loads the controller; raises a QuadrupedError if it does not fit this robot."""
 
 
-def _gait(preset: str) -> ControllerSpec:
-    return ControllerSpec(f"gait {preset}", lambda: EditableGaitController(preset))
+def _gait(preset: str, robot: Robot) -> ControllerSpec:
+    return ControllerSpec(f"gait {preset}", lambda: EditableGaitController(preset, robot))
 
 
 def _policy(name: str, where: str | Path, load: Load) -> ControllerSpec:
@@ -43,19 +45,20 @@ def _policy(name: str, where: str | Path, load: Load) -> ControllerSpec:
     return ControllerSpec(name, lambda: PolicyController(load(where), name))
 
 
-def _recording(path: Path) -> ControllerSpec:
+def _recording(path: Path, robot: Robot) -> ControllerSpec:
     def make() -> Controller:
-        return LoopController(JointTrajectory.load(path).in_joint_order(), path.name)
+        return LoopController(JointTrajectory.load(path).in_joint_order(robot), path.name)
 
     return ControllerSpec(f"recording {path.name}", make)
 
 
-def find_controller(text: str, load: Load = load_policy) -> ControllerSpec:
+def find_controller(text: str, load: Load = load_policy, robot: Robot = MINI_QUADRUPED) -> ControllerSpec:
     """The controller that a user names.
 
     Args:
         text: a shipped policy, a scripted gait, a run's directory, or a recording of joint states (a file or a bag).
         load: reads policies.
+        robot: robot that is controlled.
 
     Raises:
         QuadrupedError: if the text names nothing of this kind. A run or recording is not read yet.
@@ -63,7 +66,7 @@ def find_controller(text: str, load: Load = load_policy) -> ControllerSpec:
     if text in SHIPPED:
         return _policy(f"policy {text}", text, load)
     if text in PRESETS:
-        return _gait(text)
+        return _gait(text, robot)
     path = Path(text)
     if not path.suffix and not path.is_dir():
         raise QuadrupedError(
@@ -71,11 +74,11 @@ def find_controller(text: str, load: Load = load_policy) -> ControllerSpec:
             f"nor the directory of a run, nor a recording; name one of these, or {training_advice()}"
         )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
-    return _recording(path) if recorded else _policy(f"run {shown_path(path)}", text, load)
+    return _recording(path, robot) if recorded else _policy(f"run {shown_path(path)}", text, load)
 
 
 def find_controllers(
-    names: Sequence[str] = (), runs: Path = RUNS, load: Load = load_policy
+    names: Sequence[str] = (), runs: Path = RUNS, load: Load = load_policy, robot: Robot = MINI_QUADRUPED
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """All available controllers by name, and the names of those to start with.
 
@@ -84,16 +87,17 @@ def find_controllers(
             or else the shipped policy.
         runs: directory of the training runs.
         load: reads policies.
+        robot: robot that is controlled.
 
     Raises:
         QuadrupedError: if one of `names` cannot be used.
     """
-    wanted = _distinct(names, load)
+    wanted = _distinct(names, load, robot)
     for spec in wanted:
         spec.make()
     offered = [
         *_latest_runs(runs, load),
-        *(find_controller(name, load) for name in (*SHIPPED, *reversed(PRESETS))),
+        *(find_controller(name, load, robot) for name in (*SHIPPED, *reversed(PRESETS))),
         ControllerSpec(STANDING, ZeroController),
     ]
     specs: dict[str, ControllerSpec] = {}
@@ -102,11 +106,11 @@ def find_controllers(
     return specs, tuple(spec.name for spec in wanted or [_first_that_fits(offered)])
 
 
-def _distinct(texts: Sequence[str], load: Load) -> list[ControllerSpec]:
+def _distinct(texts: Sequence[str], load: Load, robot: Robot) -> list[ControllerSpec]:
     """Controllers whose names differ where the texts differ."""
     by_text: dict[str, ControllerSpec] = {}
     for text in texts:
-        spec = find_controller(text, load)
+        spec = find_controller(text, load, robot)
         taken = {other.name for name, other in by_text.items() if name != text}
         names = (spec.name, *(f"{spec.name} ({number})" for number in range(2, len(texts) + 1)))
         by_text[text] = replace(spec, name=next(name for name in names if name not in taken))

@@ -9,6 +9,7 @@ from quadruped_env.control.config import ControlConfig
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.policy import Policy
 from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.trajectory import JointTrajectory
 
 Floats = NDArray[np.float64]
@@ -57,17 +58,26 @@ class GaitController:
 
 
 class CommandedGaitController:
-    """The tuned gait, adapted to each env's command."""
+    """The tuned gait, adapted to each env's command.
+
+    Args:
+        gait: the gait; None: the tuned one of the robot that is controlled.
+        name: name in reports.
+    """
 
     action_mode = "position"
 
     def __init__(self, gait: CommandedGait | None = None, name: str = "tuned") -> None:
-        self.gait = gait or CommandedGait.tuned()
         self.name = name
+        self._gait = gait
+        self._own = gait is None
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
-        return self.gait.positions(self.gait.angular_frequency * control.time, control.command)
+        if self._gait is None or (self._own and self._gait.robot != control.robot):
+            self._gait = CommandedGait.tuned(control.robot)
+        gait = self._gait
+        return gait.positions(gait.angular_frequency * control.time, control.command)
 
 
 class TrajectoryController:
@@ -83,10 +93,21 @@ class TrajectoryController:
     def __init__(self, trajectory: JointTrajectory, name: str = "recording") -> None:
         self.trajectory = trajectory
         self.name = name
+        self._ordered: tuple[Robot, JointTrajectory] | None = None
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
-        """See `Controller.act`."""
-        return self.trajectory.positions_at(control.time)
+        """See `Controller.act`.
+
+        Raises:
+            QuadrupedError: if the recording lacks a joint of the robot.
+        """
+        return self.positions_at(control.robot, control.time)
+
+    def positions_at(self, robot: Robot, seconds: Floats) -> Floats:
+        """Recorded positions of a robot's joints (N, J) in rad at times (N,) in s."""
+        if self._ordered is None or self._ordered[0] is not robot:
+            self._ordered = robot, self.trajectory.in_joint_order(robot)
+        return self._ordered[1].positions_at(seconds)
 
 
 class PolicyController:
@@ -102,9 +123,10 @@ class PolicyController:
         """See `Controller.act`.
 
         Raises:
-            QuadrupedError: if the policy's actions have another meaning in this task.
+            QuadrupedError: if the policy is for another robot, or its actions have another meaning in this task.
         """
         if control.config is not self._checked:
+            check_same_robot(self.policy.robot.identity, control.robot)
             self.policy.check_control(control.config)
             self._checked = control.config
         return control.joint_target(self.policy.predict(observation).astype(np.float64))

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.gait_settings import GaitSettings, edited
+from quadruped_env.robot.robot import Robot
 
 _COMMANDED: Final = "tuned"
 """Preset that follows the velocity command; the others ignore it."""
@@ -30,16 +31,18 @@ class EditableGaitController:
 
     Args:
         preset: name of the preset; `tuned` follows the velocity command.
+        robot: robot that walks.
     """
 
     action_mode = "position"
 
-    def __init__(self, preset: str) -> None:
+    def __init__(self, preset: str, robot: Robot) -> None:
         self.name = preset
-        self._settings = GaitSettings.of(preset)
+        self._robot = robot
         self._time = 0.0
         """Time in which the gait reaches its current phase at its current frequency, s."""
-        self._gait = SinusoidalGait.preset(preset)
+        self._gait = SinusoidalGait.preset(preset, robot)
+        self._settings = GaitSettings.of(self._gait)
         self._command: tuple[float, float] | None = None
 
     @property
@@ -70,4 +73,6 @@ class EditableGaitController:
         return self._gait.violations()
 
     def _preset(self, command: tuple[float, float]) -> SinusoidalGait:
-        return CommandedGait.tuned().at(command) if self.name == _COMMANDED else SinusoidalGait.preset(self.name)
+        if self.name == _COMMANDED:
+            return CommandedGait.tuned(self._robot).at(command)
+        return SinusoidalGait.preset(self.name, self._robot)

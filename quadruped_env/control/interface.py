@@ -11,7 +11,7 @@ from quadruped_env.control.config import ControlConfig
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
-from quadruped_env.gait import JOINT_PHASES, CommandedGait, wave_positions
+from quadruped_env.gait import CommandedGait, joint_phases, wave_positions
 from quadruped_env.readings import Readings
 from quadruped_env.robot.robot import Robot
 
@@ -69,7 +69,9 @@ class ControlInterface:
         self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
         self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._gait = CommandedGait.tuned() if config.action.mode == "residual" else None
+        self._gait = CommandedGait.tuned(robot) if config.action.mode == "residual" else None
+        self._joint_phases = joint_phases(robot)
+        self._leg_phases = self._joint_phases[None, :: robot.num_joints // robot.num_legs]
         self.stance: Floats = robot.stance[None]
         """Joint positions of the stance (1, J), rad."""
         self._low, self._high = robot.joint_position_low[None], robot.joint_position_high[None]
@@ -134,11 +136,11 @@ class ControlInterface:
         """Joint positions for a zero action, in rad: the stance (1, J), or the scripted gait (N, J)."""
         if self._gait is None:
             return self.stance
-        return wave_positions(self.phase, self._sine, self._cosine, self._offset)
+        return wave_positions(self.phase, self._joint_phases, self._sine, self._cosine, self._offset)
 
     def leg_clock(self) -> Floats:
         """Sine of each leg's phase, (N, L); positive while the foot should swing."""
-        angle = self.phase[:, None] + _LEG_PHASES
+        angle = self.phase[:, None] + self._leg_phases
         return np.sin(angle, angle)
 
     @property
@@ -164,6 +166,3 @@ class ControlInterface:
         np.minimum(raw, self._observation_high, out=raw)
         np.maximum(raw, self._observation_low, out=raw)
         return raw.astype(np.float32)
-
-
-_LEG_PHASES: Final = JOINT_PHASES[None, ::2]

@@ -5,7 +5,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 
 LIMP: Final = None
@@ -16,15 +15,15 @@ Target = NDArray[np.float64] | None
 
 
 def limited(
-    target: NDArray[np.float64], last: NDArray[np.float64], seconds: float, robot: Robot = MINI_QUADRUPED
+    robot: Robot, target: NDArray[np.float64], last: NDArray[np.float64], seconds: float
 ) -> NDArray[np.float64]:
     """Joint targets within the joints' ranges that change no faster than the robot's velocity limit.
 
     Args:
+        robot: robot whose limits apply.
         target: joint targets (J,), rad.
         last: previous joint targets, or the measured positions (J,), rad.
         seconds: time since `last`, s.
-        robot: robot whose limits apply.
     """
     reach = robot.velocity_limit * seconds
     low, high = robot.joint_position_low, robot.joint_position_high

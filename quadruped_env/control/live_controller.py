@@ -29,7 +29,7 @@ from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.readings import Readings
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.rotations import rotate_inverse
 from quadruped_env.timestamps import NS_PER_SECOND
 
@@ -86,9 +86,9 @@ class Measurement(NamedTuple):
     stamp: int
     """Timestamp, ns."""
     positions: NDArray[np.float64]
-    """Joint positions (8,), rad."""
+    """Joint positions (J,), rad."""
     velocities: NDArray[np.float64]
-    """Joint velocities (8,), rad/s."""
+    """Joint velocities (J,), rad/s."""
     orientation: NDArray[np.float64]
     """Unit quaternion wxyz of the base (4,)."""
     angular_velocity: NDArray[np.float64]
@@ -111,10 +111,11 @@ class LiveController:
         config: time step, clock and commands. None: those of the policy, or the defaults for other controllers.
         safety: conditions for moving and stopping. None: the defaults.
         say: called with a line of text at every change of mode.
-        robot: the robot that is driven.
+        robot: the robot that is driven. None: that of the policy, or the built-in one for other controllers.
 
     Raises:
-        QuadrupedError: if the controller's policy observes something that the robot does not measure.
+        QuadrupedError: if the controller's policy is for another robot, or observes something that the robot does not
+            measure.
     """
 
     def __init__(
@@ -123,9 +124,13 @@ class LiveController:
         config: ControlConfig | None = None,
         safety: Safety | None = None,
         say: Callable[[str], None] = lambda text: None,
-        robot: Robot = MINI_QUADRUPED,
+        robot: Robot | None = None,
     ) -> None:
         policy = controller.policy if isinstance(controller, PolicyController) else None
+        if robot is None:
+            robot = MINI_QUADRUPED if policy is None else policy.robot
+        if policy is not None:
+            check_same_robot(policy.robot.identity, robot)
         if config is None:
             config = ControlConfig() if policy is None else policy.control
         self.safety = safety or Safety()
@@ -155,7 +160,7 @@ class LiveController:
         self._command = np.zeros(2)
         self._command_at = -math.inf
         self._last = robot.stance.copy()
-        self._stand_up = StandUp.plan(robot.stance, self.safety.ramp_speed, self.safety.min_ramp_time)
+        self._stand_up = StandUp.plan(robot, robot.stance, self.safety.ramp_speed, self.safety.min_ramp_time)
         self._stand_up_time = 0.0
         """Elapsed time on the stand-up trajectory, s."""
         self._stand_up_state = 0, 0.0
@@ -265,7 +270,7 @@ class LiveController:
             return
         # Clipped, because the duration of a ramp from far outside the joints' ranges would be unbounded.
         self._last = np.clip(measurement.positions, self._robot.joint_position_low, self._robot.joint_position_high)
-        self._stand_up = StandUp.plan(self._last, self.safety.ramp_speed, self.safety.min_ramp_time)
+        self._stand_up = StandUp.plan(self._robot, self._last, self.safety.ramp_speed, self.safety.min_ramp_time)
         self._stand_up_time, self._stand_up_state = 0.0, (measurement.stamp, now)
         self._due = None
         self._fallen = False
@@ -279,7 +284,7 @@ class LiveController:
             observation = self._control.observe(self._readings)
             self._control.advance()
             target = self._controller.act(observation, self._control)[0]
-        self._last = limited(target, self._last, self.period)
+        self._last = limited(self._robot, target, self._last, self.period)
         return JointCommand(self._stamp, self._last)
 
     def _follow(self, velocity: NDArray[np.float64]) -> None:

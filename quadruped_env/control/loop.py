@@ -13,4 +13,5 @@ class LoopController(TrajectoryController):
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> NDArray[np.float64]:
         """See `Controller.act`."""
         # One control step lies between the last sample and the first.
-        return self.trajectory.positions_at(control.time % (self.trajectory.duration + control.config.timestep))
+        period = self.trajectory.duration + control.config.timestep
+        return self.positions_at(control.robot, control.time % period)

@@ -5,7 +5,7 @@ import json
 import os
 import warnings
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -17,12 +17,13 @@ from safetensors.numpy import load, save
 from quadruped_env._python import program_command
 from quadruped_env.control.config import COMMANDS, Command, ControlConfig
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.task_file import TASK_FILE, TaskFile, check_task_file, execute, merged
+from quadruped_env.control.task_file import TASK_FILE, TaskFile, check_task_file, execute, merged, robot_in
 from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.files import write_whole
 from quadruped_env.gait import CommandedGait
-from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot, check_same_robot
 
 FORMAT_VERSION: Final = 1
 TENSORS_FILE: Final = "policy.safetensors"
@@ -138,9 +139,10 @@ class Policy:
             "config_sha256": _config_hash(self.task),
             "activation": self.activation,
             "layers": len(self.weights),
+            "robot": self.robot.identity,
             "observation_layout": ObservationLayout(self.robot, self.fields).document(),
             "action_mode": self.action_mode,
-            "scripted_gait": _gait_document(self.action_mode),
+            "scripted_gait": _gait_document(self.action_mode, self.robot),
             "control_rate_hz": 1.0 / self.control.timestep,
             "config": self.task,
             "card": self.card,
@@ -153,9 +155,9 @@ def _config_hash(config: Any) -> str:
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
-def _gait_document(action_mode: str) -> dict[str, Any] | None:
-    """Scripted gait of a residual policy as JSON values (lists for tuples); None for other policies."""
-    return json.loads(json.dumps(asdict(CommandedGait.tuned()))) if action_mode == "residual" else None
+def _gait_document(action_mode: str, robot: Robot) -> dict[str, Any] | None:
+    """Scripted gait of a residual policy as JSON values; None for other policies."""
+    return CommandedGait.tuned(robot).parameters() if action_mode == "residual" else None
 
 
 def training_advice() -> str:
@@ -192,30 +194,32 @@ def finished_directory(run: Path) -> Path:
 
 @dataclass(frozen=True)
 class Terms:
-    """Terms of a policy that are code and not stored in its file: fields of the observation and commands."""
+    """Parts of a policy that are not stored in its file: its robot, fields of the observation, commands."""
 
     observations: tuple[ObservationField, ...] = OBSERVATIONS
     commands: tuple[Command, ...] = COMMANDS
+    robot: Robot = MINI_QUADRUPED
     file: TaskFile | None = None
-    """File that defines the terms that are not built in."""
+    """File that defines what is not built in."""
 
 
 def load_terms(path: str | os.PathLike[str]) -> Terms:
-    """The built-in observations and commands, with those of a user's file added to them or replacing them.
+    """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
 
     Raises:
-        QuadrupedError: as `execute`.
+        QuadrupedError: as `execute` and `robot_in`.
     """
     file, module = execute(path)
     values = list(vars(module).values())
     return Terms(
         merged(OBSERVATIONS, [value for value in values if isinstance(value, ObservationField)]),
         merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
+        robot_in(module, path) or MINI_QUADRUPED,
         file,
     )
 
 
-def load_policy(source: str | Path, terms: Terms | None = None, robot: Robot = MINI_QUADRUPED) -> Policy:
+def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     """Load a shipped policy by name (`flat`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
@@ -223,12 +227,11 @@ def load_policy(source: str | Path, terms: Terms | None = None, robot: Robot = M
 
     Args:
         source: name or directory.
-        terms: terms of a user's file, for a policy that was trained with one.
-        robot: robot that the policy was trained for.
+        terms: robot and terms of a user's file, for a policy that was trained with one.
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
-            observation layout or scripted gait; the message names the file and the fix.
+            robot, observation layout or scripted gait; the message names the file and the fix.
 
     Warns:
         QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
@@ -258,7 +261,15 @@ def load_policy(source: str | Path, terms: Terms | None = None, robot: Robot = M
     # Number types that NumPy lacks raise various errors.
     except (SafetensorError, TypeError, AttributeError, ValueError) as error:
         raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
-    return _from_document(document, tensors, (card_path, tensors_path), terms or Terms(), robot)
+    return _from_document(document, tensors, (card_path, tensors_path), terms or Terms())
+
+
+def _check_robot(document: dict[str, Any], robot: Robot) -> None:
+    """Refuse a policy of another robot. Those without the field are of the built-in robot."""
+    if "robot" in document:
+        check_same_robot(document["robot"], robot)
+    elif robot.name != MINI_QUADRUPED.name:
+        check_same_robot(MINI_QUADRUPED.identity, robot)
 
 
 def _check_hash(document: Any, field: str, found: str, card_path: Path, path: Path) -> None:
@@ -271,9 +282,7 @@ def _check_hash(document: Any, field: str, found: str, card_path: Path, path: Pa
         )
 
 
-def _from_document(
-    document: Any, tensors: dict[str, NDArray[Any]], paths: tuple[Path, Path], terms: Terms, robot: Robot
-) -> Policy:
+def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple[Path, Path], terms: Terms) -> Policy:
     card_path, tensors_path = paths
     version = document.get("format_version") if isinstance(document, dict) else None
     if version != FORMAT_VERSION:
@@ -289,10 +298,12 @@ def _from_document(
         named = task.get(TASK_FILE) if isinstance(task, dict) else None
         check_task_file(named, terms.file)
         if named is None:
-            terms = Terms()
+            terms = Terms(robot=terms.robot)
+        _check_robot(document, terms.robot)
         control = ControlConfig.of_task(task, terms.commands)
     except QuadrupedError as error:
         raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error
+    robot = terms.robot
     layout = ObservationLayout(robot, terms.observations)
     if document["observation_layout"] != layout.document():
         raise QuadrupedError(
@@ -315,7 +326,7 @@ def _from_document(
             f"the file is damaged, train again"
         )
     _check_hash(document, "config_sha256", _config_hash(document["config"]), card_path, card_path)
-    if document.get("scripted_gait") != _gait_document(control.action.mode):
+    if document.get("scripted_gait") != _gait_document(control.action.mode, robot):
         raise QuadrupedError(
             f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
             f"train again, or install the version that made it"

@@ -6,15 +6,13 @@ from typing import Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.robot import LEG_NAMES, STANCE
+from quadruped_env.robot.robot import Robot
 
 UPRIGHT: Final = 0.6
 """Maximum angle between the trunk's vertical and a leg that can carry load, rad; larger angles are rare in walking."""
 _FORWARD: Final = (-0.5, -1.1)
 _BACK: Final = (1.5, 0.0)
 """Hip and knee positions of a leg that lies along the trunk, with the foot ahead or behind, rad."""
-_OUTWARD: Final = np.array([_FORWARD if leg.endswith("F") else _BACK for leg in LEG_NAMES])
-_SIDES: Final = [np.array([leg.startswith(side) for leg in LEG_NAMES]) for side in "LR"]
 
 
 @dataclass(frozen=True)
@@ -29,29 +27,32 @@ class StandUp:
     """
 
     points: NDArray[np.float64]
-    """Joint positions at the waypoints (K, 8), rad."""
+    """Joint positions at the waypoints (K, J), rad."""
     times: NDArray[np.float64]
     """Times of the waypoints (K,), s."""
 
     @classmethod
-    def plan(cls, start: NDArray[np.float64], speed: float, min_time: float) -> Self:
+    def plan(cls, robot: Robot, start: NDArray[np.float64], speed: float, min_time: float) -> Self:
         """Trajectory from the current joint positions.
 
         Args:
-            start: joint positions (8,), rad.
+            robot: robot that stands up; each of its legs has a hip and a knee.
+            start: joint positions (J,), rad.
             speed: mean speed of the joint that moves farthest between two waypoints, rad/s.
             min_time: minimum time between two waypoints, s.
         """
         points = [start.copy()]
-        lean = start.reshape(len(LEG_NAMES), 2).sum(axis=1)
+        lean = start.reshape(robot.num_legs, 2).sum(axis=1)
         if np.abs(lean).max() > UPRIGHT:
+            outward = np.where(robot.fore_legs[:, None], _FORWARD, _BACK)
             legs = np.where(lean[:, None] > 0.0, _BACK, _FORWARD)
             points.append(legs.ravel())
-            for side in _SIDES:
-                legs = np.where(side[:, None], _OUTWARD, legs)
+            for side in (robot.left_legs, ~robot.left_legs):
+                legs = np.where(side[:, None], outward, legs)
                 if not np.array_equal(legs.ravel(), points[-1]):
                     points.append(legs.ravel())
-        points.append(STANCE)
+            points[1:] = [np.clip(point, robot.joint_position_low, robot.joint_position_high) for point in points[1:]]
+        points.append(robot.stance)
         distances = np.abs(np.diff(points, axis=0)).max(axis=1)
         return cls(np.array(points), np.concatenate([[0.0], np.cumsum(np.maximum(min_time, distances / speed))]))
 
@@ -61,7 +62,7 @@ class StandUp:
         return float(self.times[-1])
 
     def positions(self, elapsed: float) -> NDArray[np.float64]:
-        """Joint targets (8,) in rad at a time in s after the start."""
+        """Joint targets (J,) in rad at a time in s after the start."""
         now = min(max(elapsed, 0.0), self.duration)
         after = max(1, int(np.searchsorted(self.times, now)))
         share = (now - self.times[after - 1]) / (self.times[after] - self.times[after - 1])

@@ -1,4 +1,4 @@
-"""A user's Python file of terms: read, verified, and executed only if the user names it."""
+"""A user's Python file of terms and robots: read, verified, and executed only if the user names it."""
 
 import dataclasses
 import hashlib
@@ -13,6 +13,9 @@ from types import ModuleType
 from typing import Any, Final, TypeVar
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.quadruped_design import QuadrupedDesign
+from quadruped_env.robot.robot import Robot
 
 Term = TypeVar("Term")
 
@@ -87,6 +90,37 @@ def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
                 f"all of them, or choose another name and give the old one the weight 0"
             )
     return tuple(terms)
+
+
+def robot_in(module: ModuleType, path: str | os.PathLike[str]) -> Robot | None:
+    """The robot that a file defines: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
+
+    Raises:
+        QuadrupedError: if there are several.
+    """
+    found: list[Robot] = []
+    for value in vars(module).values():
+        robot = value.robot() if isinstance(value, QuadrupedDesign) else value
+        if isinstance(robot, Robot) and robot not in (MINI_QUADRUPED, *found):
+            found.append(robot)
+    if len(found) > 1:
+        names = " and ".join(repr(robot.name) for robot in found)
+        raise QuadrupedError(f"{path}: defines the robots {names}; a task has one robot, so keep one at the top level")
+    return next(iter(found), None)
+
+
+def load_robot(path: str | os.PathLike[str] | None) -> Robot:
+    """The robot that a user's file defines, or the built-in one for a file without robots or no file.
+
+    The file's code is executed, so load only files that you trust.
+
+    Raises:
+        QuadrupedError: as `execute`, or if the file defines several robots.
+    """
+    if path is None:
+        return MINI_QUADRUPED
+    _, module = execute(path)
+    return robot_in(module, path) or MINI_QUADRUPED
 
 
 def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> tuple[TaskFile, ModuleType]:

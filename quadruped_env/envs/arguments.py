@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from quadruped_env._plain import whole_number
 from quadruped_env.control.velocity_command import check_command
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.definition import BUILT_IN, load_task_file
 
@@ -24,6 +25,7 @@ def task_config(
     action_mode: str | None,
     config: dict[str, Any] | TaskConfig | None,
     task_file: str | os.PathLike[str] | None = None,
+    robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
 ) -> TaskConfig:
     """The task's config from an environment's arguments.
 
@@ -31,21 +33,34 @@ def task_config(
         action_mode: action mode that replaces that of the config; None keeps it.
         config: changes to the default config, or a complete one; None: the defaults.
         task_file: user's file of terms, which is executed; None: the built-in terms, or those of a given TaskConfig.
+        robot: robot, its design, or the result of `Robot.to_dict`; None: that of the file or of a given TaskConfig.
 
     Raises:
-        QuadrupedError: if the mode, the file or a field of the config is not valid.
+        QuadrupedError: if the mode, the file, the robot or a field of the config is not valid.
     """
     definition = config.definition if isinstance(config, TaskConfig) else BUILT_IN
     if task_file is not None:
         definition = load_task_file(task_file)
+    if robot is not None:
+        definition = definition.with_robot(_robot(robot))
     if isinstance(config, TaskConfig):
-        task = config if definition == config.definition else dataclasses.replace(config, definition=definition)
+        task = config if definition == config.definition else config.with_definition(definition)
     else:
         task = TaskConfig.from_dict({} if config is None else config, definition)
     if action_mode is not None:
         mode: Any = action_mode  # checked by ActionConfig
         task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))
     return task
+
+
+def _robot(value: Any) -> Robot:
+    if isinstance(value, QuadrupedDesign):
+        return value.robot()
+    if isinstance(value, dict):
+        return Robot.from_dict(value)
+    if not isinstance(value, Robot):
+        raise QuadrupedError(f"robot: expected a Robot, a QuadrupedDesign, or Robot.to_dict(); found {short(value)}")
+    return value
 
 
 def check_render_mode(render_mode: str | None) -> None:

@@ -12,8 +12,8 @@ from quadruped_env.envs import arguments, spaces
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.envs.specification import with_tables
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import load_model
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.robot import QuadrupedDesign, Robot
+from quadruped_env.simulation import SingleSimulation, build_model
 from quadruped_env.task import Task, TaskConfig
 
 _ENV_IDS = np.zeros(1, dtype=np.intp)
@@ -84,7 +84,8 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     |---|---|---|
     | `action_mode` | `"position"` | `"position"` or `"residual"` |
     | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested values; `motor` for other motors |
-    | `task_file` | `None` | Python file with your own terms (docs/make-it-yours.md); it is executed |
+    | `task_file` | `None` | Python file with your own terms or robot (docs/make-it-yours.md); it is executed |
+    | `robot` | `None` | a `quadruped_env.robot.Robot` or `QuadrupedDesign`; `None`: the one described above |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
     | `width`, `height` | 640, 480 | size of the image in pixels, limited by OpenGL |
 
@@ -100,16 +101,19 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         action_mode: str | None = None,
         config: dict[str, Any] | TaskConfig | None = None,
         task_file: str | os.PathLike[str] | None = None,
+        robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
         render_mode: str | None = None,
         width: int = 640,
         height: int = 480,
     ) -> None:
         arguments.check_render_mode(render_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config, task_file)
+        task_config = arguments.task_config(action_mode, config, task_file, robot)
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
-        self._simulation = SingleSimulation(load_model(task_config.physics_timestep, task_config.motor))
+        task_robot = task_config.robot
+        model = build_model(task_robot, task_config.physics_timestep, task_config.motor)
+        self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
         self.action_space = spaces.action_space(self.task.control.robot)
         self.observation_space = spaces.observation_space(self.task.control.layout)

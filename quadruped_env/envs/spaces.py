@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from quadruped_env._plain import plain
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.envs.arguments import RENDER_MODES
-from quadruped_env.robot import Robot
-from quadruped_env.task import Task, TaskConfig, Transition
+from quadruped_env.robot import QuadrupedDesign, Robot
+from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, Transition
 
 
 def action_space(robot: Robot) -> gymnasium.Space[NDArray[np.float32]]:
@@ -32,7 +32,7 @@ def metadata(config: TaskConfig) -> dict[str, Any]:
 
 
 class PlainSpec:
-    """Base of envs whose specification supports JSON: NumPy values, paths, enums and `TaskConfig` become plain."""
+    """Base of envs whose specification supports JSON: NumPy values, paths, enums, configs and robots become plain."""
 
     _spec: EnvSpec | None = None
 
@@ -45,12 +45,25 @@ class PlainSpec:
     def spec(self, value: EnvSpec | None) -> None:
         self._spec = copy.copy(value)
         if self._spec is not None:
-            self._spec.kwargs = {name: _plain_argument(value) for name, value in self._spec.kwargs.items()}
+            config = self._spec.kwargs.get("config")
+            own = _of_definition(config.definition) if isinstance(config, TaskConfig) else {}
+            kwargs = own | {name: value for name, value in self._spec.kwargs.items() if value is not None}
+            self._spec.kwargs = {name: _plain_argument(value) for name, value in kwargs.items()}
+
+
+def _of_definition(definition: TaskDefinition) -> dict[str, Any]:
+    """Arguments for the parts of a definition that its config names and does not hold."""
+    robot = {} if definition.robot == BUILT_IN.robot else {"robot": definition.robot}
+    return robot if definition.path is None else {**robot, "task_file": definition.path}
 
 
 def _plain_argument(value: Any) -> Any:
     if isinstance(value, TaskConfig):
         return plain(value.to_dict())
+    if isinstance(value, QuadrupedDesign):
+        value = value.robot()
+    if isinstance(value, Robot):
+        return value.to_dict()
     return os.fspath(value) if isinstance(value, os.PathLike) else plain(value)
 
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -20,6 +20,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.task import BUILT_IN, TaskConfig
 from quadruped_env.trajectory import JointTrajectory, saving
 
 SHOWN: Final = (
@@ -95,7 +96,7 @@ class Baseline:
             }
         return {
             "preset": self.preset,
-            "gait": {key: value for key, value in asdict(self.gait).items() if not key.startswith("_")},
+            "gait": self.gait.parameters(),
             "violations": self.gait.violations(),
             "rate_hz": self.rate,
             "seconds": self.commands.duration,
@@ -170,11 +171,12 @@ def run_baseline(
         raise QuadrupedError(f"episodes: expected 1 or more; found {episodes}")
     if seed < 0:
         raise QuadrupedError(f"seed: expected 0 or more; found {seed}")
-    gait = SinusoidalGait.preset(preset)
-    commands = publish(gait, seconds, rate, robot)
+    gait = SinusoidalGait.preset(preset, robot)
+    commands = publish(gait, seconds, rate)
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
-    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, progress=_part(progress, 0.0), robot=robot)
+    config = TaskConfig(definition=BUILT_IN.with_robot(robot))
+    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, _part(progress, 0.0))
     recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
 

@@ -25,7 +25,7 @@ from quadruped_env.policies import (
     ZeroController,
 )
 from quadruped_env.progress import Progress
-from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.robot import Robot
 from quadruped_env.task import RandomizationConfig, TaskConfig
 
 Command = tuple[float, float]
@@ -87,7 +87,7 @@ class Comparison:
     @property
     def robot(self) -> Robot:
         """Robot of the episodes."""
-        return next((rollout.robot for rollout in self.rollouts.values()), MINI_QUADRUPED)
+        return self.config.robot
 
     def conditions(self, motion: str | None) -> list[int]:
         """Indices of the commands of one of `MOTIONS`, or of all."""
@@ -197,7 +197,8 @@ def compare_policies(
     Each policy runs its own training task; the scripted controllers run the first policy's.
 
     Raises:
-        QuadrupedError: as `compare`, or if a policy has the name of a scripted controller.
+        QuadrupedError: as `compare`, or if a policy has the name of a scripted controller, or two policies are for
+            different robots.
     """
     taken = sorted(set(policies) & (set(CONTROLLERS) - {"policy"}))
     if taken:
@@ -211,10 +212,16 @@ def compare_policies(
         )
     configs = {name: _evaluation_task(policy.config, commands) for name, policy in policies.items()}
     config = next(iter(configs.values()))
+    for name, policy in policies.items():
+        if policy.config.robot != config.robot:
+            raise QuadrupedError(
+                f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
+                f"policies for one robot"
+            )
     controllers: tuple[Controller, ...] = (
         *(PolicyController(policy, name) for name, policy in policies.items()),
         CommandedGaitController(),
-        GaitController(SinusoidalGait.preset("article"), "article"),
+        GaitController(SinusoidalGait.preset("article", config.robot), "article"),
         ZeroController(),
     )
     seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)

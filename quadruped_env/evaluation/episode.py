@@ -17,9 +17,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
-from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot, load_model
-from quadruped_env.simulation import SingleSimulation
-from quadruped_env.task import RandomizationConfig, Task, TaskConfig
+from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
+from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.task import BUILT_IN, RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
@@ -65,14 +65,13 @@ class Recording:
         )
 
 
-def publish(gait: SinusoidalGait, seconds: float, rate: float, robot: Robot = MINI_QUADRUPED) -> JointTrajectory:
+def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajectory:
     """Joint targets that a gait publisher sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
 
     Args:
         gait: gait to sample.
         seconds: time of the last target, s.
         rate: targets per second, Hz.
-        robot: robot of the joints.
 
     Raises:
         QuadrupedError: if `seconds` or `rate` is out of range.
@@ -83,7 +82,7 @@ def publish(gait: SinusoidalGait, seconds: float, rate: float, robot: Robot = MI
         raise QuadrupedError(f"seconds: expected over 0 and up to {MAX_SECONDS:g} s; found {seconds:g}")
     # Multiplied by 1 / rate, so that 50 Hz gives exactly the times and positions of a gait on the task's clock.
     times = np.arange(math.floor(seconds * rate + 1e-6) + 1) * (1.0 / rate)
-    return JointTrajectory(_stamps(times), robot.joint_names, gait.positions(times), gait.velocities(times))
+    return JointTrajectory(_stamps(times), gait.robot.joint_names, gait.positions(times), gait.velocities(times))
 
 
 def play(
@@ -118,11 +117,10 @@ def play(
     return record(
         TrajectoryController(targets, name),
         targets.duration,
-        config=TaskConfig(motor=motors or robot.motors),
+        config=TaskConfig(motor=motors or robot.motors, definition=BUILT_IN.with_robot(robot)),
         first_stamp=int(targets.stamps[0]),
         progress=progress,
         start=targets.positions[0],
-        robot=robot,
     )
 
 
@@ -134,7 +132,6 @@ def record(
     first_stamp: int = 0,
     progress: Progress | None = None,
     start: NDArray[np.float64] | None = None,
-    robot: Robot = MINI_QUADRUPED,
 ) -> Recording:
     """Run a controller on one robot from the common start of all recordings.
 
@@ -142,18 +139,18 @@ def record(
         controller: controller to run.
         seconds: duration, s; the last control step may end later.
         command: forward velocity in m/s and yaw rate in rad/s.
-        config: task configuration; its randomization is ignored and its action mode is the controller's.
+        config: task configuration, with its robot; its randomization is ignored, and its action mode is the
+            controller's.
         first_stamp: timestamp of the start, ns.
         progress: called with the fraction done.
         start: initial joint positions (J,), rad; None is the stance.
-        robot: robot to run it on.
 
     Raises:
         QuadrupedError: if the command is outside the task's ranges.
     """
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
-    model = load_model(config.physics_timestep, config.motor, robot)
-    task = Task(SingleSimulation(model, robot), config, robot=robot)
+    robot = config.robot
+    task = Task(SingleSimulation(build_model(robot, config.physics_timestep, config.motor), robot), config)
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
     task.simulation.reset(_ROW, _start(robot, start)[None], np.zeros((1, robot.num_velocities)))

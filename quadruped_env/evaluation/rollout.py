@@ -12,8 +12,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
 from quadruped_env.readings import Readings
-from quadruped_env.robot import MINI_QUADRUPED, Robot, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.robot import Robot
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
 
@@ -98,7 +98,6 @@ def roll_out(
     seconds: float = DEFAULT_SECONDS,
     config: TaskConfig | None = None,
     progress: Progress | None = None,
-    robot: Robot = MINI_QUADRUPED,
 ) -> Rollout:
     """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
 
@@ -110,9 +109,8 @@ def roll_out(
         commands: forward velocity in m/s and yaw rate in rad/s, (K, 2).
         seeds: one episode per command and seed.
         seconds: length of an episode, s.
-        config: task configuration, with the controller's action mode. None takes the defaults.
+        config: task configuration, with its robot; the action mode is the controller's. None takes the defaults.
         progress: called with the fraction done.
-        robot: robot to run it on.
 
     Returns:
         A rollout with K * S episodes, in the order of `grid`.
@@ -131,9 +129,9 @@ def roll_out(
     command, seed = grid(commands, seeds)
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
-    rows = len(command)
-    model = load_model(config.physics_timestep, config.motor, robot)
-    task = Task(BatchSimulation(model, rows, robot=robot), config, robot=robot)
+    rows, robot = len(command), config.robot
+    model = build_model(robot, config.physics_timestep, config.motor)
+    task = Task(BatchSimulation(model, rows, robot=robot), config)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])

@@ -2,12 +2,13 @@
 
 import mujoco
 
-from quadruped_env.robot import Robot, scene_spec
+from quadruped_env.robot import Robot
+from quadruped_env.simulation.model import scene
 
 
 def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
     """A robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
-    spec = scene_spec(robot)
+    spec = scene(robot)
     spec.option.timestep = timestep
     wanted = {
         sensor for field in ("joint_position", "joint_velocity", "joint_torque") for sensor in robot.sensors[field]

@@ -9,7 +9,7 @@ from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.joints import Joints
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
 from quadruped_env.ros.joint_state import Encoder
 
@@ -17,16 +17,16 @@ from quadruped_env.ros.joint_state import Encoder
 class CommandWriter:
     """Writes `/joint_commands`."""
 
-    def __init__(self) -> None:
-        self._encode = Encoder(JOINT_NAMES)
-        self._zeros = np.zeros(len(JOINT_NAMES)).tobytes()
+    def __init__(self, robot: Robot) -> None:
+        self._encode = Encoder(robot.joint_names)
+        self._zeros = np.zeros(robot.num_joints).tobytes()
 
     def __call__(self, stamp: int, target: Target) -> bytes:
         """The CDR bytes of one message.
 
         Args:
             stamp: timestamp of the state that the target was computed from, ns.
-            target: joint targets in rad (8,), or `LIMP`.
+            target: joint targets in rad (J,), or `LIMP`.
         """
         if target is LIMP:
             return self._encode(stamp, b"", b"", self._zeros)
@@ -52,21 +52,22 @@ def positions_message(target: NDArray[np.float64]) -> Any:
     """A `/forward_position_controller/commands` message.
 
     Args:
-        target: joint targets, rad (8,).
+        target: joint targets, rad (J,).
     """
     return cdr.message(JOINT_POSITIONS.type_name, data=target)
 
 
-def read_positions(message: Any) -> NDArray[np.float64]:
-    """The joint targets of a `/forward_position_controller/commands` message, rad (8,).
+def read_positions(message: Any, robot: Robot) -> NDArray[np.float64]:
+    """The joint targets of a `/forward_position_controller/commands` message, rad (J,).
 
     Raises:
         QuadrupedError: if it does not hold a finite number for each joint.
     """
     positions = np.array(message.data, dtype=np.float64)
-    if positions.shape != (len(JOINT_NAMES),) or not np.isfinite(positions).all():
-        found = positions.tolist() if positions.size <= len(JOINT_NAMES) else f"{positions.size} numbers"
+    if positions.shape != (robot.num_joints,) or not np.isfinite(positions).all():
+        found = positions.tolist() if positions.size <= robot.num_joints else f"{positions.size} numbers"
         raise QuadrupedError(
-            f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of {', '.join(JOINT_NAMES)}"
+            f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of "
+            f"{', '.join(robot.joint_names)}"
         )
     return positions

@@ -9,10 +9,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.gait_settings import GaitSettings, edited
 from quadruped_env.live.topics import GAIT
-from quadruped_env.robot import LEG_NAMES
+from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
-
-_NUMBERS = 2 + len(LEG_NAMES)
 
 
 class AdjustableGait:
@@ -20,11 +18,12 @@ class AdjustableGait:
 
     Args:
         preset: name of the preset.
+        robot: robot that walks.
     """
 
-    def __init__(self, preset: str) -> None:
-        self._preset = self._gait = SinusoidalGait.preset(preset)
-        self._settings = GaitSettings.of(preset)
+    def __init__(self, preset: str, robot: Robot) -> None:
+        self._preset = self._gait = SinusoidalGait.preset(preset, robot)
+        self._settings = GaitSettings.of(self._preset)
         self._time_offset = 0.0
         """Time offset that keeps the phase continuous over frequency changes, s."""
 
@@ -40,11 +39,11 @@ class AdjustableGait:
         self._gait = edited(self._preset, settings)
 
     def positions(self, t: float) -> NDArray[np.float64]:
-        """Joint positions at time `t` (s), rad (8,)."""
+        """Joint positions at time `t` (s), rad (J,)."""
         return self._gait.positions(t + self._time_offset)
 
     def velocities(self, t: float) -> NDArray[np.float64]:
-        """Joint velocities at time `t` (s), rad/s (8,)."""
+        """Joint velocities at time `t` (s), rad/s (J,)."""
         return self._gait.velocities(t + self._time_offset)
 
     def violations(self) -> list[str]:
@@ -57,16 +56,17 @@ def settings_message(settings: GaitSettings) -> Any:
     return cdr.message(GAIT.type_name, data=[settings.amplitude, settings.frequency, *settings.phases])
 
 
-def read_settings(message: Any) -> GaitSettings:
+def read_settings(message: Any, robot: Robot) -> GaitSettings:
     """The settings of a `/gait` or `/gait/settings` message.
 
     Raises:
-        QuadrupedError: if it does not hold six numbers, or one is outside its range.
+        QuadrupedError: if it does not hold two numbers and one per leg, or one is outside its range.
     """
-    if len(message.data) != _NUMBERS:
+    expected = 2 + robot.num_legs
+    if len(message.data) != expected:
         raise QuadrupedError(
-            f"holds {len(message.data)} numbers; send {_NUMBERS}: amplitude as a multiple, frequency in Hz, and the "
-            f"phase of {', '.join(LEG_NAMES)} in cycles"
+            f"holds {len(message.data)} numbers; send {expected}: amplitude as a multiple, frequency in Hz, and the "
+            f"phase of {', '.join(robot.leg_names)} in cycles"
         )
     amplitude, frequency, *phases = message.data.tolist()
     return GaitSettings(amplitude, frequency, tuple(phase % 1.0 for phase in phases))

@@ -1,4 +1,4 @@
-"""Joint states and joint commands, validated and in this robot's joint order."""
+"""Joint states and joint commands, validated and in the robot's joint order."""
 
 from collections.abc import Sequence
 from typing import Final, NamedTuple
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot.robot import Robot
 from quadruped_env.ros.joint_state import Decoder, RawJointState
 
 MAX_VALUE: Final = 1e3
@@ -15,16 +15,16 @@ MAX_VALUE: Final = 1e3
 
 
 class Joints(NamedTuple):
-    """One message in the order of `JOINT_NAMES`; a field that the message leaves out is `None`."""
+    """One message in the order of the robot's joints; a field that the message leaves out is `None`."""
 
     stamp: int
     """Timestamp, ns."""
     positions: NDArray[np.float64] | None
-    """Joint positions (8,), rad."""
+    """Joint positions (J,), rad."""
     velocities: NDArray[np.float64] | None
-    """Joint velocities (8,), rad/s."""
+    """Joint velocities (J,), rad/s."""
     efforts: NDArray[np.float64] | None
-    """Joint torques (8,), N m; NaN means unknown."""
+    """Joint torques (J,), N m; NaN means unknown."""
 
 
 class JointReader:
@@ -32,11 +32,13 @@ class JointReader:
 
     Args:
         topic: topic name for error messages.
+        robot: robot whose joints the messages contain.
         needs: fields of `Joints` that every message must contain.
     """
 
-    def __init__(self, topic: str, needs: Sequence[str] = ()) -> None:
+    def __init__(self, topic: str, robot: Robot, needs: Sequence[str] = ()) -> None:
         self._topic = topic
+        self._joints = robot.joint_names
         self._needs = tuple(needs)
         self._decode = Decoder()
         self._names: tuple[str, ...] | None = None
@@ -52,7 +54,7 @@ class JointReader:
         try:
             raw = self._decode(data)
             if raw.names is not self._names:
-                self._order = _order(raw.names)
+                self._order = _order(raw.names, self._joints)
                 self._names = raw.names
             joints = Joints(
                 raw.stamp,
@@ -76,21 +78,21 @@ class JointReader:
         if finite and not (np.abs(values) <= MAX_VALUE).all():
             wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
             raise QuadrupedError(
-                f"{field} of {JOINT_NAMES[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
+                f"{field} of {self._joints[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
             )
         return values
 
 
-def _order(names: tuple[str, ...]) -> NDArray[np.intp]:
-    """Index of each of this robot's joints in a list of names."""
-    if sorted(names) != sorted(JOINT_NAMES):
-        unknown = [name for name in names if name not in JOINT_NAMES]
-        missing = [name for name in JOINT_NAMES if name not in names]
+def _order(names: tuple[str, ...], joints: tuple[str, ...]) -> NDArray[np.intp]:
+    """Index of each of the robot's joints in a list of names."""
+    if sorted(names) != sorted(joints):
+        unknown = [name for name in names if name not in joints]
+        missing = [name for name in joints if name not in names]
         if unknown or missing:
             what = f"unknown {unknown[0]!r}" if unknown else f"{missing[0]} is missing"
         else:
             what = "one comes twice"
         raise QuadrupedError(
-            f"the names are not this robot's: {what} among {len(names)}; expected each of {', '.join(JOINT_NAMES)} once"
+            f"the names are not this robot's: {what} among {len(names)}; expected each of {', '.join(joints)} once"
         )
-    return np.array([names.index(name) for name in JOINT_NAMES])
+    return np.array([names.index(name) for name in joints])

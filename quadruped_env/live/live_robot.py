@@ -1,5 +1,6 @@
 """The robot of the live topics in the viewer: drawn from received messages, commanded and pushed by messages."""
 
+import functools
 import math
 import time
 from collections import deque
@@ -15,10 +16,10 @@ from quadruped_env.live.gaits import read_settings, settings_message
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node, Refused, message_reader
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.robot import MINI_QUADRUPED, STANCE, Robot, load_model, resting_pose
+from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, build_model
 from quadruped_env.viewer.controller import Offered
 from quadruped_env.viewer.robot import HISTORY_SECONDS, heading, world_velocity
 from quadruped_env.viewer.sample import Sample
@@ -49,8 +50,8 @@ class LiveRobot:
 
     Args:
         node: the node that subscribes, and publishes commands and pushes.
+        robot: the robot.
         refused: called with the reason for each message that cannot be drawn.
-        robot: description of the robot.
     """
 
     name = NAME
@@ -59,24 +60,26 @@ class LiveRobot:
     diverged = False
     term_names: tuple[str, ...] = ()
 
-    def __init__(self, node: Node, refused: Refused = lambda reason: None, robot: Robot = MINI_QUADRUPED) -> None:
+    def __init__(self, node: Node, robot: Robot, refused: Refused = lambda reason: None) -> None:
         self.robot = robot
-        self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
+        joints = JointReader(JOINT_STATES.name, robot, ["positions"])
+        self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
-        self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read_settings))
+        read = functools.partial(read_settings, robot=robot)
+        self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read))
         self._settings: GaitSettings | None = None
         self._changed_at = -_SETTINGS_HOLD
-        self._joints = Joints(0, STANCE, np.zeros(8), None)
-        self._pose = resting_pose(STANCE)
+        self._joints = Joints(0, robot.stance, np.zeros(robot.num_joints), None)
+        self._pose = robot.resting_pose(robot.stance)
         self._twist = np.zeros(6)
         self._odometry_at = -_ODOMETRY_TIMEOUT
         self._command = np.zeros(2)
         self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
-        self._simulation = SingleSimulation(load_model())
+        self._simulation = SingleSimulation(build_model(robot), robot)
         self._steps = 0
         self._smooth_velocity = np.zeros(2)
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
@@ -117,7 +120,7 @@ class LiveRobot:
         positions = self._joints.positions
         assert positions is not None
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
-            resting = resting_pose(positions)
+            resting = self.robot.resting_pose(positions)
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
         return self._place()
@@ -127,7 +130,7 @@ class LiveRobot:
         positions, velocities, efforts = self._joints.positions, self._joints.velocities, self._joints.efforts
         assert positions is not None
         qpos = np.concatenate([self._pose, positions])
-        qvel = np.concatenate([self._twist, np.zeros(8) if velocities is None else velocities])
+        qvel = np.concatenate([self._twist, np.zeros(self.robot.num_joints) if velocities is None else velocities])
         self._simulation.reset(_ROW, qpos[None], qvel[None])
         readings = self._simulation.readings
         velocity = np.array([readings.linear_velocity_b[0, 0], readings.angular_velocity_b[0, 2]])
@@ -140,7 +143,7 @@ class LiveRobot:
             base_pose=self._pose.copy(),
             joint_position=readings.joint_position[0].copy(),
             joint_velocity=readings.joint_velocity[0].copy(),
-            joint_torque=np.zeros(8) if efforts is None else efforts.copy(),
+            joint_torque=np.zeros(self.robot.num_joints) if efforts is None else efforts.copy(),
             foot_position=readings.foot_position[0].copy(),
             contact=readings.foot_force[0] > _CONTACT,
             reward_terms=np.zeros(0),

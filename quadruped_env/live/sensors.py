@@ -1,6 +1,6 @@
 """The robot's sensor topics, published from a simulation's readings."""
 
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,13 +9,11 @@ from quadruped_env.live.node import Node
 from quadruped_env.live.stamps import write_stamp
 from quadruped_env.live.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
 from quadruped_env.readings import Readings
-from quadruped_env.robot import JOINT_NAMES, LINK_NAMES
+from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.transforms import ODOMETRY_FRAME
 from quadruped_env.ros import cdr
 from quadruped_env.ros.joint_state import Encoder
 from quadruped_env.ros.tf import TfEncoder
-
-_BASE: Final = LINK_NAMES[0]
 
 
 class Sensors:
@@ -23,16 +21,18 @@ class Sensors:
 
     Args:
         node: the publishing node.
+        robot: robot whose readings are sent.
     """
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: Node, robot: Robot) -> None:
+        base = robot.base_name
         self._clock, self._imu, self._odometry = node.publish(CLOCK), node.publish(IMU), node.publish(ODOMETRY)
         self._tf, self._joints = node.publish(TF), node.publish(JOINT_STATES)
-        self._encode_joints = Encoder(JOINT_NAMES)
-        self._encode_tf = TfEncoder([(ODOMETRY_FRAME, _BASE)])
+        self._encode_joints = Encoder(robot.joint_names)
+        self._encode_tf = TfEncoder([(ODOMETRY_FRAME, base)])
         self._time = cdr.message("rosgraph_msgs/msg/Clock")
-        self._attitude = cdr.message("sensor_msgs/msg/Imu", header=cdr.header(0, _BASE))
-        self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=_BASE)
+        self._attitude = cdr.message("sensor_msgs/msg/Imu", header=cdr.header(0, base))
+        self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=base)
 
     def send(self, stamp: int, state: Readings) -> None:
         """Send all messages of one time step.

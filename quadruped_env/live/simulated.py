@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.live.terrain import Terrain
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
 from quadruped_env.rotations import from_yaw
 from quadruped_env.simulation import SingleSimulation
 
@@ -25,17 +26,19 @@ class SimulatedRobot:
     Args:
         seed: seed of the initial heading and of the terrain.
         terrain: name of the terrain, one of `TERRAINS`.
+        robot: the robot.
 
     Raises:
         QuadrupedError: if there is no such terrain.
     """
 
-    def __init__(self, seed: int = 0, terrain: str = "flat") -> None:
+    def __init__(self, seed: int = 0, terrain: str = "flat", robot: Robot = MINI_QUADRUPED) -> None:
+        self.robot = robot
         self._terrain = Terrain.make(terrain, seed)
-        self._simulation = SingleSimulation(self._terrain.model(TIMESTEP))
+        self._simulation = SingleSimulation(self._terrain.model(robot, TIMESTEP), robot)
         self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
-        self._target = STANCE.copy()
+        self._target = robot.stance.copy()
         self.limp = False
         """True if the motors are disabled: they only brake, like motors with shorted windings."""
         self._commanded_for: float | None = None
@@ -45,15 +48,15 @@ class SimulatedRobot:
     def reset(self) -> None:
         """Put the robot on its feet at the origin, with a random heading."""
         heading = from_yaw(self._generator.uniform(-math.pi, math.pi))
-        self.put(np.concatenate([[0.0, 0.0, STANCE_HEIGHT], heading, STANCE]))
+        self.put(np.concatenate([[0.0, 0.0, self.robot.stance_height], heading, self.robot.stance]))
 
     def put(self, qpos: NDArray[np.float64]) -> None:
         """Set the robot's pose, at rest, with motors enabled as at the start.
 
         Args:
-            qpos: base position in m, base quaternion wxyz, and joint positions in rad (15,).
+            qpos: base position in m, base quaternion wxyz, and joint positions in rad (7 + J,).
         """
-        self._simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
+        self._simulation.reset(_ROW, qpos[None], np.zeros((1, self.robot.num_velocities)))
         self._target = qpos[7:].copy()
         self._commanded_for = None
         self.limp = False
@@ -64,14 +67,14 @@ class SimulatedRobot:
         if target is LIMP:
             self.limp = True
             return
-        self._target = np.clip(target, JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+        self._target = np.clip(target, self.robot.joint_position_low, self.robot.joint_position_high)
         self.limp = False
 
     def pick_up(self) -> None:
         """Put the robot on its feet at its current position, with motors enabled."""
         place = self.state.base_position[0, :2]
-        height = STANCE_HEIGHT + self._terrain.under(place)
-        self.put(np.concatenate([place, [height], self._facing(), STANCE]))
+        height = self.robot.stance_height + self._terrain.under(place)
+        self.put(np.concatenate([place, [height], self._facing(), self.robot.stance]))
 
     def _facing(self) -> NDArray[np.float64]:
         """Quaternion wxyz (4,) of the base's yaw alone."""

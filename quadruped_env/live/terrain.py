@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import asset_path
+from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.model import scene
 
 TERRAINS: Final = ("flat", "rough", "hills")
 
@@ -56,13 +57,14 @@ class Terrain:
         heights *= _step((from_start - near) / (full - near)) * _step(to_edge / _EDGE)
         return cls(name, heights)
 
-    def model(self, timestep: float) -> mujoco.MjModel:
-        """Compile a model of the robot on this terrain.
+    def model(self, robot: Robot, timestep: float) -> mujoco.MjModel:
+        """Compile a model of a robot on this terrain.
 
         Args:
+            robot: the robot.
             timestep: physics timestep, s.
         """
-        spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
+        spec = scene(robot)
         spec.option.timestep = timestep
         top = self.heights.max(initial=0.0)
         if top > 0.0:

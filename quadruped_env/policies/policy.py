@@ -16,6 +16,7 @@ from quadruped_env.control.controllers import Controller, PolicyController
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
 
 
@@ -46,6 +47,7 @@ class Policy(control_policy.Policy):
             config.definition.observations,
             config.to_dict(),
             card,
+            config.robot,
         )
         object.__setattr__(self, "config", config)
 
@@ -86,7 +88,8 @@ class Policy(control_policy.Policy):
             env: an environment of this package, with or without wrappers.
 
         Raises:
-            QuadrupedError: if its action mode, action scale, control rate or gait clock differs from the policy's.
+            QuadrupedError: if its robot, action mode, action scale, control rate or gait clock differs from the
+                policy's.
         """
         task = getattr(getattr(env, "unwrapped", env), "task", None)
         if not isinstance(task, Task):
@@ -99,20 +102,23 @@ class Policy(control_policy.Policy):
         """As `check_env`, for the config of a task. Fields that do not change the meaning of an action may differ.
 
         Raises:
-            QuadrupedError: if the action mode, action scale, control rate or gait clock differs from the policy's.
+            QuadrupedError: if the robot, action mode, action scale, control rate or gait clock differs from the
+                policy's.
         """
+        check_same_robot(self.robot.identity, config.robot)
         self.check_control(config.control)
 
     def _task_arguments(self, kwargs: dict[str, Any]) -> dict[str, Any]:
-        for name in ("action_mode", "config", "task_file"):
+        for name in ("action_mode", "config", "task_file", "robot"):
             if name in kwargs:
                 raise QuadrupedError(
                     f"policy.make_env: {name} is given by the policy; for another task: gymnasium.make({ENV_ID!r}, ...)"
                 )
-        return {"config": self.config.to_dict(), "task_file": self.config.definition.path}
+        arguments = {"config": self.config.to_dict(), "task_file": self.config.definition.path}
+        return arguments if self.config.robot == BUILT_IN.robot else {**arguments, "robot": self.config.robot}
 
 
-def load_policy(source: str | Path, task_file: str | Path | None = None) -> Policy:
+def load_policy(source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None) -> Policy:
     """Load a shipped policy by name (`flat`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
@@ -120,17 +126,20 @@ def load_policy(source: str | Path, task_file: str | Path | None = None) -> Poli
 
     Args:
         source: name or directory.
-        task_file: the user's file of terms that the policy was trained with; it is executed. A file that only the run
-            names is never executed.
+        task_file: the user's file of terms or robot that the policy was trained with; it is executed. A file that only
+            the run names is never executed.
+        robot: robot that the policy was trained for. None: that of the file, or the built-in one.
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another observation
-            layout, scripted gait or file of terms; the message names the file and the fix.
+            layout, scripted gait, robot or file of terms; the message names the file and the fix.
 
     Warns:
         QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
     """
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    if robot is not None:
+        definition = definition.with_robot(robot)
     return with_task(control_policy.load_policy(source, _terms(definition)), definition)
 
 
@@ -142,7 +151,8 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
     """
     try:
         # A policy that needs no file of terms is not affected by one.
-        config = TaskConfig.from_dict(policy.task, definition if TASK_FILE in policy.task else BUILT_IN)
+        own = definition if TASK_FILE in policy.task else BUILT_IN.with_robot(policy.robot)
+        config = TaskConfig.from_dict(policy.task, own)
     except QuadrupedError as error:
         raise QuadrupedError(f"{policy.source}: {error}; train again, or install the version that made it") from error
     return Policy(policy.weights, policy.biases, policy.activation, config, policy.card)
@@ -150,27 +160,32 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
 
 def find_controller(text: str, task_file: str | Path | None = None) -> ControllerSpec:
     """As `quadruped_env.control.by_name.find_controller`, for policies with their task."""
-    return by_name.find_controller(text, functools.partial(load_policy, task_file=task_file))
+    return by_name.find_controller(text, functools.partial(load_policy, task_file=task_file), _robot(task_file))
 
 
 def find_controllers(
     names: Sequence[str] = (), runs: Path = by_name.RUNS, task_file: str | Path | None = None
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """As `quadruped_env.control.by_name.find_controllers`, for policies with their task."""
-    return by_name.find_controllers(names, runs, functools.partial(load_policy, task_file=task_file))
+    load = functools.partial(load_policy, task_file=task_file)
+    return by_name.find_controllers(names, runs, load, _robot(task_file))
 
 
 def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> TaskConfig:
-    """Task for a controller: that of its policy, or the default task for other controllers.
+    """Task for a controller: that of its policy, or for other controllers the default task with the definition's robot.
 
     Raises:
         QuadrupedError: as `with_task`.
     """
     if not isinstance(controller, PolicyController):
-        return TaskConfig()
+        return TaskConfig(definition=BUILT_IN.with_robot(definition.robot))
     policy = controller.policy
     return policy.config if isinstance(policy, Policy) else with_task(policy, definition).config
 
 
 def _terms(definition: TaskDefinition) -> control_policy.Terms:
-    return control_policy.Terms(definition.observations, definition.commands, definition.file)
+    return control_policy.Terms(definition.observations, definition.commands, definition.robot, definition.file)
+
+
+def _robot(task_file: str | Path | None) -> Robot:
+    return BUILT_IN.robot if task_file is None else load_task_file(task_file).robot

@@ -1,6 +1,6 @@
 """Robots as values: names, limits, models, kinematics; the built-in robot, and a builder for others like it."""
 
-from quadruped_env.robot.assets import asset_path, load_model, scene_spec
+from quadruped_env.robot.assets import asset_path, load_model
 from quadruped_env.robot.mini_quadruped import JOINT_NAMES, LEG_NAMES, MINI_QUADRUPED, forward_kinematics
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
@@ -49,6 +49,5 @@ __all__ = [
     "joint_transforms",
     "load_model",
     "resting_pose",
-    "scene_spec",
     "sole_heights",
 ]

@@ -8,9 +8,7 @@ from pathlib import Path
 import mujoco
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import MotorConfig
-from quadruped_env.robot.robot import Robot
 
 ASSETS = ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml")
 MAPS = ("dyna1.toml",)
@@ -38,31 +36,25 @@ def asset_path(name: str) -> Path:
     return _asset_directory() / ("maps" if name in MAPS else "mini_quadruped") / name
 
 
-def scene_spec(robot: Robot = MINI_QUADRUPED) -> mujoco.MjSpec:
-    """A new specification of a robot on flat ground, to be changed and compiled."""
-    scene = asset_path("scene.xml").read_text()
-    return mujoco.MjSpec.from_string(scene, include={"mini_quadruped.xml": robot.mjcf.encode()})
-
-
-def load_model(
-    timestep: float | None = None, motors: MotorConfig | None = None, robot: Robot = MINI_QUADRUPED
-) -> mujoco.MjModel:
-    """Compiled model of a robot on flat ground; every call returns a new copy.
+def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
+    """Compiled model of the robot on flat ground; every call returns a new copy.
 
     Args:
-        timestep: physics time step, s. None: that of the robot's model.
-        motors: motors that replace the robot's.
-        robot: the robot.
+        timestep: physics time step, s. None: that of the model file.
+        motors: motors that replace those of the model file.
     """
+    files = tuple(asset_path(name) for name in ("scene.xml", "mini_quadruped.xml"))
     # Compiling takes thirty times as long as copying, so every process compiles each variant once.
-    return copy.copy(_compiled(timestep, motors, robot))
+    return copy.copy(_compiled(timestep, motors, files, tuple(file.stat().st_mtime_ns for file in files)))
 
 
 @functools.lru_cache(maxsize=8)
-def _compiled(timestep: float | None, motors: MotorConfig | None, robot: Robot) -> mujoco.MjModel:
-    spec = scene_spec(robot)
+def _compiled(
+    timestep: float | None, motors: MotorConfig | None, files: tuple[Path, ...], _modified: tuple[int, ...]
+) -> mujoco.MjModel:
+    spec = mujoco.MjSpec.from_file(str(files[0]))
     if timestep is not None:
         spec.option.timestep = timestep
-    if motors is not None and motors != robot.motors:
+    if motors is not None and motors != MotorConfig():
         motors.write(spec)
     return spec.compile()

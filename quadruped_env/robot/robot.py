@@ -131,14 +131,14 @@ class Robot:
         return self.skeleton.total_mass
 
     @functools.cached_property
-    def fore_legs(self) -> tuple[bool, ...]:
-        """True for each leg whose foot is in front of the base's centre in the stance."""
-        return tuple(bool(x > 0.0) for x in self.foot_centres(self.stance)[:, 0])
+    def fore_legs(self) -> NDArray[np.bool_]:
+        """True for each leg whose foot is in front of the base's centre in the stance (L,)."""
+        return self.foot_centres(self.stance)[:, 0] > 0.0
 
     @functools.cached_property
-    def left_legs(self) -> tuple[bool, ...]:
-        """True for each leg whose foot is to the left of the base's centre in the stance."""
-        return tuple(bool(y > 0.0) for y in self.foot_centres(self.stance)[:, 1])
+    def left_legs(self) -> NDArray[np.bool_]:
+        """True for each leg whose foot is to the left of the base's centre in the stance (L,)."""
+        return self.foot_centres(self.stance)[:, 1] > 0.0
 
     @property
     def leg_joints(self) -> tuple[tuple[int, ...], ...]:
@@ -234,6 +234,10 @@ class Robot:
         """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
         return self.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
 
+    def foot_jacobians(self, positions: ArrayLike) -> Floats:
+        """Derivatives of the foot centres in the base frame by the joint positions (L, 3, J), m/rad, at (J,) in rad."""
+        return self.skeleton.foot_jacobians(positions)
+
     def centre_of_mass(self, positions: ArrayLike) -> Floats:
         """Centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
         return self.skeleton.centre_of_mass(positions)
@@ -304,6 +308,11 @@ class Robot:
         made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
         return cls(**made)
 
+    @property
+    def identity(self) -> dict[str, str]:
+        """Name and SHA-256, as stored in a run's config and in policies."""
+        return {"name": self.name, "sha256": self.sha256}
+
     @functools.cached_property
     def sha256(self) -> str:
         """SHA-256 of the content, without comments and layout of the model files."""
@@ -319,7 +328,7 @@ class Robot:
         return isinstance(other, Robot) and (self is other or self.sha256 == other.sha256)
 
     def __hash__(self) -> int:
-        return hash(self.sha256)
+        return hash((self.name, self.joint_names, self.stance_height))  # without the model, which is long
 
     def __repr__(self) -> str:
         return f"Robot({self.name!r}, joints={self.num_joints}, sha256={self.sha256[:12]!r})"
@@ -339,3 +348,26 @@ class Robot:
 
     def _error(self, message: str) -> QuadrupedError:
         return QuadrupedError(f"robot {self.name!r}: {message}")
+
+
+def check_same_robot(recorded: Any, robot: Robot) -> None:
+    """Check that a robot is the recorded one.
+
+    Args:
+        recorded: a robot's `identity`; None is not checked.
+        robot: robot to compare.
+
+    Raises:
+        QuadrupedError: if they are not the same.
+    """
+    if recorded is None:
+        return
+    if not isinstance(recorded, Mapping) or not {"name", "sha256"} <= set(recorded):
+        raise QuadrupedError(f"robot: expected name and sha256; found {short(recorded)}")
+    if recorded != robot.identity:
+        same = "another version of " if recorded["name"] == robot.name else ""
+        raise QuadrupedError(
+            f"this was made for {same}the robot {short(str(recorded['name']))} (SHA-256 "
+            f"{short(str(recorded['sha256']))[:12]}), and the robot here is {robot!r}; name its file with --task FILE, "
+            f"or pass robot=... or task_file=... in Python"
+        )

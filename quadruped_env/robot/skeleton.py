@@ -134,6 +134,18 @@ class Skeleton:
         """See `Robot.foot_centres`."""
         return self._points(self.feet, self.forward_kinematics(positions, base_pose))
 
+    def foot_jacobians(self, positions: ArrayLike) -> NDArray[np.float64]:
+        """See `Robot.foot_jacobians`."""
+        data = mujoco.MjData(self.model)
+        data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
+        mujoco.mj_kinematics(self.model, data)
+        mujoco.mj_comPos(self.model, data)
+        centres = self.foot_centres(positions)
+        found = np.zeros((len(self.feet), 3, self.model.nv))
+        for jacobian, (link, _), centre in zip(found, self.feet, centres, strict=True):
+            mujoco.mj_jac(self.model, data, jacobian, None, centre, self.model.body(link).id)
+        return found[:, :, 6:]
+
     def lowest(self, positions: ArrayLike, up: NDArray[np.float64]) -> float:
         """Height of the robot's lowest point relative to its base's centre, along a direction in the base frame, m.
 

@@ -14,7 +14,8 @@ from quadruped_env._plain import PlainFields, plain
 from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check
 from quadruped_env.control.task_file import TASK_FILE, check_task_file
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot import MotorConfig
+from quadruped_env.robot.motors import MotorConfig
+from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.settings import (
     Entry,
@@ -28,6 +29,9 @@ from quadruped_env.task.settings import (
     weights_entry,
 )
 from quadruped_env.task.terms import Parameter
+
+ROBOT: Final = "robot"
+"""Field of a config's plain values that names the robot, if it is not the built-in one."""
 
 _POSITIVE_SECONDS: Final = Parameter.positive("s")
 
@@ -116,13 +120,15 @@ class TaskConfig(PlainFields):
     reward: Section = field(default_factory=RewardConfig)
     termination: Section = field(default_factory=TerminationConfig)
     randomization: Section = field(default_factory=RandomizationConfig)
-    motor: MotorConfig = field(default_factory=MotorConfig)
-    """Motors of the model file, or motors identified by `evaluate/identify.py`."""
+    motor: MotorConfig = typing.cast(MotorConfig, None)  # noqa: RUF009
+    """Motors of the robot, or motors identified by `evaluate/identify.py`. Default: those of the definition's robot."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)
-    """Terms of the task; `load_task_file` adds those of a user's file."""
+    """Robot and terms of the task; `load_task_file` adds those of a user's file."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        if self.motor is None:
+            object.__setattr__(self, "motor", self.robot.motors)
         check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
         check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
@@ -132,6 +138,17 @@ class TaskConfig(PlainFields):
                 # A section of the built-in task, in a task with other terms.
                 values = {field: value for field, value in section.to_dict().items() if field in schema}
                 object.__setattr__(self, name, _section(name, values, self.definition))
+
+    @property
+    def robot(self) -> Robot:
+        """Robot of the task."""
+        return self.definition.robot
+
+    def with_definition(self, definition: TaskDefinition) -> Self:
+        """A copy with other terms or another robot, whose motors replace those of the old one."""
+        own = self.motor == self.robot.motors
+        motor = definition.robot.motors if own else self.motor
+        return dataclasses.replace(self, motor=motor, definition=definition)
 
     @property
     def control_timestep(self) -> float:
@@ -154,7 +171,7 @@ class TaskConfig(PlainFields):
         return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
 
     def to_dict(self) -> dict[str, Any]:
-        """Nested plain values for `from_dict` and JSON; a user's file of terms is given by name and SHA-256."""
+        """Nested plain values for `from_dict` and JSON; user's files and robots are given by name and SHA-256."""
         values: dict[str, Any] = {}
         for entry in dataclasses.fields(self):
             value = getattr(self, entry.name)
@@ -163,6 +180,8 @@ class TaskConfig(PlainFields):
             elif isinstance(value, TaskDefinition):
                 if value.file is not None:
                     values[TASK_FILE] = value.file.to_dict()
+                if value.robot != BUILT_IN.robot:
+                    values[ROBOT] = value.robot.identity
             else:
                 values[entry.name] = (
                     dataclasses.asdict(value) if isinstance(value, (ActionConfig, MotorConfig)) else value
@@ -179,12 +198,13 @@ class TaskConfig(PlainFields):
 
         Raises:
             QuadrupedError: if a field is unknown or a value has the wrong type (the message names the field and what
-                is valid), or if the values name another file of terms than the definition.
+                is valid), or if the values name another file of terms or another robot than the definition.
         """
         values = plain(values)
         if isinstance(values, dict):
             values = dict(values)
             check_task_file(values.pop(TASK_FILE, None), definition.file)
+            check_same_robot(values.pop(ROBOT, None), definition.robot)
         return _build(cls, values, "config", definition)
 
 
@@ -203,9 +223,23 @@ def _build(kind: type, values: Any, path: str, definition: TaskDefinition) -> An
     for name, hint in hints.items():
         if hint is Section:
             fields[name] = _section(name, values.get(name, {}), definition)
+        elif hint is MotorConfig:
+            fields[name] = _motor(values.get(name, {}), f"{path}.{name}", definition)
         elif name in values:
             fields[name] = _convert(hint, values[name], f"{path}.{name}", definition)
     return kind(**fields, definition=definition) if kind is TaskConfig else kind(**fields)
+
+
+def _motor(values: Any, path: str, definition: TaskDefinition) -> MotorConfig:
+    """Motors whose missing fields are those of the robot."""
+    default = dataclasses.asdict(definition.robot.motors)
+    if isinstance(values, dict):
+        values = {**default, **values}
+        for kind, motor in values.items():
+            if isinstance(motor, dict) and isinstance(default.get(kind), dict):
+                values[kind] = {**default[kind], **motor}
+    motors: MotorConfig = _build(MotorConfig, values, path, definition)
+    return motors
 
 
 def _convert(hint: Any, value: Any, path: str, definition: TaskDefinition) -> Any:

@@ -9,8 +9,10 @@ from typing import Any, Final, Self
 
 from quadruped_env.control.config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
-from quadruped_env.control.task_file import TaskFile, execute, merged
+from quadruped_env.control.task_file import TaskFile, execute, merged, robot_in
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
 from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
@@ -19,9 +21,9 @@ from quadruped_env.task.terms import RewardTerm, Termination
 
 @dataclass(frozen=True, eq=False)
 class TaskDefinition:
-    """Ordered lists of rewards, observations, terminations, randomizations and commands.
+    """Robot, and ordered lists of rewards, observations, terminations, randomizations and commands.
 
-    Two definitions are equal if they come from files with the same content.
+    Two definitions are equal if they have the same robot and come from files with the same content.
     """
 
     rewards: tuple[RewardTerm, ...] = REWARDS
@@ -29,8 +31,9 @@ class TaskDefinition:
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
     commands: tuple[Command, ...] = COMMANDS
+    robot: Robot = MINI_QUADRUPED
     file: TaskFile | None = None
-    """File that defines the terms that are not built in."""
+    """File that defines what is not built in."""
     path: str | None = None
 
     @property
@@ -39,10 +42,10 @@ class TaskDefinition:
         return {name: weight for term in self.rewards for name, weight in term.weights.items()}
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, TaskDefinition) and self._digest == other._digest
+        return isinstance(other, TaskDefinition) and (self._digest, self.robot) == (other._digest, other.robot)
 
     def __hash__(self) -> int:
-        return hash(self._digest)
+        return hash((self._digest, self.robot))
 
     @property
     def _digest(self) -> str | None:
@@ -50,10 +53,14 @@ class TaskDefinition:
 
     def __reduce__(self) -> Any:
         # Functions of a user's file do not support pickling: unpickling loads the file again.
-        return _again, (self.path, self.file)
+        return _again, (self.path, self.file, self.robot)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self
+
+    def with_robot(self, robot: Robot) -> Self:
+        """A copy for another robot."""
+        return dataclasses.replace(self, robot=robot)
 
     def extended(self, terms: Iterable[Any], file: TaskFile, path: str) -> Self:
         """A copy with a user's terms appended to the lists, in order; a term replaces a built-in one of the same name.
@@ -63,7 +70,7 @@ class TaskDefinition:
         """
         terms = list(terms)
         try:
-            lists = {
+            lists: dict[str, Any] = {
                 name: merged(getattr(self, name), [term for term in terms if isinstance(term, kind)])
                 for name, kind in _LISTS.items()
             }
@@ -85,7 +92,7 @@ BUILT_IN: Final = TaskDefinition()
 
 
 def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
-    """The built-in task, extended by the terms that a Python file defines at its top level.
+    """The built-in task, extended by the terms and the robot that a Python file defines at its top level.
 
     The file's code is executed, so load only files that you trust.
 
@@ -94,7 +101,8 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
         expected: expected name and hash; verified before anything is executed.
 
     Raises:
-        QuadrupedError: if the file cannot be read, differs from the expected one, raises an error, or defines no term.
+        QuadrupedError: if the file cannot be read, differs from the expected one, raises an error, defines more than
+            one robot, or defines nothing of a task.
     """
     file, module = execute(path, expected)
     built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
@@ -103,16 +111,17 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
         for value in vars(module).values()
         if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
     ]
-    if not terms:
+    robot = robot_in(module, path)
+    if not terms and robot is None:
         raise QuadrupedError(
-            f"{path}: defines no term; use @reward, @reward_group, @observation or @termination, or make a "
-            f"Randomization or Command, at the top level of the file (docs/make-it-yours.md)"
+            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation or @termination, or make "
+            f"a Randomization, Command or QuadrupedDesign, at the top level of the file (docs/make-it-yours.md)"
         )
-    return BUILT_IN.extended(terms, file, str(Path(path).resolve()))
+    definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
+    return definition.extended(terms, file, str(Path(path).resolve()))
 
 
-def _again(path: str | None, file: TaskFile | None) -> TaskDefinition:
+def _again(path: str | None, file: TaskFile | None, robot: Robot) -> TaskDefinition:
     """Definition from the arguments that were pickled."""
-    if path is None or file is None:
-        return BUILT_IN
-    return load_task_file(path, file)
+    definition = BUILT_IN if path is None or file is None else load_task_file(path, file)
+    return definition if definition.robot == robot else definition.with_robot(robot)

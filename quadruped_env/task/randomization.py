@@ -105,13 +105,14 @@ class ModelField:
 
     Args:
         field: field of `MjModel`, such as `geom_friction` or `body_mass`.
-        names: names of the bodies, geoms, joints or other elements to change; None selects all.
+        names: names of the bodies, geoms, joints or other elements to change, or a function of the robot that returns
+            them; None selects all.
         column: index along the second axis of the field; None selects all.
         mode: `set` replaces the value of the model file, `scale` multiplies it, `add` is added to it.
     """
 
     field: str
-    names: Sequence[str] | None = None
+    names: Sequence[str] | Callable[[Robot], Sequence[str]] | None = None
     column: int | None = None
     mode: Literal["set", "scale", "add"] = "scale"
 
@@ -128,8 +129,9 @@ class ModelField:
                 f"ModelField: {self.field!r} is not an array of MuJoCo's model; see the docs of MjModel"
             )
         before = getattr(model, self.field).copy()
+        names = self.names(simulation.robot) if callable(self.names) else self.names
         try:
-            rows: Any = slice(None) if self.names is None else [getattr(model, kind)(name).id for name in self.names]
+            rows: Any = slice(None) if names is None else [getattr(model, kind)(name).id for name in names]
         except (AttributeError, KeyError) as error:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
         ids = np.arange(len(before))[rows]
@@ -180,6 +182,10 @@ def _heading(event: Event, values: Floats) -> None:
     event.tilt[:, 2:] += values
 
 
+def _base(robot: Robot) -> tuple[str]:
+    return (robot.base_name,)
+
+
 def _push(event: Event, values: Floats) -> None:
     velocity = np.zeros((len(values), 3))
     velocity[:, :2] = values
@@ -196,7 +202,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     Randomization("friction", ModelField("geom_friction", column=0, mode="set"), None, valid=Parameter.positive()),
     Randomization(
         "payload",
-        ModelField("body_mass", ("base_link",), mode="add"),
+        ModelField("body_mass", _base, mode="add"),
         None,
         "kg",
         valid=Parameter("kg", -1.0, exclusive=True),

@@ -7,7 +7,7 @@ rules in CONTRIBUTING.md before changing an expression here.
 import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from gymnasium.utils import seeding
@@ -18,8 +18,6 @@ from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.control.velocity_command import VELOCITY, check_command
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.context import TaskContext
@@ -29,8 +27,6 @@ from quadruped_env.task.reward_function import RewardFunction, Terminations, che
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
-
-ACTION_WIDTH: Final = MINI_QUADRUPED.num_joints
 
 
 @dataclass(slots=True)
@@ -58,7 +54,9 @@ class Task:
         simulation: simulation of N robots.
         config: config and terms of the task.
         max_episode_steps: number of control steps after which an episode is truncated; None: never.
-        robot: robot that is simulated.
+
+    Raises:
+        QuadrupedError: if another robot is simulated than the task's, or a term of the task is not valid.
     """
 
     def __init__(
@@ -66,17 +64,18 @@ class Task:
         simulation: Simulation,
         config: TaskConfig,
         max_episode_steps: int | None = None,
-        robot: Robot = MINI_QUADRUPED,
     ) -> None:
         if max_episode_steps is not None:
             max_episode_steps = whole_number("max_episode_steps", max_episode_steps, 1, or_none=True)
         definition = config.definition
+        if simulation.robot != config.robot:
+            raise QuadrupedError(f"task: it is for {config.robot!r}; found a simulation of {simulation.robot!r}")
         # First attribute, so that unpickling loads a user's file before it needs the classes in it.
         self.config = config
         self.simulation = simulation
         self.max_episode_steps = max_episode_steps
         n = self.num_envs = simulation.num_envs
-        self.control = ControlInterface(robot, config.control, n, definition.observations)
+        self.control = ControlInterface(config.robot, config.control, n, definition.observations)
         self.context = TaskContext(
             simulation.readings, self.control, config.reward.velocity_time_constant, config.reward.contact_threshold
         )

@@ -14,11 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable
-from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, VELOCITY_LIMIT, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.quantities import FootLift, clock_agreement, mechanical_power, sliding_squared
 
+ROBOT: Final = MINI_QUADRUPED
+"""Robot whose gaits are searched."""
 CONTROL_TIMESTEP: Final = TaskConfig().control_timestep
 SUBSTEPS: Final = TaskConfig().decimation
 CANDIDATES: Final = 192
@@ -29,7 +31,7 @@ SECONDS: Final = 4.0
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
 """Time over which a candidate's amplitude grows from the stance, s."""
-_SOLE: Final = np.array([-FOOT_RADIUS, FOOT_RADIUS])
+_SOLE: Final = np.array([-ROBOT.foot_radius, ROBOT.foot_radius])
 _MIDDLE: Final = 0.8
 """Threshold of the clock's sine above which a foot is in the middle of its swing."""
 
@@ -74,9 +76,9 @@ def measure(
     Frequency (rad/s) and leg phases (cycles, one per leg) are the clock's.
     """
     n = simulation.num_envs
-    qpos = np.zeros((n, 15))
-    qpos[:, 2], qpos[:, 3], qpos[:, 7:] = STANCE_HEIGHT, 1.0, STANCE
-    simulation.reset(np.arange(n), qpos, np.zeros((n, 14)))
+    qpos = np.zeros((n, ROBOT.num_positions))
+    qpos[:, 2], qpos[:, 3], qpos[:, 7:] = ROBOT.stance_height, 1.0, ROBOT.stance
+    simulation.reset(np.arange(n), qpos, np.zeros((n, ROBOT.num_velocities)))
     state = simulation.readings
     fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
     phases = np.array(turns) * 2.0 * np.pi
@@ -85,7 +87,7 @@ def measure(
     for k in range(1, round(SECONDS / CONTROL_TIMESTEP) + 1):
         t = k * CONTROL_TIMESTEP
         ramp = min(1.0, t / _RAMP)
-        simulation.step(STANCE + ramp * (joint_targets(t) - STANCE), SUBSTEPS)
+        simulation.step(ROBOT.stance + ramp * (joint_targets(t) - ROBOT.stance), SUBSTEPS)
         fallen |= (state.up_b[:, 2] < 0.5) | (state.trunk_force > 1.0).any(axis=1) | simulation.diverged()
         if t > WARM_UP:
             steps += 1
@@ -99,12 +101,12 @@ def measure(
             sums[5] += np.vecdot(sliding, contact)
             height = state.foot_position[..., 2]
             sine = np.sin(angular_frequency * t + phases)
-            sums[6] += clock_agreement(foot_lift(height - FOOT_RADIUS), sine)
+            sums[6] += clock_agreement(foot_lift(height - ROBOT.foot_radius), sine)
             sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
             height_in_swing += height * (sine > _MIDDLE)
             swings += sine > _MIDDLE
     vx, wz, vy, tilt, power, slip, lift, clock = sums / steps
-    clearance = (height_in_swing / swings).min(axis=1) - FOOT_RADIUS
+    clearance = (height_in_swing / swings).min(axis=1) - ROBOT.foot_radius
     return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, clearance, fallen)
 
 
@@ -113,7 +115,7 @@ def measure(
 _LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3] * 2)
 _HIGH: Final = np.array([0.5, 1.1, 0.5, 0.5, -0.4] * 2)
 _LEG: Final = 5
-_STANDING: Final = np.array([0.0, STANCE[0], 0.0, 0.0, STANCE[1]] * 2)
+_STANDING: Final = np.array([0.0, ROBOT.stance[0], 0.0, 0.0, ROBOT.stance[1]] * 2)
 _STEPPING: Final = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
 
@@ -142,7 +144,7 @@ def gait_targets(
 def _within_limits(candidates: NDArray[np.float64], angular_frequency: float) -> NDArray[np.float64]:
     """Candidates shrunk until no joint asks for more than its speed limit; the offsets' bounds keep the ranges."""
     candidates = np.clip(candidates, _LOW, _HIGH)
-    largest = 0.999 * VELOCITY_LIMIT / angular_frequency
+    largest = 0.999 * ROBOT.velocity_limit.min() / angular_frequency
     for leg in (candidates[:, :_LEG], candidates[:, _LEG:]):
         leg[:, 0] = np.clip(leg[:, 0], -largest, largest)
         knee = np.hypot(leg[:, 2], leg[:, 3])
@@ -182,7 +184,7 @@ def search(
         seed: of the search.
     """
     rng = np.random.default_rng(seed)
-    simulation = BatchSimulation(load_model(), CANDIDATES)
+    simulation = BatchSimulation(build_model(ROBOT), CANDIDATES, robot=ROBOT)
     mean, deviation = start.copy(), spread * (_HIGH - _LOW)
     best, best_score = Found(start, 0.0, 0.0), -np.inf
     for _ in range(generations):
@@ -263,7 +265,7 @@ def _with_tuned_track(gait: CommandedGait, say: Log) -> CommandedGait:
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
     """Results of the gait for commands (N, 2) in m/s and rad/s."""
-    simulation = BatchSimulation(load_model(), len(commands))
+    simulation = BatchSimulation(build_model(ROBOT), len(commands), robot=ROBOT)
     return measure(
         lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
         simulation,

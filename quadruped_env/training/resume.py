@@ -63,7 +63,7 @@ class Parent:
                     f"checkpoints/, or start a new training"
                 )
         config, budget_left_at_start = _read_config(directory / CONFIG_FILE, definition)
-        card, path = load_policy(directory).card, directory / CARD_FILE
+        card, path = load_policy(directory, definition.path).card, directory / CARD_FILE
         timesteps = _number(path, "card", card, "timesteps", whole=True)
         return cls(
             directory,

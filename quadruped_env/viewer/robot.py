@@ -13,10 +13,10 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
-from quadruped_env.robot import MINI_QUADRUPED, Robot, load_model
+from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import SingleSimulation
-from quadruped_env.task import Section, Task
+from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.task import BUILT_IN, Section, Task
 from quadruped_env.viewer.sample import Sample, sample
 
 HISTORY_SECONDS: Final = 5.0
@@ -94,17 +94,20 @@ class TaskRobot:
     """
 
     def __init__(
-        self, source: ControllerSpec, randomization: Section | None = None, robot: Robot = MINI_QUADRUPED
+        self, source: ControllerSpec, randomization: Section | None = None, robot: Robot = BUILT_IN.robot
     ) -> None:
         self.name = source.name
         self.robot = robot
         controller = source.make()
-        config = task_config(controller.action_mode, task_of(controller))
+        config = task_config(controller.action_mode, task_of(controller, BUILT_IN.with_robot(robot)))
+        if config.robot != robot:
+            raise QuadrupedError(f"{source.name}: is for {config.robot!r}; the viewer shows {robot!r}")
         if randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
-        self._simulation = SingleSimulation(load_model(config.physics_timestep, config.motor, robot), robot)
-        self.task = Task(self._simulation, config, robot=robot)
+        model = build_model(robot, config.physics_timestep, config.motor)
+        self._simulation = SingleSimulation(model, robot)
+        self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
         self.timestep = config.control_timestep
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.control.task_file import load_robot
 from quadruped_env.policies import find_controllers
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, View, ViewController
@@ -148,14 +149,15 @@ def open_show(
         host: the address to listen on.
         port: the first port to try; 0 takes any free port.
         results: directory for recordings.
-        task_file: Python file of the custom terms that the runs were trained with; it is executed.
+        task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
         QuadrupedError: if a requested source cannot be used.
     """
     import_viser()
-    controller = ViewController(*find_controllers(asked, task_file=task_file), results)
+    sources, chosen = find_controllers(asked, task_file=task_file)
+    controller = ViewController(sources, chosen, results, load_robot(task_file))
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

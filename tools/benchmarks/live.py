@@ -27,6 +27,7 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.live.stamps import read_stamp
 from quadruped_env.live.topics import CLOCK, CMD_VEL, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
 from quadruped_env.policies import load_policy
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.timestamps import NS_PER_SECOND
 
@@ -204,7 +205,8 @@ class _Listener:
         self._ask = node.publish(CMD_VEL)
         self._twist = cdr.message("geometry_msgs/msg/Twist")
         self._twist.linear.x = velocity
-        self._read_state, self._read_command = JointReader(JOINT_STATES.name), JointReader(JOINT_COMMANDS.name)
+        self._read_state = JointReader(JOINT_STATES.name, MINI_QUADRUPED)
+        self._read_command = JointReader(JOINT_COMMANDS.name, MINI_QUADRUPED)
         self.begin()
 
     def begin(self) -> None:

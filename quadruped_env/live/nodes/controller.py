@@ -7,7 +7,7 @@
 
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
 a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
-after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and 5 rad/s.
+after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
 States with NaN, wrong names or counts, or old or repeated timestamps are refused and logged; while the robot is limp,
 states that are all late are accepted after 0.5 s. Each command has the timestamp of the state it answers.
 """
@@ -20,7 +20,7 @@ from typing import Any, Final
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy import load_policy, load_terms
+from quadruped_env.control.policy import Terms, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.commands import CommandWriter, positions_message
 from quadruped_env.live.imu import Imu, read_imu
@@ -28,7 +28,8 @@ from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Subscription, message_reader
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.timestamps import NS_PER_SECOND
 
@@ -51,27 +52,29 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--arrays",
         action="store_true",
-        help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: eight numbers in the order "
-        f"{', '.join(JOINT_NAMES)}. This format has no limp command: "
+        help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: one number per joint, in the "
+        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task. This format has no limp "
+        "command: "
         "the node stops sending, and the driver has to disable the motors",
     )
     parser.add_argument(
         "--task",
         metavar="FILE",
-        help="Python file of the custom terms that the policy was trained with, if any; it is executed",
+        help="Python file of your robot, or of the custom terms that the policy was trained with; it is executed",
     )
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Control the robot until the session ends, then let it go limp."""
-    terms = None if arguments.task is None else load_terms(arguments.task)
+    terms = Terms() if arguments.task is None else load_terms(arguments.task)
     load = functools.partial(load_policy, terms=terms)
-    pilot = LiveController(find_controller(arguments.policy, load).make(), say=session.say)
+    robot = terms.robot
+    pilot = LiveController(find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot)
     node = session.node
-    outbox = _Outbox(session, arguments.arrays)
+    outbox = _Outbox(session, arguments.arrays, robot)
     # Drivers of real robots may offer only best-effort delivery.
-    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, _NEEDED))
+    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, robot, _NEEDED))
     attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
     velocities = node.subscribe(CMD_VEL)
     inbox = _Inbox(session, states, attitudes)
@@ -140,12 +143,13 @@ class _Outbox:
     Args:
         session: the session of this process.
         arrays: True for the format of ros2_control.
+        robot: robot that is commanded.
     """
 
-    def __init__(self, session: Session, arrays: bool) -> None:
+    def __init__(self, session: Session, arrays: bool, robot: Robot) -> None:
         self._arrays = arrays
         self._commands = session.node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
-        self._write = CommandWriter()
+        self._write = CommandWriter(robot)
         self._stamp = 0
 
     def send(self, answer: JointCommand | None) -> None:

@@ -7,11 +7,13 @@ import argparse
 
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.launch import common, launch
+from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
 from quadruped_env.viewer import PORT
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the gait preset and the viewer's port."""
+    """Add the gait preset, the viewer's port and the robot."""
+    add_robot_argument(parser)
     parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (%(default)s)")
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
 
@@ -19,6 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def start(arguments: argparse.Namespace) -> int:
     """Run the three nodes until one ends."""
     shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
+    shared += robot_arguments(arguments)
     return launch(
         [
             ["gait", "--preset", arguments.preset, *shared],

@@ -14,6 +14,7 @@ commands, the gait is faded in over 2 s from the measured joint positions, witho
 """
 
 import argparse
+import functools
 import time
 from typing import Final
 
@@ -28,10 +29,11 @@ from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_mes
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.node import message_reader
 from quadruped_env.live.pace import Pace
+from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.joint_state import Encoder
 from quadruped_env.timestamps import NS_PER_SECOND
@@ -53,11 +55,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--commands", action="store_true", help=f"send to {JOINT_COMMANDS.name} instead of {JOINT_STATES.name}"
     )
+    add_robot_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Publish until the session ends."""
-    gait = _RemoteGait(session, arguments.preset)
+    gait = _RemoteGait(session, arguments.preset, robot_of(arguments))
     rate = arguments.rate or (COMMAND_RATE if arguments.commands else RATE)
     if not 0.1 <= rate <= 1000.0:
         raise QuadrupedError(f"--rate: expected 0.1 to 1000 Hz; found {rate:g}")
@@ -73,10 +76,12 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 class _RemoteGait(AdjustableGait):
     """A gait that takes settings from /gait and publishes the current ones on /gait/settings."""
 
-    def __init__(self, session: Session, preset: str) -> None:
-        super().__init__(preset)
+    def __init__(self, session: Session, preset: str, robot: Robot) -> None:
+        super().__init__(preset, robot)
+        self.robot = robot
         self._session = session
-        self._wanted = session.node.subscribe(GAIT, read=message_reader(GAIT, read_settings))
+        read = functools.partial(read_settings, robot=robot)
+        self._wanted = session.node.subscribe(GAIT, read=message_reader(GAIT, read))
         self._actual = session.node.publish(GAIT_SETTINGS)
         self._actual.send(settings_message(self.settings))
 
@@ -97,7 +102,7 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
     guard = SinglePublisherGuard(session)
     guard.check()
     states = session.node.publish(JOINT_STATES)
-    encode, efforts = Encoder(JOINT_NAMES), np.zeros(len(JOINT_NAMES)).tobytes()
+    encode, efforts = Encoder(gait.robot.joint_names), np.zeros(gait.robot.num_joints).tobytes()
     start, pace = time.time_ns(), Pace(period)
     while session.running:
         session.wait(pace.remaining)
@@ -112,9 +117,9 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
 
 def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
-    reader = JointReader(JOINT_STATES.name, ["positions"])
+    reader = JointReader(JOINT_STATES.name, gait.robot, ["positions"])
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
-    write = CommandWriter()
+    write = CommandWriter(gait.robot)
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
         session.wait_for(JOINT_STATES.name)
@@ -135,7 +140,7 @@ def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
         gait.take(t)
         if pace.tick():
             share = min(t / FADE, 1.0)
-            last = limited(first + share * (gait.positions(t) - first), last, period)
+            last = limited(gait.robot, first + share * (gait.positions(t) - first), last, period)
             commands.send_bytes(write(start + round(t * NS_PER_SECOND), last))
         gait.report()
     commands.send_bytes(write(time.time_ns(), None))

@@ -2,7 +2,7 @@
 
     publishes   /joint_states, /imu/data, /odom, /tf (base_link in odom), /clock      100 Hz
     subscribes  /joint_commands   sensor_msgs/JointState: names with positions in rad; only efforts of 0: go limp
-                /forward_position_controller/commands   std_msgs/Float64MultiArray: eight positions in rad, LF hip first
+                /forward_position_controller/commands   std_msgs/Float64MultiArray: a position per joint in rad
                 /push             geometry_msgs/Vector3: velocity in m/s, added to the base's
 
 Stands until it is commanded. Without a command for 1 s its motors go limp, like the watchdog of a motor driver. It
@@ -26,6 +26,7 @@ from quadruped_env.live.commands import read_positions, read_target
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Received, message_reader
 from quadruped_env.live.pace import Pace
+from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
@@ -60,15 +61,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="flat",
         help="flat, bumps of up to 1 cm, or hills of up to 8 cm; flat around the start (%(default)s)",
     )
+    add_robot_argument(parser)
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Simulate until the session ends."""
-    robot = SimulatedRobot(arguments.seed, arguments.terrain)
+    robot = SimulatedRobot(arguments.seed, arguments.terrain, robot_of(arguments))
     guard = SinglePublisherGuard(session)
     guard.check()
-    sensors = Sensors(session.node)
+    sensors = Sensors(session.node, robot.robot)
     commands = _Commands(session, robot)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
     # Exclude the existing objects from garbage collection, to avoid pauses in the real-time loop.
@@ -113,10 +115,10 @@ class _Commands:
     def __init__(self, session: Session, robot: SimulatedRobot) -> None:
         self._session = session
         self._robot = robot
-        node, joints = session.node, JointReader(JOINT_COMMANDS.name)
+        node, joints = session.node, JointReader(JOINT_COMMANDS.name, robot.robot)
         self._subscriptions = (
             node.subscribe(JOINT_COMMANDS, read=lambda data: _command(joints(data))),
-            node.subscribe(JOINT_POSITIONS, read=message_reader(JOINT_POSITIONS, lambda one: (0, read_positions(one)))),
+            node.subscribe(JOINT_POSITIONS, read=message_reader(JOINT_POSITIONS, self._array)),
         )
         self._writer = 0
         self._stamp = 0
@@ -132,6 +134,10 @@ class _Commands:
                     continue
                 self._writer, self._stamp, self._accepted_at = received.writer, stamp, received.taken
                 self._robot.command(target)
+
+    def _array(self, message: Any) -> tuple[int, Target]:
+        """The timestamp and the target of an array."""
+        return 0, read_positions(message, self._robot.robot)
 
     def _refusal(self, received: Received, stamp: int) -> str:
         """The reason to refuse a command; empty if it is accepted."""

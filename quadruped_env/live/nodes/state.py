@@ -9,6 +9,7 @@ import argparse
 import time
 
 from quadruped_env.live.joints import JointReader
+from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.transforms import TransformWriter, description_message, fixed_message
@@ -16,18 +17,20 @@ from quadruped_env.ros import SENSOR_DATA_QOS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add nothing: this node has no arguments of its own."""
+    """Add the robot."""
+    add_robot_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Publish until the session ends."""
-    node = session.node
+    node, robot = session.node, robot_of(arguments)
     description, fixed = node.publish(ROBOT_DESCRIPTION), node.publish(TF_STATIC)
     transforms = node.publish(TF)
-    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
-    write = TransformWriter()
-    description.send(description_message())
-    fixed.send_bytes(fixed_message(time.time_ns()))
+    reader = JointReader(JOINT_STATES.name, robot, ["positions"])
+    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
+    write = TransformWriter(robot)
+    description.send(description_message(robot))
+    fixed.send_bytes(fixed_message(robot, time.time_ns()))
     for _ in session.turns():
         for _, joints in states.messages(session.refuse):
             assert joints.positions is not None

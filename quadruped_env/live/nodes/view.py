@@ -9,6 +9,7 @@ import argparse
 import time
 
 from quadruped_env.live.live_robot import NAME, LiveRobot
+from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
@@ -16,14 +17,15 @@ from quadruped_env.viewer.server import import_viser
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the viewer's port."""
+    """Add the viewer's port and the robot."""
+    add_robot_argument(parser)
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
-    robot = LiveRobot(session.node, session.refuse)
+    robot = LiveRobot(session.node, robot_of(arguments), session.refuse)
     controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, robot.robot)
     controller.restart_after_fall = False
     controller.offered = robot.offered()

@@ -10,12 +10,14 @@ import argparse
 import sys
 
 from quadruped_env.live.launch import common, launch
+from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
 from quadruped_env.live.terrain import TERRAINS
 from quadruped_env.viewer import PORT
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the policy, the terrain, and the viewer's port."""
+    """Add the policy, the terrain, the viewer's port, and the robot."""
+    add_robot_argument(parser)
     parser.add_argument("policy", nargs="?", default="flat", metavar="POLICY", help="as for 'controller' (%(default)s)")
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
     parser.add_argument("--terrain", choices=TERRAINS, default="flat", help="as for 'sim' (%(default)s)")
@@ -27,10 +29,11 @@ def start(arguments: argparse.Namespace) -> int:
     keys = sys.stdin.isatty()
     # The terminal then shows teleop's status line only.
     shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
+    robot = robot_arguments(arguments)
     nodes = [
-        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *shared],
-        ["controller", arguments.policy, *shared],
-        ["state", *shared],
-        ["view", "--port", str(arguments.port), *shared],
+        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *robot, *shared],
+        ["controller", arguments.policy, *robot, *shared],
+        ["state", *robot, *shared],
+        ["view", "--port", str(arguments.port), *robot, *shared],
     ]
     return launch([*nodes, ["teleop", *shared]] if keys else nodes)

@@ -14,8 +14,9 @@ from quadruped_env.evaluation.episode import Recording
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.overlay import Overlay
-from quadruped_env.robot import MINI_QUADRUPED, Robot, load_model
+from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
+from quadruped_env.simulation import build_model
 
 Picture = NDArray[np.uint8]
 
@@ -156,7 +157,7 @@ class Camera:
     """
 
     def __init__(self, robot: Robot, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
-        self._model = load_model(robot=robot)
+        self._model = build_model(robot)
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = shadow_size
         self._model.vis.quality.offsamples = multisamples

@@ -12,7 +12,7 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.reporting.films.film import FRAME_RATE, Motion, size_of, smoothed_position
-from quadruped_env.robot import load_model
+from quadruped_env.simulation import build_model
 
 _CAMERA: Final = (0.65, -0.85, 0.42)
 """Camera position relative to a robot of size 1, m: the robot walks slightly towards the viewer."""
@@ -35,7 +35,7 @@ def scene_html(motion: Motion) -> str:
     except ImportError as error:
         raise MissingExtraError("The 3D replay", "viewer") from error
 
-    model = load_model(robot=motion.robot)
+    model = build_model(motion.robot)
     data = mujoco.MjData(model)
     # Suppress viser's banner: its URL is of no use, because the server stops at once.
     with contextlib.redirect_stdout(io.StringIO()):

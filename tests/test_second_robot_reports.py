@@ -1,0 +1,382 @@
+"""Metrics, reports, figures, films, replays, bags, identification and the viewer, for another robot."""
+
+import base64
+import json
+import re
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from second_robot import ROBOT
+
+from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
+from quadruped_env.cli.main import main
+from quadruped_env.control.observations import ObservationLayout
+from quadruped_env.control.task_file import load_robot
+from quadruped_env.evaluation.baseline import run_baseline
+from quadruped_env.evaluation.comparison import compare, compare_policies
+from quadruped_env.evaluation.episode import play, publish, record
+from quadruped_env.evaluation.metrics import GRAVITY, METRICS, joints_at_limit, measure
+from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.evaluation.subject import Subject
+from quadruped_env.identification import identify
+from quadruped_env.identification.dataset import align
+from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.identification_report import save
+from quadruped_env.identification.quantities import with_values
+from quadruped_env.policies import CommandedGaitController, Policy, TrajectoryController, find_controllers, load_policy
+from quadruped_env.replay.motors_file import read_motors
+from quadruped_env.replay.replay import replay
+from quadruped_env.replay.replay_report import write_replay_report
+from quadruped_env.reporting import palette
+from quadruped_env.reporting.films.film import Camera, Motion, size_of
+from quadruped_env.reporting.films.overlay import GAIT_SECONDS, Overlay, gait_strip
+from quadruped_env.reporting.pages.evaluation_report import write_report
+from quadruped_env.reporting.plots.joints import Line, joint_panels
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task import BUILT_IN, TaskConfig
+
+CONFIG = TaskConfig(definition=BUILT_IN.with_robot(ROBOT))
+LABELS = [name.removesuffix("_joint").replace("_", " ") for name in ROBOT.joint_names]
+COMMANDS = ((0.3, 0.0), (0.0, 0.4))
+FREQUENCY = 2.2
+"""Stride frequency of the tuned gait, Hz"""
+
+
+def texts(svg):
+    """The texts of a figure, which matplotlib draws as paths, with the text as a comment."""
+    return re.findall(r"<!-- (.*?) -->", svg)
+
+
+class Figures(HTMLParser):
+    """The figures of a page by caption's title: title -> SVG document."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.found = {}
+        self._title = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        source = dict(attrs).get("src") or ""
+        if source.startswith("data:image/svg+xml"):
+            self.found[self._title] = base64.b64decode(source.partition("base64,")[2]).decode()
+
+    def handle_data(self, data):
+        self._title = data.strip() or self._title
+
+
+def shuffled(trajectory):
+    return trajectory.select(sorted(trajectory.names))
+
+
+@pytest.fixture(scope="module")
+def rollout():
+    return roll_out(CommandedGaitController(), COMMANDS, [1, 2], 3.0, CONFIG)
+
+
+@pytest.fixture(scope="module")
+def policy():
+    """A policy that holds the stance, which is enough for a report."""
+    width = len(ObservationLayout(ROBOT, CONFIG.definition.observations).low)
+    weights, biases = np.zeros((width, ROBOT.num_joints), np.float32), np.zeros(ROBOT.num_joints, np.float32)
+    return Policy((weights,), (biases,), "tanh", CONFIG, {"command": "python train/ppo.py", "seed": 0})
+
+
+@pytest.fixture(scope="module")
+def report(policy, tmp_path_factory):
+    """The page of an evaluation without no-break spaces, and its numbers."""
+    comparison = compare(policy, num_seeds=2, seconds=2.5, commands=COMMANDS)
+    output = tmp_path_factory.mktemp("report")
+    page, numbers, missing = write_report(Subject("second", policy, output, output), comparison, "", with_video=False)
+    assert not missing
+    return page.read_text().replace("\N{NO-BREAK SPACE}", " "), json.loads(numbers.read_text())
+
+
+@pytest.fixture(scope="module")
+def targets():
+    return publish(SinusoidalGait.preset("trot", ROBOT), 2.5, 50.0)
+
+
+@pytest.fixture(scope="module")
+def recording(targets):
+    return play(targets, robot=ROBOT)
+
+
+@pytest.fixture
+def robot_file(tmp_path):
+    """A file as users write it, which defines the robot."""
+    path = tmp_path / "my_robot.py"
+    path.write_text("from second_robot import ROBOT\n")
+    return path
+
+
+class TestMetrics:
+    def test_roll_out_records_the_joints_and_feet_of_the_robot(self, rollout):
+        assert rollout.robot is ROBOT
+        assert rollout.joint_position.shape[2:] == (ROBOT.num_joints,)
+        assert rollout.contact.shape[2:] == (ROBOT.num_legs,)
+        # A foot that stands sinks in by less than the difference of the two robots' foot radii.
+        assert abs(rollout.foot_height[-25:][rollout.contact[-25:]].mean()) < 0.001
+        assert ROBOT.foot_radius - MINI_QUADRUPED.foot_radius > 0.0015
+
+    def test_measure_uses_the_mass_of_the_robot(self, rollout):
+        values = measure(rollout)
+        assert ROBOT.total_mass == pytest.approx(2.8 + 4 * (0.25 + 0.24))
+        expected = values["mean_power"] / (ROBOT.total_mass * GRAVITY * np.abs(values["forward_velocity"]))
+        np.testing.assert_allclose(values["cost_of_transport"][:2], expected[:2])
+        np.testing.assert_allclose(values["stride_frequency"][:2], FREQUENCY, rtol=0.05)
+
+    def test_limits_are_those_of_the_robot(self):
+        assert METRICS["peak_torque"].limit_of(ROBOT) == 14.0
+        assert METRICS["peak_joint_speed"].limit_of(ROBOT) == 7.0
+        assert METRICS["distance"].limit_of(ROBOT) is None
+        position = np.tile(ROBOT.stance, (10, 1, 1))
+        position[:5, 0, 1] = 0.095  # a knee at its limit, beyond that of the built-in robot
+        position[5:8, 0, 0] = -1.395
+        assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == pytest.approx(0.8)
+        position[:] = ROBOT.stance
+        position[:, 0, 1] = 0.05
+        assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == 0.0
+
+    def test_baseline_walks_and_names_the_limits_of_the_robot(self):
+        baseline = run_baseline("tuned", seconds=3.0, episodes=2, robot=ROBOT)
+        assert baseline.commands.names == ROBOT.joint_names
+        assert baseline.metrics["forward_velocity"].mean() > 0.2
+        assert "14 N m" in baseline.table()
+        assert "7 rad/s" in baseline.table()
+
+
+class TestReport:
+    def test_page_describes_the_robot_and_its_limits(self, report):
+        html, document = report
+        assert "A robot with 4 legs and 8 motors, of 4.76 kg and with its base 21 cm above the ground, walks" in html
+        assert "relative to 12 to 14 N m and 6 to 7 rad/s" in html
+        assert "L and R: left and right" not in html
+        assert document["metrics"]["peak_torque"]["limit"] == 14.0
+        assert document["config"]["robot"] == ROBOT.identity
+
+    def test_figures_follow_the_legs_and_joints_of_the_robot(self, report):
+        figures = Figures(report[0]).found
+        gait = texts(figures["Gait: which feet are on the ground"])
+        assert [text for text in gait if text in ROBOT.leg_names][: ROBOT.num_legs] == list(ROBOT.leg_names)
+        motors = texts(figures["Torque and speed against the motors' limits"])
+        assert [text for text in motors if text in LABELS][: ROBOT.num_joints] == LABELS
+        joints = texts(figures["Joints over time"])
+        assert {"hips", "knees", *ROBOT.leg_names} <= set(joints)
+        assert {*ROBOT.leg_names} <= set(texts(figures["Foot clearance and slip"]))
+
+    def test_policies_of_different_robots_are_not_compared(self, policy):
+        with pytest.raises(QuadrupedError, match=r"flat: is a policy for Robot\('mini_quadruped'.* for one robot"):
+            compare_policies({"second": policy, "flat": load_policy("flat")}, 1, 2.0, COMMANDS)
+
+
+class TestFigures:
+    def test_joint_panels_have_one_row_per_leg(self):
+        times = np.arange(10.0)
+        svg = joint_panels(ROBOT, {"played": Line(times, np.random.default_rng(0).normal(size=(10, 8)), "#0000ff")}, "")
+        assert [text for text in texts(svg) if text in LABELS] == LABELS
+
+    def test_colours_of_legs_do_not_depend_on_names_and_order(self):
+        built_in, second = palette.leg_colours(MINI_QUADRUPED), palette.leg_colours(ROBOT)
+        assert list(second) == list(ROBOT.leg_names)
+        assert second["front_left"] == built_in["LF"] == palette.BLUE
+        assert second["front_right"] == built_in["RF"]
+        assert second["back_left"] == built_in["LH"]
+        assert second["back_right"] == built_in["RH"]
+        assert palette.joint_colours(ROBOT)[1] == ("back_right", second["back_right"])
+
+
+class TestFilms:
+    def test_overlay_colours_the_bands_of_the_feet(self, rollout):
+        contact = np.zeros((100, ROBOT.num_legs), bool)
+        contact[:, 3] = True
+        strip = gait_strip(ROBOT, contact, GAIT_SECONDS / 100)
+        colour = tuple(bytes.fromhex(palette.leg_colours(ROBOT)["front_left"][1:]))
+        rows = np.flatnonzero((strip == colour).all(axis=(1, 2)))
+        assert rows.min() == 3 * len(strip) // 4
+        motion = Motion.of_rollout(rollout, 0, "second")
+        overlay = Overlay(ROBOT, motion.title, motion.timestep, motion.velocity, motion.command, motion.contact)
+        blank = np.zeros((480, 640, 3), np.uint8)
+        assert overlay.draw(blank, 50).any()
+
+    def test_camera_shows_the_whole_robot_from_a_distance_that_suits_its_size(self, rollout):
+        assert size_of(MINI_QUADRUPED) == 1.0
+        assert size_of(ROBOT) == pytest.approx(ROBOT.stance_height / MINI_QUADRUPED.stance_height)
+        motion = Motion.of_rollout(rollout, 0, "second")
+        try:
+            with Camera(ROBOT) as camera:
+                picture = camera.picture(motion, 20)
+                assert camera._view.distance == pytest.approx(0.95 * size_of(ROBOT))
+        except QuadrupedError as error:
+            pytest.skip(str(error))
+        red, green, blue = np.moveaxis(picture.astype(int), -1, 0)
+        rows, columns = np.nonzero((blue > 120) & (blue > red + 60) & (blue > green + 50))  # the hips
+        assert len(rows) > 500
+        assert 40 < columns.min() < columns.max() < 600
+
+
+class TestReplay:
+    def test_replay_repeats_a_recording_whatever_the_order_of_its_columns(self, targets, recording, tmp_path):
+        shuffled(targets).save(tmp_path / "targets.csv")
+        found = replay(JointTrajectory.load(tmp_path / "targets.csv"), robot=ROBOT)
+        assert found.played.names == ROBOT.joint_names
+        np.testing.assert_array_equal(found.played.positions, recording.joints.positions)
+        np.testing.assert_array_equal(found.motion.base_pose, recording.base_pose)
+        assert found.motors == ROBOT.motors
+        assert found.report()["motion"]["feet_on_ground_at_start"] >= 3
+
+    def test_trajectory_controller_orders_the_columns_for_the_robot(self, targets, recording):
+        controller = TrajectoryController(shuffled(targets))
+        again = record(controller, targets.duration, config=CONFIG, start=targets.positions[0])
+        np.testing.assert_array_equal(again.joints.positions, recording.joints.positions)
+
+    def test_report_of_a_replay_names_its_joints_links_and_limits(self, targets, tmp_path):
+        found = replay(targets, robot=ROBOT, measured=shuffled(targets))
+        found.save(tmp_path, compare=True)
+        write_replay_report(found, tmp_path, "", compare=True)
+        numbers = json.loads((tmp_path / "tracking.json").read_text())
+        assert list(numbers["tracking_error"]["joints"]) == list(ROBOT.joint_names)
+        assert [entry["speed_limit"] for entry in numbers["limits"].values()] == [7.0, 6.0] * 4
+        header = (tmp_path / "link_poses.csv").read_text().splitlines()[0]
+        assert all(f"{link}.qz" in header for link in ROBOT.link_names)
+        figures = Figures((tmp_path / "report.html").read_text()).found
+        assert len(figures) == 6
+        for svg in figures.values():
+            assert [text for text in texts(svg) if text in LABELS] == LABELS
+
+    def test_kinematic_film_stands_on_the_lowest_foot(self, targets):
+        motion = replay(targets, "kinematic", robot=ROBOT).film()
+        lowest = ROBOT.sole_heights(motion.joint_position, motion.base_pose).min(axis=-1)
+        np.testing.assert_allclose(lowest, 0.0, atol=1e-12)
+
+    def test_positions_beyond_the_limits_of_the_robot_are_refused(self):
+        positions = np.tile(ROBOT.stance, (2, 1))
+        positions[:, 1] = 0.05  # within, though not for the built-in robot
+        replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
+        positions[1, 1] = 0.2
+        with pytest.raises(
+            QuadrupedError, match=r"position\.back_right_knee_joint: 0\.2 rad .* outside -2\.1 to 0\.1 rad"
+        ):
+            replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
+
+    def test_recording_of_another_robot_is_refused(self, targets):
+        with pytest.raises(QuadrupedError, match="joint 'LF_hip_joint' is missing"):
+            replay(targets)
+
+
+class TestBags:
+    def test_bag_holds_the_description_and_transforms_of_the_robot(self, recording, tmp_path):
+        pytest.importorskip("rosbags")
+        from rosbags.highlevel import AnyReader
+
+        recording.joints.save(tmp_path / "bag", base_pose=recording.base_pose, robot=ROBOT)
+        with AnyReader([tmp_path / "bag"]) as reader:
+            messages = {
+                topic: [reader.deserialize(data, c.msgtype) for c, _, data in reader.messages() if c.topic == topic]
+                for topic in ("/robot_description", "/tf")
+            }
+        assert messages["/robot_description"][0].data == ROBOT.urdf
+        frames = [transform.child_frame_id for transform in messages["/tf"][0].transforms]
+        assert frames == list(ROBOT.link_names)
+
+    def test_bag_of_joints_of_another_robot_has_joint_states_alone(self, recording, tmp_path):
+        pytest.importorskip("rosbags")
+        from rosbags.highlevel import AnyReader
+
+        recording.joints.save(tmp_path / "bag")
+        with AnyReader([tmp_path / "bag"]) as reader:
+            assert set(reader.topics) == {"/joint_states"}
+
+
+class TestIdentification:
+    def test_model_of_the_fit_moves_as_the_robot_of_the_task(self, targets, recording):
+        fit = MotorFit(align(ROBOT, recording.joints, targets, 0.7, 0.005), "free", ROBOT.motors, ["kp"])
+        assert fit.names == ["hip.kp", "knee.kp"]
+        predicted = fit.predict(ROBOT.motors)
+        np.testing.assert_allclose(predicted[1:, :8], recording.joints.positions[1:], rtol=0, atol=1e-6)
+        np.testing.assert_allclose(predicted[1:, 16:], recording.joints.efforts[1:], rtol=0, atol=1e-4)
+
+    @pytest.mark.slow
+    def test_identify_finds_the_gains_of_the_robot(self, targets, recording, tmp_path):
+        start = with_values(ROBOT.motors, {"hip.kp": 40.0})
+        found = identify(recording.joints, targets, "free", start, ["kp"], robot=ROBOT)
+        assert found.after.hip.kp == pytest.approx(50.0, rel=0.02)
+        assert found.after.hip.stall_torque == 14.0
+        save(found, tmp_path, "")
+        assert read_motors(tmp_path / "motors.json", ROBOT) == found.after
+        errors = json.loads((tmp_path / "identification.json").read_text())["errors"]["held_out"]["after"]["position"]
+        assert list(errors) == list(ROBOT.joint_names)
+        figures = Figures((tmp_path / "report.html").read_text()).found
+        assert len(figures) == 4
+        for svg in figures.values():
+            assert [text for text in texts(svg) if text in LABELS] == LABELS
+
+
+class TestViewer:
+    @pytest.fixture
+    def controller(self, robot_file, tmp_path):
+        from quadruped_env.viewer import ViewController
+
+        sources, chosen = find_controllers(["trot"], runs=tmp_path / "runs", task_file=robot_file)
+        controller = ViewController(sources, chosen, tmp_path / "results", load_robot(robot_file))
+        yield controller
+        controller.close()
+
+    def test_viewed_robot_is_the_one_of_the_file(self, controller):
+        controller.advance(0.2)
+        (view,) = controller.view().robots
+        assert view.robot == ROBOT
+        assert view.now.base_pose[2] > 0.19
+        with pytest.raises(QuadrupedError, match="mini_quadruped"):
+            controller.set_source(0, "policy flat")
+
+    def test_recording_has_the_joints_of_the_robot(self, controller, tmp_path, monkeypatch):
+        films = []
+        monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: films.extend(motions))
+        controller.start_recording()
+        controller.advance(0.2)
+        controller.close()
+        (path,) = tmp_path.glob("results/view-*/joint_states.csv")
+        assert JointTrajectory.load(path).names == ROBOT.joint_names
+        assert films[0].robot == ROBOT
+
+    def test_panel_and_plots_are_labelled_with_its_legs_and_kinds_of_joints(self, controller, monkeypatch):
+        viser = pytest.importorskip("viser")
+        from quadruped_env.viewer import Show
+
+        added, add_html = [], viser.GuiApi.add_html
+
+        def add(gui, content, **options):
+            added.append(content)
+            return add_html(gui, content, **options)
+
+        monkeypatch.setattr(viser.GuiApi, "add_html", add)
+        show = Show(controller, port=0)
+        try:
+            controller.advance(0.2)
+            show.draw(controller.view())
+            sliders = [slider.label for slider in show.panel._phases]
+        finally:
+            show.close()
+        assert sliders == [f"Phase {leg}, cycles" for leg in ROBOT.leg_names]
+        headings = {re.search(r"<b[^>]*>(.*?)</b>", html).group(1): html for html in added if "<b style" in html}
+        for title in ("Hip positions, rad", "Knee positions, rad", "Fastest joint of each leg, rad/s"):
+            assert [leg for leg in ROBOT.leg_names if leg in headings[title]] == list(ROBOT.leg_names)
+        assert re.findall(r">(\w+_\w+)</text>", headings["Feet on the ground, s"]) == list(ROBOT.leg_names)
+
+
+class TestPrograms:
+    def test_programs_read_the_robot_from_a_file(self, robot_file, tmp_path, capsys, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        task = ["--task", str(robot_file)]
+        assert main(["baseline", "--preset", "trot", "--seconds", "1", "--episodes", "1", "-o", "walk.csv", *task]) == 0
+        assert "14 N m" in capsys.readouterr().out
+        assert JointTrajectory.load("walk.csv").names == ROBOT.joint_names
+        assert main(["replay", "walk.csv", "-o", "again", "--no-report", *task]) == 0
+        assert "back_right_knee_joint" in capsys.readouterr().out
+        pytest.importorskip("rosbags")
+        assert main(["convert", "walk.csv", "bag", *task]) == 0
+        assert b"second" in next((tmp_path / "bag").glob("*.mcap")).read_bytes()
+        assert main(["replay", "walk.csv", "-o", "built-in", "--no-report"]) == 2
+        assert "joint 'LF_hip_joint' is missing" in capsys.readouterr().err
