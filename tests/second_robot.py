@@ -1,45 +1,24 @@
-"""A second robot for tests: other names, order of legs, lengths, masses, limits and motors than the built-in one."""
+"""Another robot than the built-in one, in the file of a user: other dimensions, masses, motors, and order of legs."""
 
-import dataclasses
-
-from quadruped_env.robot import JointMotor, MotorConfig, QuadrupedDesign, Robot
+from quadruped_env.robot import JointMotor, MotorConfig, QuadrupedDesign
 
 DESIGN = QuadrupedDesign(
-    name="second",
-    leg_names=("RH", "LH", "RF", "LF"),
-    leg_length=0.19,
-    hip_offset=(0.17, 0.11),
-    base_mass=2.8,
-    leg_mass=0.24,
-    leg_radius=0.022,
-    hip_range=(-1.4, 1.3),
-    knee_range=(-2.1, 0.1),
-    stance_angles=(0.55, -0.68),
+    name="tall",
+    leg_names=("RH", "LF", "LH", "RF"),
+    base_size=(0.36, 0.18, 0.08),
+    hip_offset=(0.18, 0.12),
+    hip_to_knee=0.05,
+    leg_radius=0.025,
+    leg_length=0.2,
+    base_mass=3.0,
+    hip_mass=0.3,
+    leg_mass=0.3,
+    hip_range=(-1.4, 1.4),
+    knee_range=(-2.1, -0.05),
+    stance_angles=(0.7, -0.885),
     motors=MotorConfig(
-        hip=JointMotor(stall_torque=14.0, no_load_speed=7.0, kp=50.0, kd=1.2),
-        knee=JointMotor(stall_torque=12.0, no_load_speed=6.0, kp=45.0),
+        JointMotor(stall_torque=14.0, no_load_speed=7.0, kp=70.0, kd=1.5),
+        JointMotor(stall_torque=14.0, no_load_speed=7.0, kp=60.0, kd=1.5),
     ),
 )
-LEGS = {"RH": "back_right", "LH": "back_left", "RF": "front_right", "LF": "front_left"}
-
-
-def renamed(robot: Robot, names: dict[str, str]) -> Robot:
-    """The robot with other names of its legs, and so of their joints, links, sites and sensors."""
-
-    def other(text: str) -> str:
-        for old, new in names.items():
-            text = new if text == old else text.replace(f"{old}_", f"{new}_")
-        return text
-
-    def others(texts: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(map(other, texts))
-
-    return dataclasses.replace(
-        robot,
-        **{name: others(getattr(robot, name)) for name in ("leg_names", "joint_names", "link_names", "foot_sites")},
-        **{name: other(getattr(robot, name)) for name in ("mjcf", "urdf")},
-        sensors={field: others(sensors) for field, sensors in robot.sensors.items()},
-    )
-
-
-ROBOT = renamed(DESIGN.robot(), LEGS)
+ROBOT = DESIGN.robot()

@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
-from second_robot import ROBOT
+from renamed_robot import ROBOT
 
 from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.main import main
@@ -107,7 +107,7 @@ def recording(targets):
 def robot_file(tmp_path):
     """A file as users write it, which defines the robot."""
     path = tmp_path / "my_robot.py"
-    path.write_text("from second_robot import ROBOT\n")
+    path.write_text("from renamed_robot import ROBOT\n")
     return path
 
 
@@ -122,7 +122,7 @@ class TestMetrics:
 
     def test_measure_uses_the_mass_of_the_robot(self, rollout):
         values = measure(rollout)
-        assert ROBOT.total_mass == pytest.approx(2.8 + 4 * (0.25 + 0.24))
+        assert ROBOT.total_mass == pytest.approx(3.0 + 4 * (0.3 + 0.3))
         expected = values["mean_power"] / (ROBOT.total_mass * GRAVITY * np.abs(values["forward_velocity"]))
         np.testing.assert_allclose(values["cost_of_transport"][:2], expected[:2])
         np.testing.assert_allclose(values["stride_frequency"][:2], FREQUENCY, rtol=0.05)
@@ -132,11 +132,11 @@ class TestMetrics:
         assert METRICS["peak_joint_speed"].limit_of(ROBOT) == 7.0
         assert METRICS["distance"].limit_of(ROBOT) is None
         position = np.tile(ROBOT.stance, (10, 1, 1))
-        position[:5, 0, 1] = 0.095  # a knee at its limit, beyond that of the built-in robot
+        position[:5, 0, 1] = -2.095  # a knee at its limit, beyond that of the built-in robot
         position[5:8, 0, 0] = -1.395
         assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == pytest.approx(0.8)
         position[:] = ROBOT.stance
-        position[:, 0, 1] = 0.05
+        position[:, 0, 1] = -2.05
         assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == 0.0
 
     def test_baseline_walks_and_names_the_limits_of_the_robot(self):
@@ -150,7 +150,7 @@ class TestMetrics:
 class TestReport:
     def test_page_describes_the_robot_and_its_limits(self, report):
         html, document = report
-        assert "A robot with 4 legs and 8 motors, of 4.76 kg and with its base 21 cm above the ground, walks" in html
+        assert "A robot with 4 legs and 8 motors, of 5.4 kg and with its base 24 cm above the ground, walks" in html
         assert "relative to 12 to 14 N m and 6 to 7 rad/s" in html
         assert "L and R: left and right" not in html
         assert document["metrics"]["peak_torque"]["limit"] == 14.0
@@ -190,11 +190,11 @@ class TestFigures:
 class TestFilms:
     def test_overlay_colours_the_bands_of_the_feet(self, rollout):
         contact = np.zeros((100, ROBOT.num_legs), bool)
-        contact[:, 3] = True
+        contact[:, ROBOT.leg_names.index("front_left")] = True
         strip = gait_strip(ROBOT, contact, GAIT_SECONDS / 100)
         colour = tuple(bytes.fromhex(palette.leg_colours(ROBOT)["front_left"][1:]))
         rows = np.flatnonzero((strip == colour).all(axis=(1, 2)))
-        assert rows.min() == 3 * len(strip) // 4
+        assert rows.min() == len(strip) // 4
         motion = Motion.of_rollout(rollout, 0, "second")
         overlay = Overlay(ROBOT, motion.title, motion.timestep, motion.velocity, motion.command, motion.contact)
         blank = np.zeros((480, 640, 3), np.uint8)
@@ -241,7 +241,7 @@ class TestReplay:
         header = (tmp_path / "link_poses.csv").read_text().splitlines()[0]
         assert all(f"{link}.qz" in header for link in ROBOT.link_names)
         figures = Figures((tmp_path / "report.html").read_text()).found
-        assert len(figures) == 6
+        assert len(figures) == 5
         for svg in figures.values():
             assert [text for text in texts(svg) if text in LABELS] == LABELS
 
@@ -252,11 +252,11 @@ class TestReplay:
 
     def test_positions_beyond_the_limits_of_the_robot_are_refused(self):
         positions = np.tile(ROBOT.stance, (2, 1))
-        positions[:, 1] = 0.05  # within, though not for the built-in robot
+        positions[:, 1] = -2.05  # within, though not for the built-in robot
         replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
-        positions[1, 1] = 0.2
+        positions[1, 1] = -2.2
         with pytest.raises(
-            QuadrupedError, match=r"position\.back_right_knee_joint: 0\.2 rad .* outside -2\.1 to 0\.1 rad"
+            QuadrupedError, match=r"position\.back_right_knee_joint: -2\.2 rad .* outside -2\.1 to -0\.05 rad"
         ):
             replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
 
@@ -299,9 +299,9 @@ class TestIdentification:
 
     @pytest.mark.slow
     def test_identify_finds_the_gains_of_the_robot(self, targets, recording, tmp_path):
-        start = with_values(ROBOT.motors, {"hip.kp": 40.0})
+        start = with_values(ROBOT.motors, {"hip.kp": 55.0})
         found = identify(recording.joints, targets, "free", start, ["kp"], robot=ROBOT)
-        assert found.after.hip.kp == pytest.approx(50.0, rel=0.02)
+        assert found.after.hip.kp == pytest.approx(70.0, rel=0.02)
         assert found.after.hip.stall_torque == 14.0
         save(found, tmp_path, "")
         assert read_motors(tmp_path / "motors.json", ROBOT) == found.after
@@ -327,7 +327,7 @@ class TestViewer:
         controller.advance(0.2)
         (view,) = controller.view().robots
         assert view.robot == ROBOT
-        assert view.now.base_pose[2] > 0.19
+        assert view.now.base_pose[2] > 0.2
         with pytest.raises(QuadrupedError, match="mini_quadruped"):
             controller.set_source(0, "policy flat")
 
@@ -377,6 +377,6 @@ class TestPrograms:
         assert "back_right_knee_joint" in capsys.readouterr().out
         pytest.importorskip("rosbags")
         assert main(["convert", "walk.csv", "bag", *task]) == 0
-        assert b"second" in next((tmp_path / "bag").glob("*.mcap")).read_bytes()
+        assert b"renamed" in next((tmp_path / "bag").glob("*.mcap")).read_bytes()
         assert main(["replay", "walk.csv", "-o", "built-in", "--no-report"]) == 2
         assert "joint 'LF_hip_joint' is missing" in capsys.readouterr().err

@@ -1,5 +1,6 @@
 """Overlays of films: title and time, commanded and measured velocity, and the feet on the ground."""
 
+import math
 from typing import Any, Final
 
 import numpy as np
@@ -25,6 +26,9 @@ _BAND_SHARE: Final = 0.75
 _GAIT_TOP: Final = 10
 """Distance of the gait diagram from the top of the panel, pixels."""
 _GAIT_WIDTH: Final = 250
+"""Width of the gait diagram, pixels; it is cut short where the names of the legs need the room."""
+_GAIT_LEFT: Final = 325
+"""Left end of the names of the legs, at the right of the velocities, pixels."""
 _BAR_LEFT, _BAR_RIGHT = 78, 204
 _QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
 """Label, unit, and absolute velocity at the ends of the bar."""
@@ -86,12 +90,14 @@ class Overlay:
                 for row in range(len(_QUANTITIES)):
                     self._draw_velocity(pen, row, sample, 14 + 28 * row)
             if self._gait is not None:
-                left = image.width - _MARGIN - _GAIT_WIDTH
+                names = max(math.ceil(self._small.getlength(name)) for name in self._robot.leg_names)
+                width = max(1, min(_GAIT_WIDTH, image.width - _MARGIN - _GAIT_LEFT - names - 6))
+                left = image.width - _MARGIN - width
                 for (top, bottom), name in zip(_bands(self._robot), self._robot.leg_names, strict=True):
                     at = left - 6, _GAIT_TOP + (top + bottom) // 2
                     pen.text(at, name, fill=INK, font=self._small, anchor="rm")
                 end = max(1, round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH))
-                strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - _GAIT_WIDTH) : end]))
+                strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - width) : end]))
                 image.paste(strip, (image.width - _MARGIN - strip.width, _GAIT_TOP))
             panel[:] = image
         return picture
