@@ -34,7 +34,7 @@ class GaitSettings:
             if not low <= value <= high:
                 raise QuadrupedError(f"gait: {name} must be in {low:g} to {high:g}; found {value:g}")
         if not np.isfinite(self.phases).all():
-            raise QuadrupedError(f"gait: phases must be finite numbers; found {self.phases!r}")
+            raise QuadrupedError(f"gait: phases must be {len(self.phases)} finite numbers; found {self.phases!r}")
 
     @classmethod
     def of(cls, gait: SinusoidalGait) -> Self:

@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.policies import find_controller
+from quadruped_env.robot import MINI_QUADRUPED
 
 EPOCH = 10**18
 """ns; when their time begins"""
@@ -13,15 +14,15 @@ EPOCH = 10**18
 class Loop:
     """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
 
-    def __init__(self, controller="flat", seed=0, terrain="flat"):
-        self.robot = SimulatedRobot(seed, terrain)
+    def __init__(self, controller="flat", seed=0, terrain="flat", robot=MINI_QUADRUPED):
+        self.robot = SimulatedRobot(seed, terrain, robot)
         self.steps = 0
-        self._controller = controller
+        self._make = controller if callable(controller) else find_controller(controller, robot=robot).make
         self.restart_pilot()
 
     def restart_pilot(self):
         """The controller ended, and another one begins."""
-        self.pilot = LiveController(find_controller(self._controller).make())
+        self.pilot = LiveController(self._make(), robot=self.robot.robot)
 
     @property
     def time(self):

@@ -125,7 +125,7 @@ def test_a_term_of_a_built_in_name_takes_its_place(tmp_path):
 
 
 REFUSED = {
-    "nothing": ("x = 1\n", r"own.py: defines no term; use @reward"),
+    "nothing": ("x = 1\n", r"own.py: defines no term and no robot; use @reward"),
     "syntax": ("def f(:\n", r"own.py, line 1: SyntaxError"),
     "failure": ("\n\n1 / 0\n", r"own.py, line 3: ZeroDivisionError"),
     "no default": (

@@ -42,7 +42,7 @@ def task_config(
     if task_file is not None:
         definition = load_task_file(task_file)
     if robot is not None:
-        definition = definition.with_robot(_robot(robot))
+        definition = definition.with_robot(as_robot(robot))
     if isinstance(config, TaskConfig):
         task = config if definition == config.definition else config.with_definition(definition)
     else:
@@ -53,7 +53,12 @@ def task_config(
     return task
 
 
-def _robot(value: Any) -> Robot:
+def as_robot(value: Any) -> Robot:
+    """A robot from a `Robot`, a `QuadrupedDesign`, or the result of `Robot.to_dict`.
+
+    Raises:
+        QuadrupedError: if it is none of these.
+    """
     if isinstance(value, QuadrupedDesign):
         return value.robot()
     if isinstance(value, dict):

@@ -112,7 +112,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         task_robot = task_config.robot
-        model = build_model(task_robot, task_config.physics_timestep, task_config.motor)
+        model = build_model(task_config.physics_timestep, task_config.motor, robot=task_robot)
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
         self.action_space = spaces.action_space(self.task.control.robot)

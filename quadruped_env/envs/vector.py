@@ -68,7 +68,7 @@ class MiniQuadrupedVectorEnv(
         task_config = arguments.task_config(action_mode, config, task_file, robot)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
         task_robot = task_config.robot
-        model = build_model(task_robot, task_config.physics_timestep, task_config.motor)
+        model = build_model(task_config.physics_timestep, task_config.motor, robot=task_robot)
         self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self.single_action_space = spaces.action_space(self.task.control.robot)

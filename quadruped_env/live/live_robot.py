@@ -79,7 +79,7 @@ class LiveRobot:
         self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
-        self._simulation = SingleSimulation(build_model(robot), robot)
+        self._simulation = SingleSimulation(build_model(robot=robot), robot)
         self._steps = 0
         self._smooth_velocity = np.zeros(2)
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))

@@ -7,6 +7,7 @@ from typing import Final
 import mujoco
 
 from quadruped_env.robot.assets import asset_path
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot
 
@@ -15,24 +16,26 @@ _ROBOT: Final = "mini_quadruped.xml"
 """File that the scene includes: the robot's MJCF takes its place."""
 
 
-def build_model(robot: Robot, timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
+def build_model(
+    timestep: float | None = None, motors: MotorConfig | None = None, robot: Robot = MINI_QUADRUPED
+) -> mujoco.MjModel:
     """Compiled model of a robot on flat ground; every call returns a new copy.
 
     Args:
-        robot: the robot.
         timestep: physics time step, s. None: that of the robot's model.
         motors: motors that replace the robot's own.
+        robot: the robot.
 
     Raises:
         QuadrupedError: if the robot's model does not hold the robot that it describes.
     """
-    scene = asset_path(_SCENE)
+    path = asset_path(_SCENE)
     # Compiling takes thirty times as long as copying, so every process compiles each variant once.
-    return copy.copy(_compiled(robot, timestep, motors, scene.stat().st_mtime_ns))
+    return copy.copy(_compiled(timestep, motors, robot, path.stat().st_mtime_ns))
 
 
 @functools.lru_cache(maxsize=8)
-def _compiled(robot: Robot, timestep: float | None, motors: MotorConfig | None, _modified: int) -> mujoco.MjModel:
+def _compiled(timestep: float | None, motors: MotorConfig | None, robot: Robot, _modified: int) -> mujoco.MjModel:
     spec = scene(robot)
     if timestep is not None:
         spec.option.timestep = timestep

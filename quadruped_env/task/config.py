@@ -150,6 +150,10 @@ class TaskConfig(PlainFields):
         motor = definition.robot.motors if own else self.motor
         return dataclasses.replace(self, motor=motor, definition=definition)
 
+    def for_robot(self, robot: Robot) -> Self:
+        """A copy for another robot."""
+        return self.with_definition(self.definition.with_robot(robot))
+
     @property
     def control_timestep(self) -> float:
         """Time between actions, s."""

@@ -184,7 +184,7 @@ def search(
         seed: of the search.
     """
     rng = np.random.default_rng(seed)
-    simulation = BatchSimulation(build_model(ROBOT), CANDIDATES, robot=ROBOT)
+    simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES, robot=ROBOT)
     mean, deviation = start.copy(), spread * (_HIGH - _LOW)
     best, best_score = Found(start, 0.0, 0.0), -np.inf
     for _ in range(generations):
@@ -265,7 +265,7 @@ def _with_tuned_track(gait: CommandedGait, say: Log) -> CommandedGait:
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
     """Results of the gait for commands (N, 2) in m/s and rad/s."""
-    simulation = BatchSimulation(build_model(ROBOT), len(commands), robot=ROBOT)
+    simulation = BatchSimulation(build_model(robot=ROBOT), len(commands), robot=ROBOT)
     return measure(
         lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
         simulation,
