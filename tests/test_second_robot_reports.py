@@ -34,9 +34,9 @@ from quadruped_env.reporting.films.overlay import GAIT_SECONDS, Overlay, gait_st
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.plots.joints import Line, joint_panels
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.task import BUILT_IN, TaskConfig
+from quadruped_env.task import TaskConfig
 
-CONFIG = TaskConfig(definition=BUILT_IN.with_robot(ROBOT))
+CONFIG = TaskConfig().for_robot(ROBOT)
 LABELS = [name.removesuffix("_joint").replace("_", " ") for name in ROBOT.joint_names]
 COMMANDS = ((0.3, 0.0), (0.0, 0.4))
 FREQUENCY = 2.2

@@ -20,7 +20,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, Robot
-from quadruped_env.task import BUILT_IN, TaskConfig
+from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory, saving
 
 SHOWN: Final = (
@@ -175,7 +175,7 @@ def run_baseline(
     commands = publish(gait, seconds, rate)
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
-    config = TaskConfig(definition=BUILT_IN.with_robot(robot))
+    config = TaskConfig().for_robot(robot)
     rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, _part(progress, 0.0))
     recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))

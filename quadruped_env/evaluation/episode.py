@@ -19,7 +19,7 @@ from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.simulation import SingleSimulation, build_model
-from quadruped_env.task import BUILT_IN, RandomizationConfig, Task, TaskConfig
+from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
@@ -113,11 +113,11 @@ def play(
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
             f"cut it there, or fix the timestamps"
         )
-    targets = trajectory.in_joint_order(robot)
+    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot)
     return record(
         TrajectoryController(targets, name),
         targets.duration,
-        config=TaskConfig(motor=motors or robot.motors, definition=BUILT_IN.with_robot(robot)),
+        config=config if motors is None else replace(config, motor=motors),
         first_stamp=int(targets.stamps[0]),
         progress=progress,
         start=targets.positions[0],
@@ -150,7 +150,7 @@ def record(
     """
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
     robot = config.robot
-    task = Task(SingleSimulation(build_model(robot, config.physics_timestep, config.motor), robot), config)
+    task = Task(SingleSimulation(build_model(config.physics_timestep, config.motor, robot=robot), robot), config)
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
     task.simulation.reset(_ROW, _start(robot, start)[None], np.zeros((1, robot.num_velocities)))

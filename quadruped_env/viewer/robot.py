@@ -105,7 +105,7 @@ class TaskRobot:
         if randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
-        model = build_model(robot, config.physics_timestep, config.motor)
+        model = build_model(config.physics_timestep, config.motor, robot=robot)
         self._simulation = SingleSimulation(model, robot)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names

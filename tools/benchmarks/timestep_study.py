@@ -71,7 +71,7 @@ class Setting:
     @classmethod
     def of_model_file(cls) -> Self:
         """The chosen setting, from the robot's model file."""
-        option = build_model(ROBOT).opt
+        option = build_model(robot=ROBOT).opt
         return cls(
             timestep=float(option.timestep),
             integrator=_name(INTEGRATORS, "mjINT", option.integrator, mujoco.mjtIntegrator),
@@ -82,7 +82,7 @@ class Setting:
 
     def model(self) -> mujoco.MjModel:
         """The robot on its ground with this setting."""
-        model = build_model(ROBOT, self.timestep)
+        model = build_model(self.timestep, robot=ROBOT)
         model.opt.integrator = _value("mjINT", self.integrator, mujoco.mjtIntegrator)
         model.opt.cone = _value("mjCONE", self.cone, mujoco.mjtCone)
         model.opt.iterations = self.iterations

@@ -157,7 +157,7 @@ class Camera:
     """
 
     def __init__(self, robot: Robot, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
-        self._model = build_model(robot)
+        self._model = build_model(robot=robot)
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = shadow_size
         self._model.vis.quality.offsamples = multisamples

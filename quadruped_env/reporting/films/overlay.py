@@ -26,7 +26,7 @@ _BAND_SHARE: Final = 0.75
 _GAIT_TOP: Final = 10
 """Distance of the gait diagram from the top of the panel, pixels."""
 _GAIT_WIDTH: Final = 250
-"""Width of the gait diagram, pixels; it is cut short where the names of the legs need the room."""
+"""Width of the gait diagram, pixels; it is narrower next to long names of legs."""
 _GAIT_LEFT: Final = 325
 """Left end of the names of the legs, at the right of the velocities, pixels."""
 _BAR_LEFT, _BAR_RIGHT = 78, 204

@@ -35,7 +35,7 @@ def scene_html(motion: Motion) -> str:
     except ImportError as error:
         raise MissingExtraError("The 3D replay", "viewer") from error
 
-    model = build_model(motion.robot)
+    model = build_model(robot=motion.robot)
     data = mujoco.MjData(model)
     # Suppress viser's banner: its URL is of no use, because the server stops at once.
     with contextlib.redirect_stdout(io.StringIO()):
