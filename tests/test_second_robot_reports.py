@@ -201,8 +201,10 @@ class TestFilms:
         assert overlay.draw(blank, 50).any()
 
     def test_camera_shows_the_whole_robot_from_a_distance_that_suits_its_size(self, rollout):
-        assert size_of(MINI_QUADRUPED) == 1.0
-        assert size_of(ROBOT) == pytest.approx(ROBOT.stance_height / MINI_QUADRUPED.stance_height)
+        assert size_of(MINI_QUADRUPED) == pytest.approx(1.0, abs=0.01)
+        assert size_of(ROBOT) / size_of(MINI_QUADRUPED) == pytest.approx(
+            ROBOT.stance_height / MINI_QUADRUPED.stance_height
+        )
         motion = Motion.of_rollout(rollout, 0, "second")
         try:
             with Camera(ROBOT) as camera:

@@ -14,7 +14,7 @@ from quadruped_env.evaluation.episode import Recording
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.overlay import Overlay
-from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import build_model
 
@@ -42,6 +42,8 @@ _FAR: Final = 12.0
 """Far clipping plane, in model extents. Farther away, the shadow map's depth is so coarse that the robot casts false
 shadows on itself."""
 
+_UNIT_HEIGHT: Final = 0.184
+"""Height of the base in the stance of a robot of size 1, m."""
 _VIEW_AZIMUTH: Final = 115.0
 """Azimuth of the camera, degrees: the robot walks slightly towards the viewer, and no leg hides another."""
 _VIEW_ELEVATION: Final = -17.0
@@ -57,8 +59,8 @@ stride."""
 
 
 def size_of(robot: Robot) -> float:
-    """Height of a robot relative to the built-in one, by which distances and lengths of a picture are scaled."""
-    return robot.stance_height / MINI_QUADRUPED.stance_height
+    """Size of a robot, by which lengths of pictures are scaled: the height of its base relative to `_UNIT_HEIGHT`."""
+    return robot.stance_height / _UNIT_HEIGHT
 
 
 @dataclass(frozen=True)
