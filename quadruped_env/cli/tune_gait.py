@@ -32,10 +32,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Search, and print and write what was found."""
     from quadruped_env.files import write_json
     from quadruped_env.gait import CommandedGait
-    from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
+    from quadruped_env.training.gait_tuning import ROBOT, achieved_table, tune_commanded_gait, tune_presets
 
     if arguments.table:
-        print(achieved_table(CommandedGait.tuned()))
+        print(achieved_table(CommandedGait.tuned(ROBOT)))
         return 0
 
     def log(line: str) -> None:
