@@ -5,6 +5,7 @@ import numpy as np
 from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.policies import find_controller
+from quadruped_env.simulation import find_terrain
 
 EPOCH = 10**18
 """ns; when their time begins"""
@@ -14,7 +15,7 @@ class Loop:
     """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
 
     def __init__(self, controller="flat", seed=0, terrain="flat"):
-        self.robot = SimulatedRobot(seed, terrain)
+        self.robot = SimulatedRobot(seed, find_terrain(terrain).variant(seed))
         self.steps = 0
         self._controller = controller
         self.restart_pilot()

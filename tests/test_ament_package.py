@@ -16,7 +16,7 @@ import yaml
 import quadruped_env
 from quadruped_env import JOINT_NAMES, SinusoidalGait, asset_path
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.terrain import TERRAINS
+from quadruped_env.simulation import TERRAINS
 
 NAME = "mini_quadruped_sim"
 PACKAGE = Path(__file__).parents[1] / "assets" / "ros2" / NAME
@@ -184,6 +184,6 @@ def test_walk_launch_with_the_variable_takes_its_python(monkeypatch):
 
 def test_walk_launch_offers_the_terrains_of_sim():
     for terrain in TERRAINS:
-        launched("walk.launch.py", python=PYTHON, terrain=terrain)
-    with pytest.raises(RuntimeError, match=re.escape(str(list(TERRAINS)))):
+        launched("walk.launch.py", python=PYTHON, terrain=terrain.name)
+    with pytest.raises(RuntimeError, match=re.escape(str([terrain.name for terrain in TERRAINS]))):
         launched("walk.launch.py", python=PYTHON, terrain="swamp")

@@ -14,7 +14,7 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_video
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_terrain, add_video
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.files import free_path
@@ -54,6 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="seed of the first random start (default: %(default)s)",
     )
+    add_terrain(parser, "flat")
     add_output(
         parser,
         "FILE",
@@ -81,6 +82,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.episodes,
         arguments.seed,
         ProgressLine("measuring"),
+        arguments.terrain,
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:

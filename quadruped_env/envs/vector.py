@@ -16,8 +16,7 @@ from quadruped_env.envs import arguments, spaces
 from quadruped_env.envs.member import MemberEnv
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import Task, TaskConfig
 
 
@@ -31,7 +30,7 @@ class MiniQuadrupedVectorEnv(
 
     Args:
         num_envs: number of robots.
-        action_mode, config, task_file, render_mode, width, height: as in `MiniQuadrupedEnv`.
+        action_mode, config, task_file, terrain, render_mode, width, height: as in `MiniQuadrupedEnv`.
         max_episode_steps: control steps after which an episode is truncated; None never truncates.
         num_threads: number of threads for the physics; 0 uses every core. The results do not depend on it.
         autoreset_mode: time at which envs whose episode has ended are reset: one of Gymnasium's `AutoresetMode` or its
@@ -49,6 +48,7 @@ class MiniQuadrupedVectorEnv(
         action_mode: str | None = None,
         config: dict[str, Any] | TaskConfig | None = None,
         task_file: str | os.PathLike[str] | None = None,
+        terrain: str | None = None,
         render_mode: str | None = None,
         width: int = 640,
         height: int = 480,
@@ -64,9 +64,9 @@ class MiniQuadrupedVectorEnv(
         self.render_mode = render_mode
         self.autoreset_mode = arguments.autoreset_mode(autoreset_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config, task_file)
+        task_config = arguments.task_config(action_mode, config, task_file, terrain)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
-        model = load_model(task_config.physics_timestep, task_config.motor)
+        model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground)
         self._simulation = BatchSimulation(model, self.num_envs, num_threads)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self.single_action_space = spaces.action_space(self.task.control.robot)

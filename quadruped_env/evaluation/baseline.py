@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
+from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.episode import Recording, play, publish
@@ -96,6 +97,7 @@ class Baseline:
             "gait": {key: value for key, value in asdict(self.gait).items() if not key.startswith("_")},
             "violations": self.gait.violations(),
             "rate_hz": self.rate,
+            "terrain": self.recording.terrain.name,
             "seconds": self.commands.duration,
             "seeds": list(self.seeds),
             "metrics": metrics,
@@ -145,6 +147,7 @@ def run_baseline(
     episodes: int = 20,
     seed: int = FIRST_SEED,
     progress: Progress | None = None,
+    terrain: str | None = None,
 ) -> Baseline:
     """Measure a preset over random starts, and record it once.
 
@@ -158,9 +161,10 @@ def run_baseline(
         episodes: number of random starts to measure.
         seed: seed of the first episode; each further episode uses the next one.
         progress: called with the fraction done.
+        terrain: name of a built-in terrain; None is level ground.
 
     Raises:
-        QuadrupedError: if the preset is unknown, or a number is out of range.
+        QuadrupedError: if the preset or the terrain is unknown, or a number is out of range.
     """
     if episodes < 1:
         raise QuadrupedError(f"episodes: expected 1 or more; found {episodes}")
@@ -170,8 +174,9 @@ def run_baseline(
     commands = publish(gait, seconds, rate)
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
-    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, progress=_part(progress, 0.0))
-    recording = play(commands, preset, progress=_part(progress, 0.5))
+    config = task_config(None, None, terrain=terrain)
+    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, _part(progress, 0.0))
+    recording = play(commands, preset, _part(progress, 0.5), terrain=terrain)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
 
 

@@ -25,10 +25,9 @@ from quadruped_env.robot import (
     STANCE,
     STANCE_HEIGHT,
     MotorConfig,
-    load_model,
     resting_pose,
 )
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
@@ -63,6 +62,7 @@ class Recording:
     """True for each foot on the ground (K + 1, 4)"""
     fell_at: float | None
     """Time of the fall from the start, s; None without a fall"""
+    terrain: Terrain = flat
 
     def outcome(self) -> str:
         """Outcome in one sentence: fall or no fall, and displacement."""
@@ -99,6 +99,7 @@ def play(
     name: str = "recording",
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
+    terrain: str | None = None,
 ) -> Recording:
     """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
@@ -109,9 +110,10 @@ def play(
         name: name in reports.
         progress: called with the fraction done.
         motors: motors to use instead of the model file's.
+        terrain: name of a built-in terrain; None is level ground.
 
     Raises:
-        QuadrupedError: if a joint is unknown or missing, or the trajectory is too long.
+        QuadrupedError: if a joint or the terrain is unknown, a joint is missing, or the trajectory is too long.
     """
     if trajectory.duration > MAX_SECONDS:
         gap = int(np.argmax(np.diff(trajectory.stamps))) + 1
@@ -123,7 +125,7 @@ def play(
     return record(
         TrajectoryController(trajectory, name),
         trajectory.duration,
-        config=TaskConfig() if motors is None else TaskConfig(motor=motors),
+        config=task_config(None, TaskConfig(motor=motors or MotorConfig()), terrain=terrain),
         first_stamp=int(trajectory.stamps[0]),
         progress=progress,
         start=trajectory.positions_at(0.0),
@@ -154,10 +156,13 @@ def record(
         QuadrupedError: if the command is outside the task's ranges.
     """
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
-    task = Task(SingleSimulation(load_model(config.physics_timestep, config.motor)), config)
+    task = Task(SingleSimulation(build_model(config.physics_timestep, config.motor, config.ground)), config)
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
-    task.simulation.reset(_ROW, _start(start)[None], np.zeros((1, 14)))
+    qpos = _start(start)
+    if task.simulation.height_field is not None:
+        qpos[2] += task.simulation.height_field.highest(qpos[:2])
+    task.simulation.reset(_ROW, qpos[None], np.zeros((1, 14)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
     position, velocity, torque = np.empty((3, steps + 1, len(JOINT_NAMES)))
@@ -187,7 +192,9 @@ def record(
             progress(step / steps)
     stamps = first_stamp + _stamps(np.arange(rows) * config.control_timestep)
     joints = JointTrajectory(stamps, JOINT_NAMES, position[:rows], velocity[:rows], torque[:rows])
-    return Recording(controller.name, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at)
+    return Recording(
+        controller.name, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at, config.ground
+    )
 
 
 def _start(positions: NDArray[np.float64] | None) -> NDArray[np.float64]:

@@ -15,10 +15,10 @@ from quadruped_env.live.gaits import read_settings, settings_message
 from quadruped_env.live.joints import JointReader, Joints
 from quadruped_env.live.node import Node, Refused, message_reader
 from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.robot import STANCE, load_model, resting_pose
+from quadruped_env.robot import STANCE, resting_pose
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
 from quadruped_env.viewer.controller import Offered
 from quadruped_env.viewer.robot import HISTORY_SECONDS, heading, world_velocity
 from quadruped_env.viewer.sample import Sample
@@ -50,6 +50,7 @@ class LiveRobot:
     Args:
         node: the node that subscribes, and publishes commands and pushes.
         refused: called with the reason for each message that cannot be drawn.
+        terrain: the ground to draw, which no message describes.
     """
 
     name = NAME
@@ -58,7 +59,7 @@ class LiveRobot:
     diverged = False
     term_names: tuple[str, ...] = ()
 
-    def __init__(self, node: Node, refused: Refused = lambda reason: None) -> None:
+    def __init__(self, node: Node, refused: Refused = lambda reason: None, terrain: Terrain = flat) -> None:
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, ["positions"]))
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
@@ -74,7 +75,8 @@ class LiveRobot:
         self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
-        self._simulation = SingleSimulation(load_model())
+        self.terrain = terrain
+        self._simulation = SingleSimulation(build_model(terrain=terrain))
         self._steps = 0
         self._smooth_velocity = np.zeros(2)
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
@@ -116,6 +118,8 @@ class LiveRobot:
         assert positions is not None
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
             resting = resting_pose(positions)
+            if self._simulation.height_field is not None:
+                resting[2] += self._simulation.height_field.highest(self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
         return self._place()

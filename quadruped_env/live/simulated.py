@@ -7,10 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
-from quadruped_env.live.terrain import Terrain
 from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 from quadruped_env.rotations import from_yaw
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
 
 TIMESTEP: Final = 0.005
 """Duration of a physics step, s."""
@@ -23,16 +22,12 @@ class SimulatedRobot:
     """One robot on its terrain, initially standing.
 
     Args:
-        seed: seed of the initial heading and of the terrain.
-        terrain: name of the terrain, one of `TERRAINS`.
-
-    Raises:
-        QuadrupedError: if there is no such terrain.
+        seed: seed of the initial heading.
+        terrain: the ground.
     """
 
-    def __init__(self, seed: int = 0, terrain: str = "flat") -> None:
-        self._terrain = Terrain.make(terrain, seed)
-        self._simulation = SingleSimulation(self._terrain.model(TIMESTEP))
+    def __init__(self, seed: int = 0, terrain: Terrain = flat) -> None:
+        self._simulation = SingleSimulation(build_model(TIMESTEP, terrain=terrain))
         self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
         self._target = STANCE.copy()
@@ -45,7 +40,8 @@ class SimulatedRobot:
     def reset(self) -> None:
         """Put the robot on its feet at the origin, with a random heading."""
         heading = from_yaw(self._generator.uniform(-math.pi, math.pi))
-        self.put(np.concatenate([[0.0, 0.0, STANCE_HEIGHT], heading, STANCE]))
+        start = np.zeros(2)
+        self.put(np.concatenate([start, [self._standing_height(start)], heading, STANCE]))
 
     def put(self, qpos: NDArray[np.float64]) -> None:
         """Set the robot's pose, at rest, with motors enabled as at the start.
@@ -70,8 +66,12 @@ class SimulatedRobot:
     def pick_up(self) -> None:
         """Put the robot on its feet at its current position, with motors enabled."""
         place = self.state.base_position[0, :2]
-        height = STANCE_HEIGHT + self._terrain.under(place)
-        self.put(np.concatenate([place, [height], self._facing(), STANCE]))
+        self.put(np.concatenate([place, [self._standing_height(place)], self._facing(), STANCE]))
+
+    def _standing_height(self, place: NDArray[np.float64]) -> float:
+        """Height of the base's centre in the stance, over the highest ground around a position (2,), m."""
+        field = self._simulation.height_field
+        return STANCE_HEIGHT + (0.0 if field is None else float(field.highest(place)))
 
     def _facing(self) -> NDArray[np.float64]:
         """Quaternion wxyz (4,) of the base's yaw alone."""

@@ -1,6 +1,6 @@
-"""The robot: names and order, limits, assets, the compiled model, kinematics."""
+"""The robot: names and order, limits, assets, kinematics."""
 
-from quadruped_env.robot.assets import asset_path, load_model
+from quadruped_env.robot.assets import asset_path
 from quadruped_env.robot.facts import (
     EFFORT_LIMIT,
     FOOT_RADIUS,
@@ -43,7 +43,6 @@ __all__ = [
     "fixed_transforms",
     "forward_kinematics",
     "joint_transforms",
-    "load_model",
     "resting_pose",
     "sole_heights",
 ]

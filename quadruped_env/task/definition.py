@@ -11,6 +11,7 @@ from quadruped_env.control.config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
 from quadruped_env.control.task_file import TaskFile, execute, merged
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.simulation.terrain import TERRAINS, Terrain
 from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
@@ -19,7 +20,7 @@ from quadruped_env.task.terms import RewardTerm, Termination
 
 @dataclass(frozen=True, eq=False)
 class TaskDefinition:
-    """Ordered lists of rewards, observations, terminations, randomizations and commands.
+    """Ordered lists of rewards, observations, terminations, randomizations, commands and terrains.
 
     Two definitions are equal if they come from files with the same content.
     """
@@ -29,6 +30,7 @@ class TaskDefinition:
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
     commands: tuple[Command, ...] = COMMANDS
+    terrains: tuple[Terrain, ...] = TERRAINS
     file: TaskFile | None = None
     """File that defines the terms that are not built in."""
     path: str | None = None
@@ -78,6 +80,7 @@ _LISTS: Final[dict[str, type]] = {
     "terminations": Termination,
     "randomizations": Randomization,
     "commands": Command,
+    "terrains": Terrain,
 }
 
 
@@ -105,8 +108,8 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
     ]
     if not terms:
         raise QuadrupedError(
-            f"{path}: defines no term; use @reward, @reward_group, @observation or @termination, or make a "
-            f"Randomization or Command, at the top level of the file (docs/make-it-yours.md)"
+            f"{path}: defines no term; use @reward, @reward_group, @observation, @termination or @terrain, or "
+            f"make a Randomization or Command, at the top level of the file (docs/make-it-yours.md)"
         )
     return BUILT_IN.extended(terms, file, str(Path(path).resolve()))
 

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable
-from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, VELOCITY_LIMIT, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, VELOCITY_LIMIT
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.quantities import FootLift, clock_agreement, mechanical_power, sliding_squared
 
@@ -182,7 +182,7 @@ def search(
         seed: of the search.
     """
     rng = np.random.default_rng(seed)
-    simulation = BatchSimulation(load_model(), CANDIDATES)
+    simulation = BatchSimulation(build_model(), CANDIDATES)
     mean, deviation = start.copy(), spread * (_HIGH - _LOW)
     best, best_score = Found(start, 0.0, 0.0), -np.inf
     for _ in range(generations):
@@ -263,7 +263,7 @@ def _with_tuned_track(gait: CommandedGait, say: Log) -> CommandedGait:
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
     """Results of the gait for commands (N, 2) in m/s and rad/s."""
-    simulation = BatchSimulation(load_model(), len(commands))
+    simulation = BatchSimulation(build_model(), len(commands))
     return measure(
         lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
         simulation,

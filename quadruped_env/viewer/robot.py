@@ -13,9 +13,8 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
-from quadruped_env.robot import load_model
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model
 from quadruped_env.task import Section, Task
 from quadruped_env.viewer.sample import Sample, sample
 
@@ -39,6 +38,8 @@ class ViewedRobot(Protocol):
     """True if the simulation diverged and has to be reset."""
     term_names: tuple[str, ...]
     """Names of the samples' reward terms."""
+    terrain: Terrain
+    """Ground below it."""
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -85,19 +86,23 @@ class Robot:
     Args:
         source: its controller.
         randomization: replaces the source's own randomization.
+        terrain: replaces the source's own terrain.
 
     Raises:
         QuadrupedError: if the source does not fit this robot.
     """
 
-    def __init__(self, source: ControllerSpec, randomization: Section | None = None) -> None:
+    def __init__(
+        self, source: ControllerSpec, randomization: Section | None = None, terrain: Terrain | None = None
+    ) -> None:
         self.name = source.name
         controller = source.make()
         config = task_config(controller.action_mode, task_of(controller))
         if randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
-        self._simulation = SingleSimulation(load_model(config.physics_timestep, config.motor))
+        self.terrain = config.ground if terrain is None else terrain
+        self._simulation = SingleSimulation(build_model(config.physics_timestep, config.motor, self.terrain))
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
         self.timestep = config.control_timestep

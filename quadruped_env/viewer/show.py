@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.policies import find_controllers
+from quadruped_env.simulation import find_terrain
+from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, View, ViewController
 from quadruped_env.viewer.panel import Panel
@@ -138,6 +140,7 @@ def open_show(
     port: int = PORT,
     results: Path = RESULTS,
     task_file: Path | None = None,
+    terrain: str | None = None,
 ) -> Show:
     """Open a show of the requested sources, ready to run.
 
@@ -149,13 +152,18 @@ def open_show(
         port: the first port to try; 0 takes any free port.
         results: directory for recordings.
         task_file: Python file of the custom terms that the runs were trained with; it is executed.
+        terrain: name of a terrain, built-in or of that file; None: that of the first robot's task.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
-        QuadrupedError: if a requested source cannot be used.
+        QuadrupedError: if a requested source cannot be used, or there is no such terrain.
     """
     import_viser()
-    controller = ViewController(*find_controllers(asked, task_file=task_file), results)
+    ground = None
+    if terrain is not None:
+        definition = BUILT_IN if task_file is None else load_task_file(task_file)
+        ground = find_terrain(terrain, definition.terrains)
+    controller = ViewController(*find_controllers(asked, task_file=task_file), results, ground)
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

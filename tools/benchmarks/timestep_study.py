@@ -21,8 +21,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import write_json
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.progress import Progress
-from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT
+from quadruped_env.simulation import BatchSimulation, build_model
 
 CONTROL_TIMESTEP: Final = 0.02
 """Control time step, s: joint targets change at this interval, independent of the physics step."""
@@ -70,7 +70,7 @@ class Setting:
     @classmethod
     def of_model_file(cls) -> Self:
         """The chosen setting, from the robot's model file."""
-        option = load_model().opt
+        option = build_model().opt
         return cls(
             timestep=float(option.timestep),
             integrator=_name(INTEGRATORS, "mjINT", option.integrator, mujoco.mjtIntegrator),
@@ -81,7 +81,7 @@ class Setting:
 
     def model(self) -> mujoco.MjModel:
         """The robot on its ground with this setting."""
-        model = load_model(self.timestep)
+        model = build_model(self.timestep)
         model.opt.integrator = _value("mjINT", self.integrator, mujoco.mjtIntegrator)
         model.opt.cone = _value("mjCONE", self.cone, mujoco.mjtCone)
         model.opt.iterations = self.iterations

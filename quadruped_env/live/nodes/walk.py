@@ -10,7 +10,7 @@ import argparse
 import sys
 
 from quadruped_env.live.launch import common, launch
-from quadruped_env.live.terrain import TERRAINS
+from quadruped_env.live.terrain_arguments import add_terrain_arguments
 from quadruped_env.viewer import PORT
 
 
@@ -18,8 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy, the terrain, and the viewer's port."""
     parser.add_argument("policy", nargs="?", default="flat", metavar="POLICY", help="as for 'controller' (%(default)s)")
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
-    parser.add_argument("--terrain", choices=TERRAINS, default="flat", help="as for 'sim' (%(default)s)")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="as for 'sim' (%(default)s)")
+    add_terrain_arguments(parser, "as for 'sim'")
 
 
 def start(arguments: argparse.Namespace) -> int:
@@ -27,10 +26,11 @@ def start(arguments: argparse.Namespace) -> int:
     keys = sys.stdin.isatty()
     # The terminal then shows teleop's status line only.
     shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
+    ground = ["--seed", str(arguments.seed), "--terrain", arguments.terrain]
     nodes = [
-        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *shared],
+        ["sim", *ground, "--pick-up", "3", *shared],
         ["controller", arguments.policy, *shared],
         ["state", *shared],
-        ["view", "--port", str(arguments.port), *shared],
+        ["view", "--port", str(arguments.port), *ground, *shared],
     ]
     return launch([*nodes, ["teleop", *shared]] if keys else nodes)

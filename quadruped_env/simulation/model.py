@@ -1,0 +1,96 @@
+"""The one place that compiles MuJoCo's model: the robot with its motors, on its terrain."""
+
+import copy
+import functools
+from pathlib import Path
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.robot import MotorConfig, asset_path
+from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS
+from quadruped_env.simulation.terrain import Terrain, flat
+
+_FILES: Final = ("scene.xml", "mini_quadruped.xml")
+_DROP: Final = 0.02
+"""Height of a height field's lowest point over the plane around it, m. At the same height a foot would touch both."""
+_THICKNESS: Final = 0.1
+"""Thickness of a height field below its lowest point, m."""
+
+
+def build_model(
+    timestep: float | None = None, motors: MotorConfig | None = None, terrain: Terrain = flat
+) -> mujoco.MjModel:
+    """Compiled model of the robot on its terrain; every call returns a new copy.
+
+    The ground is the geom `ground`: a plane at height 0, or a height field with a plane around it, `surroundings`.
+
+    Args:
+        timestep: physics time step, s. None: that of the model file.
+        motors: motors that replace those of the model file.
+        terrain: the ground; by default a plane.
+
+    Raises:
+        QuadrupedError: if the terrain's heights are not valid.
+    """
+    files = tuple(asset_path(name) for name in _FILES)
+    # Compiling takes thirty times as long as copying, so every process compiles each variant once.
+    return copy.copy(_compiled(timestep, motors, terrain, files, tuple(file.stat().st_mtime_ns for file in files)))
+
+
+@functools.lru_cache(maxsize=8)
+def _compiled(
+    timestep: float | None,
+    motors: MotorConfig | None,
+    terrain: Terrain,
+    files: tuple[Path, ...],
+    _modified: tuple[int, ...],
+) -> mujoco.MjModel:
+    spec = _scene(files[0])
+    if timestep is not None:
+        spec.option.timestep = timestep
+    if motors is not None and motors != MotorConfig():
+        motors.write(spec)
+    heights = terrain.heights()
+    if heights.any():
+        _lay(spec, heights, terrain.size)
+    return spec.compile()
+
+
+def _scene(file: Path) -> mujoco.MjSpec:
+    """The robot on a plane."""
+    return mujoco.MjSpec.from_file(str(file))
+
+
+def _lay(spec: mujoco.MjSpec, heights: NDArray[np.float64], size: float) -> None:
+    """Replace the plane by a height field (P, P), and put a plane around it."""
+    lowest, span = float(heights.min()), float(np.ptp(heights))
+    rows, columns = heights.shape
+    spec.add_hfield(
+        name=GROUND,
+        nrow=rows,
+        ncol=columns,
+        # MuJoCo refuses a span of 0, as of ground that is level at another height.
+        size=[0.5 * size, 0.5 * size, span or 1.0, _THICKNESS],
+        userdata=((heights - lowest) / (span or 1.0)).ravel().tolist(),
+    )
+    ground = spec.geom(GROUND)
+    spec.worldbody.add_geom(
+        name=SURROUNDINGS,
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        pos=[0.0, 0.0, lowest - _DROP],
+        size=ground.size,
+        material=ground.material,
+        contype=ground.contype,
+        conaffinity=ground.conaffinity,
+        condim=ground.condim,
+        friction=ground.friction,
+    )
+    ground.type = mujoco.mjtGeom.mjGEOM_HFIELD
+    ground.hfieldname = GROUND
+    ground.pos = [0.0, 0.0, lowest]
+    # On a plane MuJoCo turns the axes of the friction pyramid with the leg, on a height field they are those of the
+    # world. A cone has no axes, so that friction does not depend on the robot's heading.
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
