@@ -364,7 +364,11 @@ def test_env_on_a_terrain_is_made_again_from_its_spec_and_in_workers():
     for one in (env, again):
         assert dict(one.unwrapped.task.config.terrain) == {"name": "rough", "seed": 2, "height": 0.01, "distance": 0.2}
     np.testing.assert_array_equal(again.unwrapped.model.hfield_data, env.unwrapped.model.hfield_data)
-    workers = gymnasium.make_vec(ENV_ID, num_envs=2, vectorization_mode="async", terrain="rough")
+    # Not forked: other tests leave threads in this process.
+    vector_kwargs = {"context": "spawn"}
+    workers = gymnasium.make_vec(
+        ENV_ID, num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, terrain="rough"
+    )
     try:
         native = make_native(2, terrain="rough")
         np.testing.assert_array_equal(workers.reset(seed=0)[0], native.reset(seed=0)[0])

@@ -19,6 +19,9 @@ _DROP: Final = 0.02
 _THICKNESS: Final = 0.1
 """Thickness of a height field below its lowest point, m."""
 
+_LIGHT: Final = (0.8, 0.3, -0.4)
+"""Direction of the light on uneven ground."""
+
 
 def build_model(
     timestep: float | None = None, motors: MotorConfig | None = None, terrain: Terrain = flat
@@ -94,3 +97,7 @@ def _lay(spec: mujoco.MjSpec, heights: NDArray[np.float64], size: float) -> None
     # On a plane MuJoCo turns the axes of the friction pyramid with the leg, on a height field they are those of the
     # world. A cone has no axes, so that friction does not depend on the robot's heading.
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    for light in spec.lights:
+        # From the side, so that slopes differ in brightness. A height field's shadow map is slow, and leaves specks.
+        light.dir, light.diffuse, light.castshadow = _LIGHT, [0.9] * 3, False
+    spec.visual.headlight.diffuse, spec.visual.headlight.ambient = [0.3] * 3, [0.4] * 3
