@@ -52,7 +52,7 @@ class HeightField:
 
     @property
     def heights(self) -> Floats:
-        """Heights of the grid points (rows along y, columns along x), m."""
+        """Heights of the grid points (along y, along x), m."""
         return self._heights.reshape(self._rows, self._columns)
 
     @property
@@ -91,7 +91,7 @@ class HeightField:
         return np.where(self._inside(place, radius), np.maximum.reduce(around, (-2, -1)), self._outside)
 
     def _cell_of(self, place: Floats) -> tuple[NDArray[np.intp], Floats]:
-        """Column and row (..., 2) of the cell at positions (..., 2), and coordinates in the cell, in [0, 1]."""
+        """Index along x and y (..., 2) of the cell at positions (..., 2), and coordinates in the cell, in [0, 1]."""
         # fmin and fmax, so that the position of an env that diverged, which may be NaN, gives a valid index.
         scaled = np.fmin(np.fmax((place + self._half) / self._cell, 0.0), self._last)
         index = np.minimum(np.floor(scaled), self._last - 1.0)

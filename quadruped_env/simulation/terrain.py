@@ -108,7 +108,7 @@ class Terrain:
         return replace(self, seed=seed, values=tuple(changed))
 
     def heights(self) -> Floats:
-        """Heights (P, P) in m, rows along y and columns along x; the same seed gives the same heights.
+        """Heights (P, P) in m, first axis along y, second along x; the same seed gives the same heights.
 
         Raises:
             QuadrupedError: if the function raises an error or returns something else.
