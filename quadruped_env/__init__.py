@@ -17,7 +17,8 @@ from quadruped_env._mujoco_log import log_to_console_only  # noqa: E402
 from quadruped_env._version import __version__  # noqa: E402
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning  # noqa: E402
 from quadruped_env.gait import CommandedGait, SinusoidalGait  # noqa: E402
-from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics, load_model  # noqa: E402
+from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics  # noqa: E402
+from quadruped_env.simulation import build_model  # noqa: E402
 from quadruped_env.trajectory import JointState, JointTrajectory  # noqa: E402
 
 __all__ = [
@@ -32,9 +33,9 @@ __all__ = [
     "SinusoidalGait",
     "__version__",
     "asset_path",
+    "build_model",
     "envs",
     "forward_kinematics",
-    "load_model",
     "policies",
 ]
 

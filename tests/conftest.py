@@ -10,12 +10,12 @@ import pytest
 import ros2_peers
 
 from quadruped_env import asset_path
-from quadruped_env.robot import load_model
+from quadruped_env.simulation import build_model
 
 
 @pytest.fixture(scope="session")
 def model():
-    return load_model()
+    return build_model()
 
 
 @pytest.fixture(scope="session")

@@ -6,6 +6,7 @@ from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation import find_terrain
 
 EPOCH = 10**18
 """ns; when their time begins"""
@@ -15,7 +16,7 @@ class Loop:
     """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
 
     def __init__(self, controller="flat", seed=0, terrain="flat", robot=MINI_QUADRUPED):
-        self.robot = SimulatedRobot(seed, terrain, robot)
+        self.robot = SimulatedRobot(seed, find_terrain(terrain).variant(seed), robot)
         self.steps = 0
         self._make = controller if callable(controller) else find_controller(controller, robot=robot).make
         self.restart_pilot()

@@ -9,8 +9,8 @@ import numpy as np
 from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.envs import ENV_ID
 from quadruped_env.readings import Readings
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import (
     CommandConfig,
     RandomizationConfig,
@@ -37,7 +37,7 @@ STILL_START = RandomizationConfig(
 def make_task(rows=3, max_episode_steps=None, fixed_command=None, **config):
     """A task on the batch, reset in every row."""
     task_config = TaskConfig(**config)
-    simulation = BatchSimulation(load_model(task_config.physics_timestep), rows, 1)
+    simulation = BatchSimulation(build_model(task_config.physics_timestep), rows, 1)
     task = Task(simulation, task_config, max_episode_steps)
     task.reset(np.arange(rows), list(range(rows)), fixed_command)
     return task

@@ -5,8 +5,8 @@ import pytest
 
 from quadruped_env import CommandedGait, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES
-from quadruped_env.robot import STANCE, VELOCITY_LIMIT, load_model
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.robot import STANCE, VELOCITY_LIMIT
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.training import gait_tuning
 
 TUNED = CommandedGait.tuned()
@@ -47,7 +47,7 @@ def test_presets_walk_as_fast_as_they_were_tuned_for(name, angular_frequency, sp
     preset = SinusoidalGait.preset(name)
     assert preset.angular_frequency == angular_frequency
     assert preset.violations() == []
-    simulation = BatchSimulation(load_model(), 1)
+    simulation = BatchSimulation(build_model(), 1)
     got = gait_tuning.measure(
         lambda t: preset.positions(np.array([t])), simulation, preset.angular_frequency, LEG_PHASES[name]
     )

@@ -2,7 +2,6 @@
 
 import itertools
 
-import mujoco
 import numpy as np
 import pytest
 from live_loop import EPOCH, Loop
@@ -10,18 +9,18 @@ from live_nodes import received_from
 from waiting import wait_until
 
 from benchmarks.live import speed_in_environment
-from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.sensors import Sensors
-from quadruped_env.live.simulated import TIMESTEP, WATCHDOG, SimulatedRobot
+from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
-from quadruped_env.live.terrain import CELL, SIZE, Terrain
 from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, MINI_QUADRUPED, STANCE, STANCE_HEIGHT, resting_pose
 from quadruped_env.ros import cdr
+from quadruped_env.simulation import build_model, find_terrain
+from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.viewer import ViewController
 
 pytest.importorskip("cyclonedds")
@@ -97,40 +96,10 @@ def test_it_walks_over_other_ground(terrain):
     assert np.mean(speeds[800:]) > 0.35
     assert upright.min() > 0.9
     # It is on that ground, and not on the flat one under it.
-    ground = Terrain.make(terrain, 1)
+    ground = HeightField.of(build_model(terrain=find_terrain(terrain).variant(1)))
     feet = loop.robot.state.foot_position[0]
-    over = [feet[leg, 2] - FOOT_RADIUS - ground.under(feet[leg, :2], 0.05) for leg in range(4)]
-    assert min(over) > -0.015
-    assert ground.under(feet[0, :2]) > 0.003
-
-
-def test_terrain_is_repeatable_flat_at_the_start_and_at_its_edge():
-    one, same, other = (Terrain.make("hills", seed).heights for seed in (3, 3, 4))
-    np.testing.assert_array_equal(one, same)
-    assert not np.array_equal(one, other)
-    middle = len(one) // 2
-    assert one[middle - 5 : middle + 6, middle - 5 : middle + 6].max() == 0.0
-    assert max(one[0].max(), one[-1].max(), one[:, 0].max(), one[:, -1].max()) == 0.0
-    assert 0.06 < one.max() <= 0.08
-    assert np.abs(np.diff(one, axis=1)).max() < 0.01
-    with pytest.raises(QuadrupedError, match="--terrain: 'moon' is unknown; there are flat, rough, hills"):
-        Terrain.make("moon", 0)
-
-
-def test_the_models_ground_is_the_terrains():
-    """Rays from above meet the heights that were asked for."""
-    terrain = Terrain.make("hills", 5)
-    model = terrain.model(TIMESTEP)
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    rng = np.random.default_rng(0)
-    geom = np.zeros((1, 1), dtype=np.int32)
-    for place in np.round(rng.uniform(-15.0, 15.0, (50, 2)) / CELL) * CELL:
-        # A ray that runs exactly down the edge of a triangle may miss it.
-        above = [place[0] + 1e-4, place[1] + 2e-4, 3.0]
-        distance = mujoco.mj_ray(model, data, above, [0.0, 0.0, -1.0], None, 1, -1, geom, None)
-        row, column = np.round((place[::-1] + SIZE / 2) / CELL).astype(int)
-        assert 3.0 - distance == pytest.approx(terrain.heights[row, column], abs=5e-5)
+    assert (feet[:, 2] - FOOT_RADIUS - ground.at(feet)).min() > -0.005
+    assert ground.at(feet).max() > 0.003
 
 
 def test_a_robot_that_nobody_commands_stands():

@@ -22,11 +22,10 @@ from quadruped_env.robot import (
     MINI_QUADRUPED,
     STANCE,
     VELOCITY_LIMIT,
-    load_model,
 )
 from quadruped_env.ros import cdr
 from quadruped_env.rotations import rotate_inverse
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, build_model
 from quadruped_env.task import Task
 
 ROW = np.zeros(1, dtype=np.intp)
@@ -305,7 +304,7 @@ def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
     else:
         controller = GaitController(SinusoidalGait.preset("trot"), "trot")
     config = task_of(controller)
-    simulation = SingleSimulation(load_model(config.physics_timestep, config.motor))
+    simulation = SingleSimulation(build_model(config.physics_timestep, config.motor))
     asked = []
     original = simulation.step
     simulation.step = lambda target, *rest: (asked.append(target[0].copy()), original(target, *rest))

@@ -66,6 +66,14 @@ def test_terms_of_a_file_appear_in_env_info_and_config(my_task):
     assert TaskConfig.from_dict(document, load_task_file(my_task)) == task.config
 
 
+def test_terrain_of_the_page_is_the_ground_of_envs_that_name_it(my_task):
+    env = gymnasium.make_vec(ENV_ID, num_envs=2, task_file=my_task, terrain="steps", config={"terrain": {"seed": 1}})
+    env.reset(seed=0)
+    field = env.unwrapped.task.simulation.height_field
+    np.testing.assert_allclose(field.at(np.array([[2.2, 3.0], [2.6, 3.0], [0.0, 0.0]])), [0.02, 0.0, 0.0], atol=1e-9)
+    assert env.unwrapped.task.config.to_dict()["terrain"] == {"name": "steps", "seed": 1, "height": 0.02, "width": 0.4}
+
+
 def test_a_randomized_model_field_is_drawn_per_row_and_scales_inertia_too(my_task):
     env = gymnasium.make_vec(ENV_ID, num_envs=50, task_file=my_task).unwrapped
     plain = env.task.simulation.model
@@ -125,7 +133,7 @@ def test_a_term_of_a_built_in_name_takes_its_place(tmp_path):
 
 
 REFUSED = {
-    "nothing": ("x = 1\n", r"own.py: defines no term and no robot; use @reward"),
+    "nothing": ("x = 1\n", r"own.py: defines no term and no robot; use @reward.* or @terrain, or make a Randomization"),
     "syntax": ("def f(:\n", r"own.py, line 1: SyntaxError"),
     "failure": ("\n\n1 / 0\n", r"own.py, line 3: ZeroDivisionError"),
     "no default": (
@@ -276,6 +284,10 @@ def test_an_env_with_own_terms_is_made_again_from_its_spec_and_in_workers(my_tas
     env = gymnasium.make(ENV_ID, task_file=my_task)
     again = gymnasium.make(EnvSpec.from_json(env.spec.to_json()))
     assert again.observation_space == env.observation_space
-    workers = gymnasium.make_vec(ENV_ID, num_envs=2, vectorization_mode="async", task_file=my_task)
+    # Not forked: other tests leave threads in this process.
+    vector_kwargs = {"context": "spawn"}
+    workers = gymnasium.make_vec(
+        ENV_ID, num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, task_file=my_task
+    )
     np.testing.assert_array_equal(workers.reset(seed=0)[0][0], env.reset(seed=0)[0])
     workers.close()

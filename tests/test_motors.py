@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT, JointMotor, MotorConfig, asset_path, load_model
-from quadruped_env.simulation import BatchSimulation, SingleSimulation
+from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT, JointMotor, MotorConfig, asset_path
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import TaskConfig
 
 OTHER = MotorConfig(
@@ -54,7 +54,7 @@ def test_the_defaults_are_the_model_files(model):
 
 
 def test_each_number_reaches_its_joint():
-    model = load_model(motors=OTHER)
+    model = build_model(motors=OTHER)
     for name in JOINT_NAMES:
         motor, dof, actuator = OTHER.of_joint(name), model.joint(name).dofadr[0], model.actuator(name).id
         assert model.dof_damping[dof] == motor.damping
@@ -89,7 +89,7 @@ def test_a_delay_between_steps_lies_between():
 @pytest.mark.parametrize("make", [SingleSimulation, lambda model: BatchSimulation(model, 1, 1)])
 def test_delayed_motors_start_as_if_they_had_held_the_start(make):
     """Without the history the legs would jerk towards zero at every reset."""
-    simulations = [make(load_model(motors=MotorConfig(delay=delay))) for delay in (0.0, 0.02)]
+    simulations = [make(build_model(motors=MotorConfig(delay=delay))) for delay in (0.0, 0.02)]
     for simulation in simulations:
         for _ in range(2):
             simulation.reset(ROW, START, np.zeros((1, 14)))

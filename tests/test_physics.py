@@ -20,9 +20,8 @@ from quadruped_env.robot import (
     STANCE_HEIGHT,
     TOTAL_MASS,
     VELOCITY_LIMIT,
-    load_model,
 )
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, build_model
 
 GRAVITY = 9.81
 STIFFNESS, DAMPING, PASSIVE_DAMPING = 40.0, 1.0, 0.05
@@ -273,7 +272,7 @@ class TestDynamics:
 
     def momentum_drift(self, timestep):
         """Change of momentum (kg m/s) and of angular momentum (kg m^2/s) in 0.4 s of flailing in free flight."""
-        model = load_model(timestep)
+        model = build_model(timestep)
         data = mujoco.MjData(model)
         rng = np.random.default_rng(0)
         random_pose(rng, data, 10.0)

@@ -12,8 +12,8 @@ from tasks import (
     make_task,
 )
 
-from quadruped_env.robot import FOOT_RADIUS, STANCE, load_model
-from quadruped_env.simulation import BatchSimulation, SingleSimulation
+from quadruped_env.robot import FOOT_RADIUS, STANCE
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 
 
@@ -21,7 +21,7 @@ def test_starts_are_drawn_in_their_ranges():
     config = RandomizationConfig(
         start_joint_position=0.2, start_joint_velocity=0.7, start_base_velocity=0.3, start_tilt=0.15
     )
-    simulation = BatchSimulation(load_model(), 5000, 1)
+    simulation = BatchSimulation(build_model(), 5000, 1)
     starts = []
     simulation.reset = lambda env_ids, qpos, qvel: starts.append((qpos, qvel))
     Task(simulation, TaskConfig(randomization=config)).reset(np.arange(5000), range(5000))
@@ -59,9 +59,9 @@ MODELS = RandomizationConfig(friction=(0.3, 0.9), payload=(-0.2, 1.0))
 
 @pytest.mark.parametrize("rows", [1, 4], ids=["single", "batch"])
 def test_friction_and_payload_are_in_the_model_of_the_row(rows):
-    plain = load_model()
+    plain = build_model()
     base = plain.body("base_link").id
-    model = load_model()
+    model = build_model()
     simulation = SingleSimulation(model) if rows == 1 else BatchSimulation(model, rows, 1)
     task = Task(simulation, TaskConfig(randomization=MODELS))
     everything = np.arange(rows)

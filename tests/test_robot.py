@@ -22,7 +22,8 @@ from tutorial import (
 )
 
 from quadruped_env import JOINT_NAMES, LEG_NAMES, QuadrupedError, asset_path
-from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, QuadrupedDesign, load_model
+from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, QuadrupedDesign
+from quadruped_env.simulation import build_model
 
 DESIGN = QuadrupedDesign()
 
@@ -294,23 +295,23 @@ class TestAssets:
         assert mjcf.opt.timestep == model.opt.timestep
 
     def test_timestep(self, model):
-        assert load_model(0.001).opt.timestep == 0.001
-        assert load_model().opt.timestep == model.opt.timestep == 0.005
+        assert build_model(0.001).opt.timestep == 0.001
+        assert build_model().opt.timestep == model.opt.timestep == 0.005
 
-    def test_load_model_gives_every_caller_a_model_of_its_own(self):
-        one, other = load_model(0.002), load_model(0.002)
+    def test_build_model_gives_every_caller_a_model_of_its_own(self):
+        one, other = build_model(0.002), build_model(0.002)
         one.body_mass[1] = 99.0
         one.vis.global_.offwidth = 5000
-        again = load_model(0.002)
+        again = build_model(0.002)
         assert other.body_mass[1] == again.body_mass[1] < 10.0
         assert again.vis.global_.offwidth < 5000
-        assert load_model(motors=MotorConfig(hip=JointMotor(armature=0.02))).dof_armature[6] == 0.02
-        assert load_model().dof_armature[6] == 0.01
+        assert build_model(motors=MotorConfig(hip=JointMotor(armature=0.02))).dof_armature[6] == 0.02
+        assert build_model().dof_armature[6] == 0.01
 
-    def test_load_model_compiles_each_variant_once_and_an_edited_file_anew(self, monkeypatch, tmp_path):
+    def test_build_model_compiles_each_variant_once_and_an_edited_file_again(self, monkeypatch, tmp_path):
         for name in ("scene.xml", "mini_quadruped.xml"):
             (tmp_path / name).write_text(asset_path(name).read_text())
-        monkeypatch.setattr("quadruped_env.robot.assets.asset_path", tmp_path.joinpath)
+        monkeypatch.setattr("quadruped_env.simulation.model.asset_path", tmp_path.joinpath)
         compiled = []
         from_file = mujoco.MjSpec.from_file
 
@@ -322,11 +323,11 @@ class TestAssets:
 
         monkeypatch.setattr(mujoco, "MjSpec", CountingSpec)
         for _ in range(3):
-            assert load_model(0.004).opt.gravity[2] == -9.81
+            assert build_model(0.004).opt.gravity[2] == -9.81
         assert len(compiled) == 1
         robot = tmp_path / "mini_quadruped.xml"
         assert "<option" in robot.read_text()
         robot.write_text(robot.read_text().replace("<option", '<option gravity="0 0 -1.6"', 1))
         os.utime(robot, ns=(1, 1))
-        assert load_model(0.004).opt.gravity[2] == -1.6
+        assert build_model(0.004).opt.gravity[2] == -1.6
         assert len(compiled) == 2

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from quadruped_env.readings import Readings
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT, load_model
-from quadruped_env.simulation import BatchSimulation, SingleSimulation
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 
 ROWS = 5
 ALL = np.arange(ROWS)
@@ -111,7 +111,7 @@ def draw_targets(rng):
 
 
 def start(driver, seed=0, model=None):
-    simulation = DRIVERS[driver](model or load_model(), ROWS)
+    simulation = DRIVERS[driver](model or build_model(), ROWS)
     simulation.reset(ALL, *draw_starts(np.random.default_rng(seed), ROWS))
     return simulation
 

@@ -10,8 +10,8 @@ from tasks import ACTION_WIDTH, NEVER_FALLS, STILL_START, Terms, column, make_en
 from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.control.config import COMMANDS
 from quadruped_env.control.velocity_command import check_command
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, load_model
-from quadruped_env.simulation import BatchSimulation, SingleSimulation
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import (
     ActionConfig,
     CommandConfig,
@@ -209,7 +209,7 @@ def test_a_joint_target_goes_to_the_motors_as_it_is_and_counts_as_no_action():
 
 def test_tasks_of_one_config_share_no_arrays():
     config = TaskConfig()
-    tasks = [Task(BatchSimulation(load_model(), 2, 1), config) for _ in range(2)]
+    tasks = [Task(BatchSimulation(build_model(), 2, 1), config) for _ in range(2)]
     arrays = [
         {
             f"{part}.{name}": value

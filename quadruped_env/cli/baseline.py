@@ -14,7 +14,7 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file, add_video
+from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file, add_terrain, add_video
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.files import free_path
@@ -55,6 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="seed of the first random start (default: %(default)s)",
     )
     add_robot_file(parser)
+    add_terrain(parser, "flat")
     add_output(
         parser,
         "FILE",
@@ -84,6 +85,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.seed,
         ProgressLine("measuring"),
         load_robot(arguments.task),
+        arguments.terrain,
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.evaluate import print_results
-from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options, task_option
+from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options, task_option, terrain_option
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.files import free_path
 
@@ -34,14 +34,17 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     prepare_video(arguments.video, arguments.overwrite)
     prepare_output(output)
     policies = {name: subject.policy for name, subject in subjects.items()}
-    comparison = compare_policies(policies, arguments.seeds, arguments.seconds, progress=ProgressLine("running"))
+    progress = ProgressLine("running")
+    comparison = compare_policies(
+        policies, arguments.seeds, arguments.seconds, progress=progress, terrain=arguments.terrain
+    )
     sources = shlex.join(subject.source for subject in subjects.values())
     report, numbers, missing = write_comparison(
         subjects,
         comparison,
         output,
-        f"{invocation.program} {sources} {task_option(arguments.task)}--seeds {arguments.seeds} "
-        f"--seconds {arguments.seconds:g}",
+        f"{invocation.program} {sources} {task_option(arguments.task)}{terrain_option(arguments.terrain)}"
+        f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),
     )

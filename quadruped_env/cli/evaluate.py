@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_evaluation_options, task_option
+from quadruped_env.cli.options import add_evaluation_options, task_option, terrain_option
 from quadruped_env.cli.progress import ProgressLine
 
 
@@ -36,12 +36,15 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     prepare_output(subject.output)
     prepare_video(arguments.video, arguments.overwrite)
     print(f"evaluating {subject.name}")
-    comparison = compare(subject.policy, arguments.seeds, arguments.seconds, progress=ProgressLine("running"))
+    progress = ProgressLine("running")
+    comparison = compare(
+        subject.policy, arguments.seeds, arguments.seconds, progress=progress, terrain=arguments.terrain
+    )
     report, numbers, missing = write_report(
         subject,
         comparison,
-        f"{invocation.program} {subject.source} {task_option(arguments.task)}--seeds {arguments.seeds} "
-        f"--seconds {arguments.seconds:g}",
+        f"{invocation.program} {subject.source} {task_option(arguments.task)}{terrain_option(arguments.terrain)}"
+        f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),
     )

@@ -8,6 +8,7 @@ from typing import Final
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
+from quadruped_env.simulation.terrain import summary
 
 NEXT_FREE: Final = "or that name with the next free number"
 
@@ -64,6 +65,21 @@ def add_robot_file(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
+    """Add `--terrain`.
+
+    Args:
+        parser: of the command.
+        default: ground without the option, in words.
+    """
+    parser.add_argument("--terrain", metavar="NAME", help=f"the ground: {summary()} (default: {default})")
+
+
+def terrain_option(terrain: str | None) -> str:
+    """The option `--terrain` as a user types it again, and a space; nothing without a terrain."""
+    return "" if terrain is None else f"--terrain {shlex.quote(terrain)} "
+
+
 def task_option(task_file: Path | None) -> str:
     """The option `--task` as a user types it again, and a space; nothing without a file."""
     return "" if task_file is None else f"--task {shlex.quote(str(task_file))} "
@@ -87,6 +103,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
         help="length of an episode, s (default: %(default)g)",
     )
     add_task_file(parser)
+    add_terrain(parser, "that of the policy's task")
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
     add_overwrite(parser, "replace the file of --video if it exists")

@@ -2,6 +2,7 @@
 
 mini-quadruped train                          two minutes or less, then a policy that walks
 mini-quadruped train --action-mode position   without the scripted gait underneath
+mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
@@ -15,7 +16,7 @@ from typing import Any, Final, get_args
 
 from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output
+from quadruped_env.cli.options import add_output, add_terrain
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import BUILT_IN, load_task_file
@@ -55,6 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             kind = {"seconds": float, "log_std_init": float}.get(field.name, type(default))
             options.update(type=kind, metavar=_METAVARS[kind])
         parser.add_argument(option, **options)
+    add_terrain(parser, "that of --task, or flat")
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
     parser.add_argument(
         "--resume",
@@ -73,6 +75,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if "hidden" in typed:
         typed["hidden"] = tuple(typed["hidden"])
     task_file, typed_task = task_changes(typed.pop("task", []))
+    if arguments.terrain is not None:
+        typed_task = merged(typed_task, {"terrain": {"name": arguments.terrain}})
     if typed_task:
         typed["task"] = typed_task
     runs, resume = arguments.output, arguments.resume

@@ -12,7 +12,7 @@ import argparse
 import signal
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_task_file
+from quadruped_env.cli.options import add_output, add_task_file, add_terrain
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 
@@ -40,6 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="address to listen on; other addresses allow access from other machines (default: %(default)s)",
     )
     add_task_file(parser)
+    add_terrain(parser, "that of the first robot's task")
     add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
     parser.add_argument(
         "--measure", type=float, metavar="S", help="end after this time in s, and print the speed of the playback"
@@ -49,7 +50,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Open the viewer, and run it until Ctrl-C."""
     show = open_show(
-        arguments.sources, tuple(arguments.velocity), arguments.host, arguments.port, arguments.output, arguments.task
+        arguments.sources,
+        tuple(arguments.velocity),
+        arguments.host,
+        arguments.port,
+        arguments.output,
+        arguments.task,
+        arguments.terrain,
     )
     return play(show, arguments.host, arguments.port, arguments.measure)
 

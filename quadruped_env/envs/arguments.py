@@ -26,6 +26,7 @@ def task_config(
     config: dict[str, Any] | TaskConfig | None,
     task_file: str | os.PathLike[str] | None = None,
     robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
+    terrain: str | None = None,
 ) -> TaskConfig:
     """The task's config from an environment's arguments.
 
@@ -34,9 +35,10 @@ def task_config(
         config: changes to the default config, or a complete one; None: the defaults.
         task_file: user's file of terms, which is executed; None: the built-in terms, or those of a given TaskConfig.
         robot: robot, its design, or the result of `Robot.to_dict`; None: that of the file or of a given TaskConfig.
+        terrain: name of a terrain that replaces that of the config; None keeps it.
 
     Raises:
-        QuadrupedError: if the mode, the file, the robot or a field of the config is not valid.
+        QuadrupedError: if the mode, the file, the robot, the terrain or a field of the config is not valid.
     """
     definition = config.definition if isinstance(config, TaskConfig) else BUILT_IN
     if task_file is not None:
@@ -50,7 +52,7 @@ def task_config(
     if action_mode is not None:
         mode: Any = action_mode  # checked by ActionConfig
         task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))
-    return task
+    return task if terrain is None else task.on_terrain(terrain)
 
 
 def as_robot(value: Any) -> Robot:

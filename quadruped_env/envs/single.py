@@ -21,7 +21,7 @@ _ENV_IDS = np.zeros(1, dtype=np.intp)
 
 @with_tables()
 class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
-    """A small four-legged robot that follows velocity commands on flat ground.
+    """A small four-legged robot that follows velocity commands.
 
     ## Description
     The robot of a ROS 2 tutorial: a 0.30 m long base on four legs, each with a hip and a knee that turn about the y
@@ -61,10 +61,17 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     {rewards}
 
+    ## Terrain
+    Level ground, or a height field of 40 m x 40 m with level ground in its middle, where episodes start, and around it.
+    It is the same for all episodes and envs of a config. Heights in rewards and starts are those over the ground below.
+    MuJoCo's friction cone is pyramidal on level ground and elliptic on a height field (docs/environment.md).
+
+    {terrains}
+
     ## Starting state
-    The stance, 1 cm above the ground, with uniform offsets: joints +-0.1 rad and +-0.5 rad/s, base +-0.2 m/s and
-    +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. Every random number depends only on the seed, the
-    episode, the step and its purpose.
+    The stance, 1 cm above the highest ground below it, with uniform offsets: joints +-0.1 rad and +-0.5 rad/s, base
+    +-0.2 m/s and +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. Every random number depends only on
+    the seed, the episode, the step and its purpose.
 
     ## Episode end
     Terminated when MuJoCo reports that the simulation diverged (`info["diverged"]`), or as a fall:
@@ -86,6 +93,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested values; `motor` for other motors |
     | `task_file` | `None` | Python file with your own terms or robot (docs/make-it-yours.md); it is executed |
     | `robot` | `None` | a `quadruped_env.robot.Robot` or `QuadrupedDesign`; `None`: the one described above |
+    | `terrain` | `None` | name of a terrain, short for `config={"terrain": {"name": ...}}` |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
     | `width`, `height` | 640, 480 | size of the image in pixels, limited by OpenGL |
 
@@ -102,17 +110,18 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         config: dict[str, Any] | TaskConfig | None = None,
         task_file: str | os.PathLike[str] | None = None,
         robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
+        terrain: str | None = None,
         render_mode: str | None = None,
         width: int = 640,
         height: int = 480,
     ) -> None:
         arguments.check_render_mode(render_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config, task_file, robot)
+        task_config = arguments.task_config(action_mode, config, task_file, robot, terrain)
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         task_robot = task_config.robot
-        model = build_model(task_config.physics_timestep, task_config.motor, robot=task_robot)
+        model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground, task_robot)
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
         self.action_space = spaces.action_space(self.task.control.robot)

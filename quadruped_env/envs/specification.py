@@ -11,12 +11,17 @@ Class = TypeVar("Class", bound=type)
 
 
 def with_tables(indent: int = 4) -> Callable[[Class], Class]:
-    """Decorator that inserts the tables in place of `{observations}`, `{rewards}` and `{terminations}` in a docstring.
+    """Decorator that inserts the tables in place of `{observations}`, `{rewards}`, `{terminations}` and `{terrains}`.
 
     Args:
         indent: number of spaces before each line.
     """
-    tables = {"observations": observation_table(), "rewards": reward_table(), "terminations": termination_list()}
+    tables = {
+        "observations": observation_table(),
+        "rewards": reward_table(),
+        "terminations": termination_list(),
+        "terrains": terrain_table(),
+    }
 
     def decorate(cls: Class) -> Class:
         if cls.__doc__ is not None:  # None with python -OO
@@ -61,6 +66,23 @@ def reward_table() -> list[str]:
 def termination_list() -> list[str]:
     """Lines of a Markdown list of the built-in terminations."""
     return [f"* {_sentence(term.description)}" for term in BUILT_IN.terminations]
+
+
+def terrain_table() -> list[str]:
+    """Lines of a Markdown table of the built-in terrains."""
+    return _table(
+        ("terrain", "ground", 'fields of `config["terrain"]`'),
+        (
+            (
+                f"`{terrain.name}`",
+                _sentence(terrain.description),
+                ", ".join(
+                    ["`seed` = 0", *(f"`{name}` = {x:g} {p.unit}" for name, (p, x) in terrain.parameters.items())]
+                ),
+            )
+            for terrain in BUILT_IN.terrains
+        ),
+    )
 
 
 def _table(header: tuple[str, ...], rows: Iterable[tuple[Any, ...]]) -> list[str]:

@@ -31,7 +31,7 @@ class MiniQuadrupedVectorEnv(
 
     Args:
         num_envs: number of robots.
-        action_mode, config, task_file, robot, render_mode, width, height: as in `MiniQuadrupedEnv`.
+        action_mode, config, task_file, robot, terrain, render_mode, width, height: as in `MiniQuadrupedEnv`.
         max_episode_steps: control steps after which an episode is truncated; None never truncates.
         num_threads: number of threads for the physics; 0 uses every core. The results do not depend on it.
         autoreset_mode: time at which envs whose episode has ended are reset: one of Gymnasium's `AutoresetMode` or its
@@ -50,6 +50,7 @@ class MiniQuadrupedVectorEnv(
         config: dict[str, Any] | TaskConfig | None = None,
         task_file: str | os.PathLike[str] | None = None,
         robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
+        terrain: str | None = None,
         render_mode: str | None = None,
         width: int = 640,
         height: int = 480,
@@ -65,10 +66,10 @@ class MiniQuadrupedVectorEnv(
         self.render_mode = render_mode
         self.autoreset_mode = arguments.autoreset_mode(autoreset_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config, task_file, robot)
+        task_config = arguments.task_config(action_mode, config, task_file, robot, terrain)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
         task_robot = task_config.robot
-        model = build_model(task_config.physics_timestep, task_config.motor, robot=task_robot)
+        model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground, task_robot)
         self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self.single_action_space = spaces.action_space(self.task.control.robot)

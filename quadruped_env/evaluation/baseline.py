@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
+from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.episode import Recording, play, publish
@@ -99,6 +100,7 @@ class Baseline:
             "gait": self.gait.parameters(),
             "violations": self.gait.violations(),
             "rate_hz": self.rate,
+            "terrain": self.recording.terrain.name,
             "seconds": self.commands.duration,
             "seeds": list(self.seeds),
             "metrics": metrics,
@@ -149,6 +151,7 @@ def run_baseline(
     seed: int = FIRST_SEED,
     progress: Progress | None = None,
     robot: Robot = MINI_QUADRUPED,
+    terrain: str | None = None,
 ) -> Baseline:
     """Measure a preset over random starts, and record it once.
 
@@ -163,9 +166,10 @@ def run_baseline(
         seed: seed of the first episode; each further episode uses the next one.
         progress: called with the fraction done.
         robot: robot to measure.
+        terrain: name of a built-in terrain; None is level ground.
 
     Raises:
-        QuadrupedError: if the preset is unknown, or a number is out of range.
+        QuadrupedError: if the preset or the terrain is unknown, or a number is out of range.
     """
     if episodes < 1:
         raise QuadrupedError(f"episodes: expected 1 or more; found {episodes}")
@@ -175,9 +179,9 @@ def run_baseline(
     commands = publish(gait, seconds, rate)
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
-    config = TaskConfig().for_robot(robot)
+    config = task_config(None, TaskConfig().for_robot(robot), terrain=terrain)
     rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, _part(progress, 0.0))
-    recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot)
+    recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot, terrain=terrain)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
 
 

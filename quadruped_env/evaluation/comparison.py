@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.config import Range
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
@@ -166,6 +167,7 @@ def compare(
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
+    terrain: str | None = None,
 ) -> Comparison:
     """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
@@ -178,11 +180,12 @@ def compare(
         seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s.
         progress: called with the fraction done.
+        terrain: name of a terrain in place of the task's own.
 
     Raises:
-        QuadrupedError: if there is no seed, or the episodes are too short to measure.
+        QuadrupedError: if there is no seed or no such terrain, or the episodes are too short to measure.
     """
-    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress)
+    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress, terrain)
 
 
 def compare_policies(
@@ -191,10 +194,12 @@ def compare_policies(
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
+    terrain: str | None = None,
 ) -> Comparison:
     """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
 
-    Each policy runs its own training task; the scripted controllers run the first policy's.
+    Each policy runs its own training task, on its terrain unless `terrain` names another one; the scripted controllers
+    run the first policy's.
 
     Raises:
         QuadrupedError: as `compare`, or if a policy has the name of a scripted controller, or two policies are for
@@ -210,7 +215,10 @@ def compare_policies(
             f"seconds: expected {START_UP + WINDOW:g} to {MAX_SECONDS:g}; found {seconds:g}. The first {START_UP:g} s "
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
-    configs = {name: _evaluation_task(policy.config, commands) for name, policy in policies.items()}
+    configs = {
+        name: _evaluation_task(task_config(None, policy.config, terrain=terrain), commands)
+        for name, policy in policies.items()
+    }
     config = next(iter(configs.values()))
     for name, policy in policies.items():
         if policy.config.robot != config.robot:

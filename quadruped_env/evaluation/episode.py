@@ -18,7 +18,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
-from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
@@ -54,6 +54,7 @@ class Recording:
     """True for each foot on the ground (K + 1, L)"""
     fell_at: float | None
     """Time of the fall from the start, s; None without a fall"""
+    terrain: Terrain = flat
 
     def outcome(self) -> str:
         """Outcome in one sentence: fall or no fall, and displacement."""
@@ -91,6 +92,7 @@ def play(
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     robot: Robot = MINI_QUADRUPED,
+    terrain: str | None = None,
 ) -> Recording:
     """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
@@ -102,9 +104,10 @@ def play(
         progress: called with the fraction done.
         motors: motors to use instead of the robot's.
         robot: robot that plays them.
+        terrain: name of a built-in terrain; None is level ground.
 
     Raises:
-        QuadrupedError: if a joint is missing, or the trajectory is too long.
+        QuadrupedError: if a joint or the terrain is unknown, a joint is missing, or the trajectory is too long.
     """
     if trajectory.duration > MAX_SECONDS:
         gap = int(np.argmax(np.diff(trajectory.stamps))) + 1
@@ -117,7 +120,7 @@ def play(
     return record(
         TrajectoryController(targets, name),
         targets.duration,
-        config=config if motors is None else replace(config, motor=motors),
+        config=task_config(None, config if motors is None else replace(config, motor=motors), terrain=terrain),
         first_stamp=int(targets.stamps[0]),
         progress=progress,
         start=targets.positions[0],
@@ -150,10 +153,14 @@ def record(
     """
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
     robot = config.robot
-    task = Task(SingleSimulation(build_model(config.physics_timestep, config.motor, robot=robot), robot), config)
+    model = build_model(config.physics_timestep, config.motor, config.ground, robot)
+    task = Task(SingleSimulation(model, robot), config)
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
-    task.simulation.reset(_ROW, _start(robot, start)[None], np.zeros((1, robot.num_velocities)))
+    qpos = _start(robot, start)
+    if task.simulation.height_field is not None:
+        qpos[2] += task.simulation.height_field.highest(qpos[:2])
+    task.simulation.reset(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
     position, velocity, torque = np.empty((3, steps + 1, robot.num_joints))
@@ -183,7 +190,9 @@ def record(
             progress(step / steps)
     stamps = first_stamp + _stamps(np.arange(rows) * config.control_timestep)
     joints = JointTrajectory(stamps, robot.joint_names, position[:rows], velocity[:rows], torque[:rows])
-    return Recording(controller.name, robot, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at)
+    return Recording(
+        controller.name, robot, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at, config.ground
+    )
 
 
 def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.float64]:

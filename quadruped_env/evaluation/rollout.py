@@ -11,9 +11,8 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
-from quadruped_env.readings import Readings
 from quadruped_env.robot import Robot
-from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.simulation import BatchSimulation, Terrain, build_model, flat
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
 
@@ -59,11 +58,13 @@ class Rollout:
     slip_speed: NDArray[np.float32]
     """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, L); 0 for a foot in the air"""
     foot_height: NDArray[np.float32]
-    """Height of each sole's lowest point over flat ground, m (T, N, L); negative where it penetrates the ground"""
+    """Height of each sole's lowest point over the ground below it, m (T, N, L); negative where it penetrates it"""
     reward_terms: NDArray[np.float32]
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
     """Names of the K reward terms"""
+    terrain: Terrain = flat
+    """Ground of the episodes"""
 
     @property
     def fallen(self) -> NDArray[np.bool_]:
@@ -80,7 +81,7 @@ class Rollout:
         over_time = {
             f.name: getattr(self, f.name)[:, rows]
             for f in fields(self)
-            if f.name not in ("controller", "robot", "timestep", "command", "seeds", "term_names")
+            if f.name not in ("controller", "robot", "timestep", "command", "seeds", "term_names", "terrain")
         }
         return replace(self, command=self.command[rows], seeds=self.seeds[rows], **over_time)
 
@@ -130,7 +131,7 @@ def roll_out(
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     rows, robot = len(command), config.robot
-    model = build_model(config.physics_timestep, config.motor, robot=robot)
+    model = build_model(config.physics_timestep, config.motor, config.ground, robot)
     task = Task(BatchSimulation(model, rows, robot=robot), config)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))
@@ -145,12 +146,21 @@ def roll_out(
         alive &= ~transition.terminated
         record["valid"][t] = alive
         record["reward_terms"][t] = transition.terms
-        _write(record, t, task.simulation.readings, config.reward.contact_threshold, robot.foot_radius)
+        _write(record, t, task)
         if progress is not None:
             progress((t + 1) / steps)
         if not alive.any():
             break
-    return Rollout(controller.name, robot, config.control_timestep, command, seed, term_names=task.term_names, **record)
+    return Rollout(
+        controller.name,
+        robot,
+        config.control_timestep,
+        command,
+        seed,
+        term_names=task.term_names,
+        terrain=config.ground,
+        **record,
+    )
 
 
 def _empty_record(robot: Robot, steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
@@ -175,9 +185,8 @@ def _empty_record(robot: Robot, steps: int, rows: int, terms: int) -> dict[str, 
     return record
 
 
-def _write(
-    record: dict[str, NDArray[Any]], t: int, state: Readings, contact_threshold: float, foot_radius: float
-) -> None:
+def _write(record: dict[str, NDArray[Any]], t: int, task: Task) -> None:
+    state = task.simulation.readings
     for name in (
         "base_position",
         "orientation",
@@ -187,9 +196,10 @@ def _write(
         "joint_torque",
     ):
         record[name][t] = getattr(state, name)
-    record["foot_height"][t] = state.foot_position[..., 2] - foot_radius
+    record["foot_height"][t] = task.context.sole_height
     record["yaw_rate"][t] = state.angular_velocity_b[:, 2]
-    contact = state.foot_force > contact_threshold
+    contact = state.foot_force > task.config.reward.contact_threshold
     record["contact"][t] = contact
-    squared = sliding_squared(state.foot_velocity, state.foot_angular_velocity, np.array([-foot_radius, foot_radius]))
+    radius = task.control.robot.foot_radius
+    squared = sliding_squared(state.foot_velocity, state.foot_angular_velocity, np.array([-radius, radius]))
     record["slip_speed"][t] = np.sqrt(squared * contact)

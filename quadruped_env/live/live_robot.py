@@ -19,7 +19,7 @@ from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
-from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
 from quadruped_env.viewer.controller import Offered
 from quadruped_env.viewer.robot import HISTORY_SECONDS, heading, world_velocity
 from quadruped_env.viewer.sample import Sample
@@ -52,6 +52,7 @@ class LiveRobot:
         node: the node that subscribes, and publishes commands and pushes.
         robot: the robot.
         refused: called with the reason for each message that cannot be drawn.
+        terrain: the ground to draw, which no message describes.
     """
 
     name = NAME
@@ -60,7 +61,9 @@ class LiveRobot:
     diverged = False
     term_names: tuple[str, ...] = ()
 
-    def __init__(self, node: Node, robot: Robot, refused: Refused = lambda reason: None) -> None:
+    def __init__(
+        self, node: Node, robot: Robot, refused: Refused = lambda reason: None, terrain: Terrain = flat
+    ) -> None:
         self.robot = robot
         joints = JointReader(JOINT_STATES.name, robot, ["positions"])
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
@@ -79,7 +82,8 @@ class LiveRobot:
         self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
-        self._simulation = SingleSimulation(build_model(robot=robot), robot)
+        self.terrain = terrain
+        self._simulation = SingleSimulation(build_model(terrain=terrain, robot=robot), robot)
         self._steps = 0
         self._smooth_velocity = np.zeros(2)
         self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
@@ -121,6 +125,8 @@ class LiveRobot:
         assert positions is not None
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
             resting = self.robot.resting_pose(positions)
+            if self._simulation.height_field is not None:
+                resting[2] += self._simulation.height_field.highest(self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
         return self._place()

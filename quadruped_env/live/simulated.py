@@ -7,11 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
-from quadruped_env.live.terrain import Terrain
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.rotations import from_yaw
-from quadruped_env.simulation import SingleSimulation
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
 
 TIMESTEP: Final = 0.005
 """Duration of a physics step, s."""
@@ -24,18 +23,14 @@ class SimulatedRobot:
     """One robot on its terrain, initially standing.
 
     Args:
-        seed: seed of the initial heading and of the terrain.
-        terrain: name of the terrain, one of `TERRAINS`.
+        seed: seed of the initial heading.
+        terrain: the ground.
         robot: the robot.
-
-    Raises:
-        QuadrupedError: if there is no such terrain.
     """
 
-    def __init__(self, seed: int = 0, terrain: str = "flat", robot: Robot = MINI_QUADRUPED) -> None:
+    def __init__(self, seed: int = 0, terrain: Terrain = flat, robot: Robot = MINI_QUADRUPED) -> None:
         self.robot = robot
-        self._terrain = Terrain.make(terrain, seed)
-        self._simulation = SingleSimulation(self._terrain.model(robot, TIMESTEP), robot)
+        self._simulation = SingleSimulation(build_model(TIMESTEP, terrain=terrain, robot=robot), robot)
         self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
         self._target = robot.stance.copy()
@@ -48,7 +43,8 @@ class SimulatedRobot:
     def reset(self) -> None:
         """Put the robot on its feet at the origin, with a random heading."""
         heading = from_yaw(self._generator.uniform(-math.pi, math.pi))
-        self.put(np.concatenate([[0.0, 0.0, self.robot.stance_height], heading, self.robot.stance]))
+        start = np.zeros(2)
+        self.put(np.concatenate([start, [self._standing_height(start)], heading, self.robot.stance]))
 
     def put(self, qpos: NDArray[np.float64]) -> None:
         """Set the robot's pose, at rest, with motors enabled as at the start.
@@ -73,8 +69,12 @@ class SimulatedRobot:
     def pick_up(self) -> None:
         """Put the robot on its feet at its current position, with motors enabled."""
         place = self.state.base_position[0, :2]
-        height = self.robot.stance_height + self._terrain.under(place)
-        self.put(np.concatenate([place, [height], self._facing(), self.robot.stance]))
+        self.put(np.concatenate([place, [self._standing_height(place)], self._facing(), self.robot.stance]))
+
+    def _standing_height(self, place: NDArray[np.float64]) -> float:
+        """Height of the base's centre in the stance, over the highest ground around a position (2,), m."""
+        field = self._simulation.height_field
+        return self.robot.stance_height + (0.0 if field is None else float(field.highest(place)))
 
     def _facing(self) -> NDArray[np.float64]:
         """Quaternion wxyz (4,) of the base's yaw alone."""

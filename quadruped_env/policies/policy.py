@@ -62,7 +62,7 @@ class Policy(control_policy.Policy):
         """The environment that the policy was trained for: its task, action mode and control rate.
 
         Args:
-            **kwargs: arguments of `gymnasium.make`, such as `render_mode`.
+            **kwargs: arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
 
         Raises:
             QuadrupedError: if `kwargs` name another task than the policy's.

@@ -1,6 +1,6 @@
 """Robots as values: names, limits, models, kinematics; the built-in robot, and a builder for others like it."""
 
-from quadruped_env.robot.assets import asset_path, load_model
+from quadruped_env.robot.assets import asset_path
 from quadruped_env.robot.mini_quadruped import JOINT_NAMES, LEG_NAMES, MINI_QUADRUPED, forward_kinematics
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
@@ -47,7 +47,6 @@ __all__ = [
     "foot_centres",
     "forward_kinematics",
     "joint_transforms",
-    "load_model",
     "resting_pose",
     "sole_heights",
 ]

@@ -1,14 +1,10 @@
-"""Model files, and the model compiled from them."""
+"""Files of the robot."""
 
-import copy
 import functools
 import importlib.util
 from pathlib import Path
 
-import mujoco
-
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot.motors import MotorConfig
 
 ASSETS = ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml")
 MAPS = ("dyna1.toml",)
@@ -34,27 +30,3 @@ def asset_path(name: str) -> Path:
     if name not in (*ASSETS, *MAPS):
         raise QuadrupedError(f"asset_path: unknown asset {name!r}; valid names are {', '.join([*ASSETS, *MAPS])}")
     return _asset_directory() / ("maps" if name in MAPS else "mini_quadruped") / name
-
-
-def load_model(timestep: float | None = None, motors: MotorConfig | None = None) -> mujoco.MjModel:
-    """Compiled model of the robot on flat ground; every call returns a new copy.
-
-    Args:
-        timestep: physics time step, s. None: that of the model file.
-        motors: motors that replace those of the model file.
-    """
-    files = tuple(asset_path(name) for name in ("scene.xml", "mini_quadruped.xml"))
-    # Compiling takes thirty times as long as copying, so every process compiles each variant once.
-    return copy.copy(_compiled(timestep, motors, files, tuple(file.stat().st_mtime_ns for file in files)))
-
-
-@functools.lru_cache(maxsize=8)
-def _compiled(
-    timestep: float | None, motors: MotorConfig | None, files: tuple[Path, ...], _modified: tuple[int, ...]
-) -> mujoco.MjModel:
-    spec = mujoco.MjSpec.from_file(str(files[0]))
-    if timestep is not None:
-        spec.option.timestep = timestep
-    if motors is not None and motors != MotorConfig():
-        motors.write(spec)
-    return spec.compile()

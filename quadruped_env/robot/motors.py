@@ -73,7 +73,7 @@ class MotorConfig(PlainFields):
         """Set these motors in a robot's specification.
 
         Args:
-            spec: specification of a robot; its time step must be set.
+            spec: specification of a robot; its time step must already be set.
             max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
         """
         longest = self.delay if max_delay is None else max_delay

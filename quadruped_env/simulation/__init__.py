@@ -1,8 +1,19 @@
-"""Simulation of the robot: one interface, and two drivers with bit-identical results."""
+"""Simulation of the robot on its terrain: the model, one interface, and two drivers with bit-identical results."""
 
 from quadruped_env.simulation.batch import BatchSimulation
 from quadruped_env.simulation.interface import Simulation
 from quadruped_env.simulation.model import build_model
 from quadruped_env.simulation.single import SingleSimulation
+from quadruped_env.simulation.terrain import TERRAINS, Grid, Terrain, find_terrain, flat
 
-__all__ = ["BatchSimulation", "Simulation", "SingleSimulation", "build_model"]
+__all__ = [
+    "TERRAINS",
+    "BatchSimulation",
+    "Grid",
+    "Simulation",
+    "SingleSimulation",
+    "Terrain",
+    "build_model",
+    "find_terrain",
+    "flat",
+]

@@ -11,6 +11,7 @@ from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState, force_columns
 
 _WARNING_COUNT = 1
@@ -35,6 +36,7 @@ class BatchSimulation:
     def _make(self, model: mujoco.MjModel, num_envs: int, num_threads: int, robot: Robot) -> None:
         self.model = model
         self.robot = robot
+        self.height_field = HeightField.of(model)
         self.num_envs = num_envs
         self._num_threads = num_threads
         # Persistent: the next step reuses the stages that the last one has computed.

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.readings import Readings
 from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.height_field import HeightField
 
 SETTLED = mujoco.mjtStage.mjSTAGE_VEL
 """Stage at which every control step ends: positions and velocities are computed at the new state."""
@@ -45,6 +46,8 @@ class Simulation(Protocol):
     model: mujoco.MjModel
     robot: Robot
     num_envs: int
+    height_field: HeightField | None
+    """Heights of the ground; None if it is a plane at height 0."""
     readings: Readings
     """Live readings; `Readings` says at which substep each is taken."""
     sensordata: NDArray[np.float64]

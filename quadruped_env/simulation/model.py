@@ -1,46 +1,69 @@
-"""The one place that compiles MuJoCo's model: the robot with its motors, on its ground."""
+"""The one place that compiles MuJoCo's model: the robot with its motors, on its terrain."""
 
 import copy
 import functools
 from typing import Final
 
 import mujoco
+import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.robot.assets import asset_path
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS
+from quadruped_env.simulation.terrain import Terrain, flat
 
 _SCENE: Final = "scene.xml"
 _ROBOT: Final = "mini_quadruped.xml"
 """File that the scene includes: the robot's MJCF takes its place."""
+_DROP: Final = 0.02
+"""Height of a height field's lowest point over the plane around it, m. At the same height a foot would touch both."""
+_THICKNESS: Final = 0.1
+"""Thickness of a height field below its lowest point, m."""
+
+_LIGHT: Final = (0.8, 0.3, -0.4)
+"""Direction of the light on uneven ground."""
 
 
 def build_model(
-    timestep: float | None = None, motors: MotorConfig | None = None, robot: Robot = MINI_QUADRUPED
+    timestep: float | None = None,
+    motors: MotorConfig | None = None,
+    terrain: Terrain = flat,
+    robot: Robot = MINI_QUADRUPED,
 ) -> mujoco.MjModel:
-    """Compiled model of a robot on flat ground; every call returns a new copy.
+    """Compiled model of a robot on its terrain; every call returns a new copy.
+
+    The ground is the geom `ground`: a plane at height 0, or a height field with a plane around it, `surroundings`.
 
     Args:
         timestep: physics time step, s. None: that of the robot's model.
         motors: motors that replace the robot's own.
+        terrain: the ground; by default a plane.
         robot: the robot.
 
     Raises:
-        QuadrupedError: if the robot's model does not hold the robot that it describes.
+        QuadrupedError: if the terrain's heights are not valid, or the robot's model does not hold the robot that it
+            describes.
     """
     path = asset_path(_SCENE)
     # Compiling takes thirty times as long as copying, so every process compiles each variant once.
-    return copy.copy(_compiled(timestep, motors, robot, path.stat().st_mtime_ns))
+    return copy.copy(_compiled(timestep, motors, terrain, robot, path.stat().st_mtime_ns))
 
 
 @functools.lru_cache(maxsize=8)
-def _compiled(timestep: float | None, motors: MotorConfig | None, robot: Robot, _modified: int) -> mujoco.MjModel:
+def _compiled(
+    timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, _modified: int
+) -> mujoco.MjModel:
     spec = scene(robot)
     if timestep is not None:
         spec.option.timestep = timestep
     if motors is not None and motors != robot.motors:
         motors.write(spec)
+    heights = terrain.heights()
+    if heights.any():
+        _lay(spec, heights, terrain.size)
     model = spec.compile()
     robot.check_model(model)
     return model
@@ -53,3 +76,39 @@ def scene(robot: Robot) -> mujoco.MjSpec:
     except ValueError:
         robot.spec()  # whose error names the robot
         raise
+
+
+def _lay(spec: mujoco.MjSpec, heights: NDArray[np.float64], size: float) -> None:
+    """Replace the plane by a height field (P, P), and put a plane around it."""
+    lowest, span = float(heights.min()), float(np.ptp(heights))
+    rows, columns = heights.shape
+    spec.add_hfield(
+        name=GROUND,
+        nrow=rows,
+        ncol=columns,
+        # MuJoCo refuses a span of 0, as of ground that is level at another height.
+        size=[0.5 * size, 0.5 * size, span or 1.0, _THICKNESS],
+        userdata=((heights - lowest) / (span or 1.0)).ravel().tolist(),
+    )
+    ground = spec.geom(GROUND)
+    spec.worldbody.add_geom(
+        name=SURROUNDINGS,
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        pos=[0.0, 0.0, lowest - _DROP],
+        size=ground.size,
+        material=ground.material,
+        contype=ground.contype,
+        conaffinity=ground.conaffinity,
+        condim=ground.condim,
+        friction=ground.friction,
+    )
+    ground.type = mujoco.mjtGeom.mjGEOM_HFIELD
+    ground.hfieldname = GROUND
+    ground.pos = [0.0, 0.0, lowest]
+    # On a plane MuJoCo turns the axes of the friction pyramid with the leg, on a height field they are those of the
+    # world. A cone has no axes, so that friction does not depend on the robot's heading.
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    for light in spec.lights:
+        # From the side, so that slopes differ in brightness. A height field's shadow map is slow, and leaves specks.
+        light.dir, light.diffuse, light.castshadow = _LIGHT, [0.9] * 3, False
+    spec.visual.headlight.diffuse, spec.visual.headlight.ambient = [0.3] * 3, [0.4] * 3

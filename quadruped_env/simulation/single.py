@@ -10,6 +10,7 @@ from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState, force_columns
 
 
@@ -21,6 +22,7 @@ class SingleSimulation:
     def __init__(self, model: mujoco.MjModel, robot: Robot = MINI_QUADRUPED) -> None:
         self.model = model
         self.robot = robot
+        self.height_field = HeightField.of(model)
         self.data = mujoco.MjData(model)
         self._failed = False
         self._varied_fields: set[str] = set()

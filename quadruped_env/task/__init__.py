@@ -1,21 +1,24 @@
-"""The task: config, terms (rewards, terminations, randomizations, commands), and the `Task` that runs episodes."""
+"""The task: config, terms (rewards, terminations, randomizations, commands, terrains), and the `Task` that runs it."""
 
 from quadruped_env.control.config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
 from quadruped_env.control.task_file import TaskFile
+from quadruped_env.parameters import Parameter
+from quadruped_env.simulation.terrain import Grid, Terrain, terrain
 from quadruped_env.task.config import (
     CommandConfig,
     RandomizationConfig,
     RewardConfig,
     TaskConfig,
     TerminationConfig,
+    TerrainConfig,
 )
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
 from quadruped_env.task.randomization import Event, ModelField, Randomization
 from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
-from quadruped_env.task.terms import Parameter, RewardTerm, Termination, reward, reward_group, termination
+from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
 
 __all__ = [
     "BUILT_IN",
@@ -23,6 +26,7 @@ __all__ = [
     "Command",
     "CommandConfig",
     "Event",
+    "Grid",
     "ModelField",
     "ObservationField",
     "Parameter",
@@ -38,10 +42,13 @@ __all__ = [
     "TaskFile",
     "Termination",
     "TerminationConfig",
+    "Terrain",
+    "TerrainConfig",
     "Transition",
     "load_task_file",
     "observation",
     "reward",
     "reward_group",
     "termination",
+    "terrain",
 ]

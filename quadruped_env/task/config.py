@@ -1,12 +1,14 @@
 """Config of the task: frozen, validated, printable, and saved with every run.
 
-The fields of the sections `command`, `reward`, `termination` and `randomization` are the parameters of the task's
-terms, so they depend on the task's definition (`quadruped_env.task.definition`). The other sections are dataclasses.
+The fields of the sections `command`, `reward`, `termination`, `randomization` and `terrain` are the parameters of the
+task's terms, so they depend on the task's definition (`quadruped_env.task.definition`). The other sections are
+dataclasses.
 """
 
 import dataclasses
 import functools
 import typing
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal, Self
 
@@ -14,8 +16,10 @@ from quadruped_env._plain import PlainFields, plain
 from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check
 from quadruped_env.control.task_file import TASK_FILE, check_task_file
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.parameters import Parameter
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.simulation.terrain import Terrain, find_terrain
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.settings import (
     Entry,
@@ -27,8 +31,10 @@ from quadruped_env.task.settings import (
     parameter_entry,
     range_entry,
     weights_entry,
+    whole_entry,
 )
-from quadruped_env.task.terms import Parameter
+
+DEFAULT_TERRAIN: Final = "flat"
 
 ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
@@ -73,8 +79,33 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     return {"command": command, "reward": reward, "termination": termination, "randomization": randomization}
 
 
+@functools.cache
+def _terrain_schema(terrain: Terrain) -> Schema:
+    """Fields of the section `terrain`, which depend on the terrain that it names."""
+
+    def name(value: Any, path: str) -> str:
+        if value != terrain.name:
+            raise QuadrupedError(
+                f"{path}: this section is for {terrain.name!r}; found {short(value)}; make a new section, or use "
+                f"TaskConfig.on_terrain"
+            )
+        return terrain.name
+
+    own = {name: parameter_entry(parameter, default) for name, (parameter, default) in terrain.parameters.items()}
+    return {"name": Entry(DEFAULT_TERRAIN, name), "seed": whole_entry(terrain.seed), **own}
+
+
+def _schema(name: str, values: Any, definition: TaskDefinition) -> Schema:
+    """Fields of a section with these values."""
+    if name != "terrain":
+        return _schemas(definition)[name]
+    chosen = values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
+    return _terrain_schema(find_terrain(chosen, definition.terrains))
+
+
 def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
-    section = Section(name, _schemas(definition)[name], values, functools.partial(_remade, name, definition))
+    schema = _schema(name, values, definition)
+    section = Section(name, schema, values, functools.partial(_remade, name, definition))
     if name == "command":
         shares = section.standing_fraction + section.straight_fraction
         check(shares <= 1, "command.standing_fraction + straight_fraction", shares, "at most 1")
@@ -105,6 +136,11 @@ def RandomizationConfig(**values: Any) -> Section:  # noqa: N802
     return _section("randomization", values, BUILT_IN)
 
 
+def TerrainConfig(**values: Any) -> Section:  # noqa: N802
+    """A built-in terrain with its seed and parameters."""
+    return _section("terrain", values, BUILT_IN)
+
+
 @dataclass(frozen=True)
 class TaskConfig(PlainFields):
     """Complete config of a task."""
@@ -122,6 +158,8 @@ class TaskConfig(PlainFields):
     randomization: Section = field(default_factory=RandomizationConfig)
     motor: MotorConfig = typing.cast(MotorConfig, None)  # noqa: RUF009
     """Motors of the robot, or motors identified by `evaluate/identify.py`. Default: those of the definition's robot."""
+    terrain: Section = field(default_factory=TerrainConfig)
+    """Name, seed and parameters of the ground."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)
     """Robot and terms of the task; `load_task_file` adds those of a user's file."""
 
@@ -132,8 +170,9 @@ class TaskConfig(PlainFields):
         check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
         check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
-        for name, schema in _schemas(self.definition).items():
+        for name in (*_schemas(self.definition), "terrain"):
             section = getattr(self, name)
+            schema = _schema(name, section, self.definition)
             if not section.has(schema):
                 # A section of the built-in task, in a task with other terms.
                 values = {field: value for field, value in section.to_dict().items() if field in schema}
@@ -158,6 +197,27 @@ class TaskConfig(PlainFields):
     def control_timestep(self) -> float:
         """Time between actions, s."""
         return self.physics_timestep * self.decimation
+
+    @property
+    def ground(self) -> Terrain:
+        """The terrain with its seed and parameters, for `build_model`."""
+        seed, values = self.terrain["seed"], dict(self.terrain)
+        parameters = {name: value for name, value in values.items() if name not in ("name", "seed")}
+        return find_terrain(self.terrain["name"], self.definition.terrains).variant(seed, **parameters)
+
+    def on_terrain(self, name: str, seed: int | None = None) -> Self:
+        """A copy of the config on another terrain; the terrain that it already has keeps its parameters.
+
+        Args:
+            name: name of a terrain of the task's definition.
+            seed: seed of the terrain; None keeps that of the config.
+
+        Raises:
+            QuadrupedError: if there is no such terrain; the message names those that there are.
+        """
+        kept = self.terrain if name == self.terrain["name"] else {"name": name, "seed": self.terrain["seed"]}
+        values = {**kept, **({} if seed is None else {"seed": seed})}
+        return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))
 
     @property
     def control(self) -> ControlConfig:

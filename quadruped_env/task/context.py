@@ -10,6 +10,7 @@ from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.readings import Readings
+from quadruped_env.simulation.height_field import HeightField
 
 Floats = NDArray[np.float64]
 
@@ -25,6 +26,7 @@ class TaskContext:
         control: gait clock, commands and actions.
         velocity_time_constant: time constant of `smooth_velocity`, s.
         contact_threshold: normal force above which a foot is in contact, N.
+        height_field: heights of the ground; None for a plane at height 0.
         xp: array functions.
     """
 
@@ -34,6 +36,7 @@ class TaskContext:
         control: ControlInterface,
         velocity_time_constant: float,
         contact_threshold: float,
+        height_field: HeightField | None = None,
         xp: Namespace = NUMPY,
     ) -> None:
         self.xp = xp
@@ -52,6 +55,7 @@ class TaskContext:
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
         self.contact_threshold = xp.constant(contact_threshold)
         """Normal force above which a foot is in contact, N."""
+        self._height_field = height_field
         self._foot_radius = xp.constant(control.robot.foot_radius)
         self._smoothing = np.array(1.0 - math.exp(-self.timestep / velocity_time_constant))
         self.bind(readings, control)
@@ -85,13 +89,23 @@ class TaskContext:
 
     @property
     def base_height(self) -> Any:
-        """Height of the base's centre above the ground (N,), m."""
-        return self.readings.base_position[:, 2]
+        """Height of the base's centre over the ground below it (N,), m."""
+        return self._over_ground(self.readings.base_position)
 
     @property
     def sole_height(self) -> Any:
-        """Height of each foot's lowest point above the ground (N, L), m."""
-        return self.readings.foot_position[..., 2] - self._foot_radius
+        """Height of each foot's lowest point over the ground below it (N, L), m."""
+        return self._over_ground(self.readings.foot_position) - self._foot_radius
+
+    def ground_height(self, positions: Floats) -> Floats:
+        """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""
+        if self._height_field is None:
+            return np.zeros(positions.shape[:-1])
+        return self._height_field.at(positions)
+
+    def _over_ground(self, positions: Floats) -> Floats:
+        height = positions[..., 2]
+        return height if self._height_field is None else height - self._height_field.at(positions)
 
     @property
     def contact(self) -> Any:

@@ -13,6 +13,7 @@ from quadruped_env.control.task_file import TaskFile, execute, merged, robot_in
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.terrain import TERRAINS, Terrain
 from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
@@ -21,7 +22,7 @@ from quadruped_env.task.terms import RewardTerm, Termination
 
 @dataclass(frozen=True, eq=False)
 class TaskDefinition:
-    """Robot, and ordered lists of rewards, observations, terminations, randomizations and commands.
+    """Robot, and ordered lists of rewards, observations, terminations, randomizations, commands and terrains.
 
     Two definitions are equal if they have the same robot and come from files with the same content.
     """
@@ -31,6 +32,7 @@ class TaskDefinition:
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
     commands: tuple[Command, ...] = COMMANDS
+    terrains: tuple[Terrain, ...] = TERRAINS
     robot: Robot = MINI_QUADRUPED
     file: TaskFile | None = None
     """File that defines what is not built in."""
@@ -85,6 +87,7 @@ _LISTS: Final[dict[str, type]] = {
     "terminations": Termination,
     "randomizations": Randomization,
     "commands": Command,
+    "terrains": Terrain,
 }
 
 
@@ -114,8 +117,9 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
     robot = robot_in(module, path)
     if not terms and robot is None:
         raise QuadrupedError(
-            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation or @termination, or make "
-            f"a Randomization, Command or QuadrupedDesign, at the top level of the file (docs/make-it-yours.md)"
+            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @termination or "
+            f"@terrain, or make a Randomization, Command or QuadrupedDesign, at the top level of the file "
+            f"(docs/make-it-yours.md)"
         )
     definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
     return definition.extended(terms, file, str(Path(path).resolve()))

@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
 
 _START_CLEARANCE: Final = 0.01
-"""Height of the stance above the ground at the start, so that randomized legs do not penetrate it, m."""
+"""Height of the stance above the ground below it at the start, so that randomized legs do not penetrate it, m."""
 
 _NO_STATE: Final = np.zeros((0, 0))
 
@@ -101,6 +101,8 @@ class Randomizer:
         event.qpos[:, 7:] = robot.stance
         for start in self._starts:
             start.carry_out(event, draws)
+        if self._simulation.height_field is not None:
+            event.qpos[:, 2] += self._simulation.height_field.highest(event.qpos[:, :2])
         event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         self._simulation.reset(env_ids, event.qpos, event.qvel)
         self.memory.clear(env_ids)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.config import Range
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.parameters import Parameter
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
-from quadruped_env.task.terms import Parameter
 
 Floats = NDArray[np.float64]
 Law = Literal["uniform", "log_uniform", "normal"]

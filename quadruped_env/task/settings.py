@@ -8,7 +8,7 @@ from typing import Any, Self
 from quadruped_env._plain import plain
 from quadruped_env.control.config import check, check_range
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.task.terms import Parameter
+from quadruped_env.parameters import Parameter
 
 
 @dataclass(frozen=True)
@@ -143,6 +143,17 @@ def parameter_entry(parameter: Parameter, default: float) -> Entry:
         return converted
 
     return Entry(default, convert, parameter.unit)
+
+
+def whole_entry(default: int) -> Entry:
+    """Field for a whole number, 0 or more."""
+
+    def convert(value: Any, path: str) -> int:
+        converted = int(number(value, path, whole=True))
+        check(converted >= 0, _field(path), converted, "a whole number, 0 or more")
+        return converted
+
+    return Entry(default, convert)
 
 
 def weights_entry(name: str, defaults: Mapping[str, float]) -> Entry:

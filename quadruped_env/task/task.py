@@ -77,7 +77,11 @@ class Task:
         n = self.num_envs = simulation.num_envs
         self.control = ControlInterface(config.robot, config.control, n, definition.observations)
         self.context = TaskContext(
-            simulation.readings, self.control, config.reward.velocity_time_constant, config.reward.contact_threshold
+            simulation.readings,
+            self.control,
+            config.reward.velocity_time_constant,
+            config.reward.contact_threshold,
+            simulation.height_field,
         )
         self.draws = Draws(n)
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)

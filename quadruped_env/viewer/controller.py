@@ -21,6 +21,7 @@ from quadruped_env.evaluation.episode import STILL
 from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.simulation import Terrain
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.task import CommandConfig, RandomizationConfig, Section
 from quadruped_env.viewer.robot import TaskRobot, ViewedRobot, contact_forces, heading
@@ -134,6 +135,7 @@ class ViewController:
         chosen: names of the initial sources, one per robot.
         results: directory for recordings.
         robot: description of the robots.
+        terrain: ground of all simulated robots; None: that of the first robot's task.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit the robot.
@@ -145,6 +147,7 @@ class ViewController:
         chosen: Sequence[str],
         results: Path = RESULTS,
         robot: Robot = MINI_QUADRUPED,
+        terrain: Terrain | None = None,
     ) -> None:
         if not 1 <= len(chosen) <= MAX_ROBOTS:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
@@ -165,6 +168,7 @@ class ViewController:
         self._randomization = next(iter(RANDOMIZATIONS))
         self.restart_after_fall = True
         self._take: Take | None = None
+        self._terrain = terrain
         try:
             self._slots = [_Slot(self._make(name), 0.0) for name in chosen]
         except Exception:
@@ -358,7 +362,7 @@ class ViewController:
             if self._take is None:
                 self._saver.check_room()
                 robot = self._watched_robot
-                self._take = Take(robot.name, robot.robot, robot.timestep, [robot.history[-1]])
+                self._take = Take(robot.name, robot.robot, robot.timestep, [robot.history[-1]], robot.terrain)
 
     def stop_recording(self) -> None:
         """End the current recording, if any, and save it in the background."""
@@ -420,9 +424,11 @@ class ViewController:
         if name not in self.sources:
             raise QuadrupedError(f"source: there is no {name!r}; there are {', '.join(self.sources)}")
         source = self.sources[name]
-        if isinstance(source, ControllerSpec):
-            return TaskRobot(source, RANDOMIZATIONS[self._randomization], self.robot)
-        return source()
+        if not isinstance(source, ControllerSpec):
+            return source()
+        robot = TaskRobot(source, RANDOMIZATIONS[self._randomization], self.robot, self._terrain)
+        self._terrain = robot.terrain
+        return robot
 
     def _tick(self) -> None:
         self._time += self._timestep

@@ -15,7 +15,7 @@ from quadruped_env.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model
 from quadruped_env.task import BUILT_IN, Section, Task
 from quadruped_env.viewer.sample import Sample, sample
 
@@ -41,6 +41,8 @@ class ViewedRobot(Protocol):
     """True if the simulation diverged and has to be reset."""
     term_names: tuple[str, ...]
     """Names of the samples' reward terms."""
+    terrain: Terrain
+    """Ground below it."""
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -88,13 +90,18 @@ class TaskRobot:
         source: its controller.
         randomization: replaces the source's own randomization.
         robot: its description.
+        terrain: replaces the source's own terrain.
 
     Raises:
         QuadrupedError: if the source does not fit the robot.
     """
 
     def __init__(
-        self, source: ControllerSpec, randomization: Section | None = None, robot: Robot = BUILT_IN.robot
+        self,
+        source: ControllerSpec,
+        randomization: Section | None = None,
+        robot: Robot = BUILT_IN.robot,
+        terrain: Terrain | None = None,
     ) -> None:
         self.name = source.name
         self.robot = robot
@@ -105,7 +112,8 @@ class TaskRobot:
         if randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
-        model = build_model(config.physics_timestep, config.motor, robot=robot)
+        self.terrain = config.ground if terrain is None else terrain
+        model = build_model(config.physics_timestep, config.motor, self.terrain, robot)
         self._simulation = SingleSimulation(model, robot)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names

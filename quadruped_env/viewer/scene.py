@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from quadruped_env.evaluation.metrics import GRAVITY
 from quadruped_env.reporting.films.film import size_of
+from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot import Robot
+from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
 from quadruped_env.viewer.controller import RobotView, View
 from quadruped_env.viewer.sample import over_time
 from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, PUSH, rgb
@@ -77,6 +79,13 @@ class Scene:
         self._size = size_of(robot)
         self._metres_per_newton = self._size * _METRES_PER_WEIGHT / (robot.total_mass * GRAVITY)
         self._leg_colours = [np.array(rgb(colour), np.uint8) for colour in leg_colours(robot).values()]
+        self._field = HeightField.of(model)
+        if self._field is not None:
+            # The ground is not part of the robots' scene, which would draw it again with every robot.
+            model.geom(GROUND).rgba[3] = 0.0
+            mesh = ground_mesh(self._field)
+            server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
+        self._surroundings = model.geom(GROUND if self._field is None else SURROUNDINGS)
         self._robots = ViserMujocoScene(server, model, num_envs=1)
         self._robots.camera_tracking_enabled = False
         server.scene.configure_environment_map("studio", environment_intensity=0.3)
@@ -116,7 +125,8 @@ class Scene:
         """Draw a view."""
         robots = view.robots
         lanes = np.zeros((len(robots), 3))
-        lanes[:, 1] = _LANE * self._size * ((len(robots) - 1) / 2 - np.arange(len(robots)))
+        if self._field is None:
+            lanes[:, 1] = _LANE * self._size * ((len(robots) - 1) / 2 - np.arange(len(robots)))
         self._go_along(np.array([robot.now.base_pose[:2] for robot in robots]), view.watched)
         shift = lanes + self._offsets
         with self._server.atomic():
@@ -131,7 +141,7 @@ class Scene:
         """Move each robot's world so that its position (2,) is in the middle of its lane.
 
         The worlds are moved instead of the cameras, which users control. Robots that are not kept abreast share the
-        world of the watched one.
+        world of the watched one, and so do robots on uneven ground.
         """
         now = time.monotonic()
         if len(self._offsets) != len(positions):
@@ -144,7 +154,7 @@ class Scene:
             self._offsets[:, :2] += away * np.where(
                 (distance > _JUMP_DISTANCE) | (distance < _STILL_DISTANCE), 1.0, share
             )
-            if not self.abreast:
+            if not self.abreast or self._field is not None:
                 self._offsets[:] = self._offsets[watched]
         self._drawn_at = now
 
@@ -154,7 +164,8 @@ class Scene:
 
     def _ground(self) -> None:
         self._server.scene.add_grid(
-            "/fixed_bodies/world/ground",
+            f"/fixed_bodies/world/{self._surroundings.name}",
+            position=self._surroundings.pos,
             infinite_grid=True,
             cell_size=0.1,
             cell_color=(226, 230, 234),
@@ -198,7 +209,8 @@ class Scene:
                 origin = above + np.array([0.0, 0.0, 0.028 * lane])
                 tip = _METRES_PER_VELOCITY * velocity * _direction(robot.heading)
                 arrows.append([origin, origin + tip])
-                centre = np.array([*above[:2], _TURN_HEIGHT])
+                ground = 0.0 if self._field is None else self._field.at(robot.now.base_pose[:2])
+                centre = np.array([*above[:2], ground + _TURN_HEIGHT])
                 angles = robot.heading + yaw_rate * np.linspace(0.0, 1.0, _ARC_POINTS + 1)
                 radius = _TURN_RADII[lane] * self._size
                 arc = centre + radius * _direction(angles)

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.task_file import load_robot
 from quadruped_env.policies import find_controllers
+from quadruped_env.simulation import find_terrain
+from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, View, ViewController
 from quadruped_env.viewer.panel import Panel
@@ -139,6 +140,7 @@ def open_show(
     port: int = PORT,
     results: Path = RESULTS,
     task_file: Path | None = None,
+    terrain: str | None = None,
 ) -> Show:
     """Open a show of the requested sources, ready to run.
 
@@ -150,14 +152,17 @@ def open_show(
         port: the first port to try; 0 takes any free port.
         results: directory for recordings.
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
+        terrain: name of a terrain, built-in or of that file; None: that of the first robot's task.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
-        QuadrupedError: if a requested source cannot be used.
+        QuadrupedError: if a requested source cannot be used, or there is no such terrain.
     """
     import_viser()
+    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    ground = None if terrain is None else find_terrain(terrain, definition.terrains)
     sources, chosen = find_controllers(asked, task_file=task_file)
-    controller = ViewController(sources, chosen, results, load_robot(task_file))
+    controller = ViewController(sources, chosen, results, definition.robot, ground)
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

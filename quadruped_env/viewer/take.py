@@ -17,6 +17,7 @@ from quadruped_env.files import free_path
 from quadruped_env.reporting.films.film import Motion
 from quadruped_env.reporting.films.video import save_film
 from quadruped_env.robot import Robot
+from quadruped_env.simulation import Terrain, flat
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.viewer.sample import Sample, over_time
@@ -42,6 +43,7 @@ class Take:
     timestep: float
     """Time between samples, s."""
     samples: list[Sample] = field(default_factory=list)
+    terrain: Terrain = flat
 
     @property
     def seconds(self) -> float:
@@ -70,6 +72,7 @@ class Take:
             over_time(self.samples, "velocity"),
             over_time(self.samples, "command"),
             over_time(self.samples, "contact") > 0,
+            self.terrain,
         )
 
 

@@ -31,7 +31,7 @@ from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.single_publisher import SinglePublisherGuard
-from quadruped_env.live.terrain import TERRAINS
+from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 from quadruped_env.timestamps import NS_PER_SECOND
 
@@ -52,22 +52,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="S",
         help="put the robot back on its feet S seconds after a fall (default: it stays where it fell)",
     )
-    parser.add_argument(
-        "--seed", type=int, default=0, metavar="N", help="seed of the initial heading and of the terrain (%(default)s)"
-    )
-    parser.add_argument(
-        "--terrain",
-        choices=TERRAINS,
-        default="flat",
-        help="flat, bumps of up to 1 cm, or hills of up to 8 cm; flat around the start (%(default)s)",
-    )
+    add_terrain_arguments(parser, "seed of the initial heading and of the terrain")
     add_robot_argument(parser)
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Simulate until the session ends."""
-    robot = SimulatedRobot(arguments.seed, arguments.terrain, robot_of(arguments))
+    robot = SimulatedRobot(arguments.seed, chosen_terrain(arguments), robot_of(arguments))
     guard = SinglePublisherGuard(session)
     guard.check()
     sensors = Sensors(session.node, robot.robot)

@@ -2,7 +2,8 @@
 
 Draws the robot of /joint_states at the pose of /odom, or standing without /odom. The sliders and the arrow
 keys send /cmd_vel, the push button /push, the sliders of the scripted gait /gait; each control is shown while a node
-subscribes to its topic. The page accepts browsers on this machine only; the log prints its address.
+subscribes to its topic. No message describes the ground: give it the options --terrain and --seed of `sim`. The page
+accepts browsers on this machine only; the log prints its address.
 """
 
 import argparse
@@ -11,21 +12,23 @@ import time
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
+from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
 from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
 from quadruped_env.viewer.server import import_viser
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the viewer's port and the robot."""
+    """Add the viewer's port, the ground and the robot."""
     add_robot_argument(parser)
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
+    add_terrain_arguments(parser, "seed of the terrain")
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
-    robot = LiveRobot(session.node, robot_of(arguments), session.refuse)
+    robot = LiveRobot(session.node, robot_of(arguments), session.refuse, chosen_terrain(arguments))
     controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, robot.robot)
     controller.restart_after_fall = False
     controller.offered = robot.offered()

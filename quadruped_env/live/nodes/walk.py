@@ -11,7 +11,7 @@ import sys
 
 from quadruped_env.live.launch import common, launch
 from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
-from quadruped_env.live.terrain import TERRAINS
+from quadruped_env.live.terrain_arguments import add_terrain_arguments
 from quadruped_env.viewer import PORT
 
 
@@ -20,8 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_robot_argument(parser)
     parser.add_argument("policy", nargs="?", default="flat", metavar="POLICY", help="as for 'controller' (%(default)s)")
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
-    parser.add_argument("--terrain", choices=TERRAINS, default="flat", help="as for 'sim' (%(default)s)")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="as for 'sim' (%(default)s)")
+    add_terrain_arguments(parser, "as for 'sim'")
 
 
 def start(arguments: argparse.Namespace) -> int:
@@ -30,10 +29,11 @@ def start(arguments: argparse.Namespace) -> int:
     # The terminal then shows teleop's status line only.
     shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
     robot = robot_arguments(arguments)
+    ground = ["--seed", str(arguments.seed), "--terrain", arguments.terrain]
     nodes = [
-        ["sim", "--seed", str(arguments.seed), "--terrain", arguments.terrain, "--pick-up", "3", *robot, *shared],
+        ["sim", *ground, "--pick-up", "3", *robot, *shared],
         ["controller", arguments.policy, *robot, *shared],
         ["state", *robot, *shared],
-        ["view", "--port", str(arguments.port), *robot, *shared],
+        ["view", "--port", str(arguments.port), *ground, *robot, *shared],
     ]
     return launch([*nodes, ["teleop", *shared]] if keys else nodes)

@@ -1,6 +1,7 @@
 """Films of a robot, rendered from recordings, with overlays of command, velocity and gait."""
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Self
@@ -16,7 +17,8 @@ from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.overlay import Overlay
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import build_model
+from quadruped_env.simulation import Terrain, build_model, flat
+from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
 
 Picture = NDArray[np.uint8]
 
@@ -81,6 +83,8 @@ class Motion:
     """Velocity command in the same units (T, 2), or None for a robot that follows none"""
     contact: NDArray[np.bool_] | None = None
     """True for each foot on the ground (T, L), if known"""
+    terrain: Terrain = flat
+    """Ground below the robot"""
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
@@ -97,6 +101,7 @@ class Motion:
             np.stack([rollout.linear_velocity_b[part, row, 0], rollout.yaw_rate[part, row]], axis=1),
             np.broadcast_to(rollout.command[row], (len(position), 2)),
             rollout.contact[part, row],
+            rollout.terrain,
         ).facing_ahead()
 
     @classmethod
@@ -112,6 +117,7 @@ class Motion:
             joints.positions,
             recording.velocity,
             contact=recording.contact,
+            terrain=recording.terrain,
         )
 
     @property
@@ -120,7 +126,12 @@ class Motion:
         return len(self.base_pose) * self.timestep
 
     def facing_ahead(self) -> Self:
-        """The same motion, rotated and translated in the plane so that it begins at the origin and faces along x."""
+        """The same motion, rotated and translated in the plane so that it begins at the origin and faces along x.
+
+        A motion on uneven ground stays where it is.
+        """
+        if self.terrain != flat:
+            return self
         pose = self.base_pose.astype(np.float64)
         back = from_yaw(-yaw(pose[0, 3:]))
         pose[:, :2] -= pose[0, :2]
@@ -159,13 +170,22 @@ class Camera:
     """
 
     def __init__(self, robot: Robot, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
-        self._model = build_model(robot=robot)
+        self._robot = robot
+        self._quality = shadow_size, multisamples
+        self._set_up(flat)
+
+    def _set_up(self, terrain: Terrain) -> None:
+        """Create the model and the renderer for a terrain."""
+        shadow_size, multisamples = self._quality
+        self._terrain = terrain
+        self._model = build_model(terrain=terrain, robot=self._robot)
+        self._height_field = HeightField.of(self._model)
         self._model.mat_reflectance[:] = 0.0
         self._model.vis.quality.shadowsize = shadow_size
         self._model.vis.quality.offsamples = multisamples
         self._model.vis.quality.numslices, self._model.vis.quality.numstacks = _SLICES, _STACKS
         self._model.vis.map.zfar = _FAR
-        self._ground = self._model.geom("ground").id
+        self._ground = self._model.geom(GROUND if self._height_field is None else SURROUNDINGS).id
         self._model.geom_size[self._ground] = _GROUND_HALF_SIZE, _GROUND_HALF_SIZE, _GROUND_SQUARE
         # A plane's uniform texture repeats over 2 m.
         self._ground_step = 2.0 / self._model.mat_texrepeat[self._model.geom_matid[self._ground]]
@@ -173,9 +193,8 @@ class Camera:
         self._model.geom_sameframe[self._ground] = mujoco.mjtSameFrame.mjSAMEFRAME_NONE
         self._data = mujoco.MjData(self._model)
         self._view = mujoco.MjvCamera()
-        self._view.azimuth, self._view.elevation = _VIEW_AZIMUTH, _VIEW_ELEVATION
-        self._view.distance = _VIEW_DISTANCE * size_of(robot)
-        self._view_height = _VIEW_HEIGHT * size_of(robot)
+        self._view.elevation, self._view.distance = _VIEW_ELEVATION, _VIEW_DISTANCE * size_of(self._robot)
+        self._view_height = _VIEW_HEIGHT * size_of(self._robot)
         self._renderer = SceneRenderer(self._model, self._data, "rgb_array", WIDTH, HEIGHT)
 
     def __enter__(self) -> Self:
@@ -190,13 +209,22 @@ class Camera:
 
     def picture(self, motion: Motion, sample: int) -> Picture:
         """Picture of the robot at one sample (HEIGHT, WIDTH, 3), without overlays."""
+        if motion.terrain != self._terrain:
+            self.close()
+            self._set_up(motion.terrain)
         self._data.qpos[:7] = motion.base_pose[sample]
         self._data.qpos[7:] = motion.joint_position[sample]
         # The ground follows the robot in steps of its texture's period, which are invisible, so that it never ends.
         steps = np.round(self._data.qpos[:2] / self._ground_step)
         self._model.geom_pos[self._ground, :2] = steps * self._ground_step
         mujoco.mj_forward(self._model, self._data)
-        self._view.lookat[:] = *smoothed_position(motion, sample), self._view_height
+        centre = smoothed_position(motion, sample)
+        self._view.lookat[:] = *centre, self._view_height
+        self._view.azimuth = _VIEW_AZIMUTH
+        if self._height_field is not None:
+            self._view.lookat[2] += self._height_field.at(centre)
+            # The robot of a motion on uneven ground begins with any heading.
+            self._view.azimuth += math.degrees(yaw(motion.base_pose[0, 3:]))
         picture = self._renderer.render(self._data, self._view)
         assert picture is not None
         return picture

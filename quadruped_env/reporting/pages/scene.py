@@ -12,7 +12,9 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.reporting.films.film import FRAME_RATE, Motion, size_of, smoothed_position
+from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.simulation import build_model
+from quadruped_env.simulation.height_field import GROUND, HeightField
 
 _CAMERA: Final = (0.65, -0.85, 0.42)
 """Camera position relative to a robot of size 1, m: the robot walks slightly towards the viewer."""
@@ -35,7 +37,10 @@ def scene_html(motion: Motion) -> str:
     except ImportError as error:
         raise MissingExtraError("The 3D replay", "viewer") from error
 
-    model = build_model(robot=motion.robot)
+    model = build_model(terrain=motion.terrain, robot=motion.robot)
+    field = HeightField.of(model)
+    if field is not None:
+        model.geom(GROUND).rgba[3] = 0.0  # drawn as a mesh of its part around the motion
     data = mujoco.MjData(model)
     # Suppress viser's banner: its URL is of no use, because the server stops at once.
     with contextlib.redirect_stdout(io.StringIO()):
@@ -47,6 +52,9 @@ def scene_html(motion: Motion) -> str:
         server.initial_camera.position = tuple(size * value for value in _CAMERA)
         server.initial_camera.look_at = tuple(size * value for value in _LOOK_AT)
         server.initial_camera.fov = np.radians(40.0)
+        if field is not None:
+            mesh = ground_mesh(field, motion.base_pose[:, :2])
+            server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
         recording = server.get_scene_serializer()
         for sample in motion.frame_samples():
             centre = smoothed_position(motion, sample)

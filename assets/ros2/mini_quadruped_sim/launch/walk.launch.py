@@ -38,7 +38,7 @@ def generate_launch_description() -> LaunchDescription:
                 "policy", default_value="flat", description="What 'controller' runs: a policy, a run directory, a gait."
             ),
             DeclareLaunchArgument(
-                "terrain", default_value="flat", choices=["flat", "rough", "hills"], description="Ground of 'sim'."
+                "terrain", default_value="flat", description="Ground of 'sim': a name that 'sim --help' lists."
             ),
             DeclareLaunchArgument("rviz", default_value="true", choices=["true", "false"], description="Run RViz."),
             # 'sim' and 'controller' stay on this machine, and a ROS node may need this setting to discover them.

@@ -1,0 +1,73 @@
+"""Numbers of a registered function that the config can change: unit and valid range of each."""
+
+import inspect
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated, Any, get_args, get_origin
+
+from quadruped_env.errors import QuadrupedError
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """Unit and valid range of a number in the config, used to annotate an argument of a registered function."""
+
+    unit: str = "1"
+    low: float = -math.inf
+    high: float = math.inf
+    exclusive: bool = False
+    """True if `low` itself is not valid."""
+
+    @classmethod
+    def positive(cls, unit: str = "1") -> "Parameter":
+        """Parameter whose values must be greater than 0."""
+        return cls(unit, 0.0, exclusive=True)
+
+    def accepts(self, value: float) -> bool:
+        """True if a number is valid."""
+        return (self.low < value if self.exclusive else self.low <= value) and value <= self.high
+
+    def rule(self) -> str:
+        """Valid values as text, for error messages."""
+        unit = "" if self.unit == "1" else f" ({self.unit})"
+        if self.high < math.inf:
+            high = "pi" if self.high == math.pi else f"{self.high:g}"
+            return f"in {'(' if self.exclusive else '['}{self.low:g}, {high}]{unit}"
+        if self.low == -math.inf:
+            return f"a finite number{unit}"
+        if self.low == 0.0 and self.exclusive:
+            return f"positive{unit}"
+        return f"{'over' if self.exclusive else 'at least'} {self.low:g}{unit}"
+
+
+def parameters_of(function: Callable[..., Any]) -> dict[str, tuple[Parameter, float]]:
+    """Parameters of a function or class: its arguments after the first, which need a number as default.
+
+    Raises:
+        QuadrupedError: if such an argument has no default, or a default that is not a number.
+    """
+    found: dict[str, tuple[Parameter, float]] = {}
+    # A class receives the context twice, in `__init__` and in `__call__`. Its parameters are those of `__init__`.
+    for argument in list(inspect.signature(function).parameters.values())[1:]:
+        default = argument.default
+        if isinstance(default, bool) or not isinstance(default, (int, float)):
+            raise QuadrupedError(
+                f"{function.__name__}: argument {argument.name!r} needs a number as its default, which the config can "
+                f"change; found {'none' if default is argument.empty else repr(default)}"
+            )
+        annotation = argument.annotation
+        meant = get_args(annotation)[1:] if get_origin(annotation) is Annotated else ()
+        parameter = next((entry for entry in meant if isinstance(entry, Parameter)), Parameter())
+        found[argument.name] = parameter, float(default)
+    return found
+
+
+def stay_importable(function: Callable[..., Any]) -> None:
+    """Make a function or class importable by name for pickling, although the term replaces it in the module."""
+    function.__qualname__ = f"{function.__qualname__}.function"
+
+
+def described(function: Callable[..., Any]) -> str:
+    """First line of a docstring."""
+    return (function.__doc__ or "").strip().partition("\n")[0]

@@ -1,0 +1,208 @@
+"""Uneven ground in evaluation, pictures, viewer, live nodes and programs: the same as in the env."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from viewing import robot
+
+from quadruped_env import QuadrupedError
+from quadruped_env.cli.main import main
+from quadruped_env.evaluation.baseline import run_baseline
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.episode import record
+from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.live.simulated import SimulatedRobot
+from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
+from quadruped_env.reporting.films.film import Camera, Motion
+from quadruped_env.reporting.ground_mesh import ground_mesh
+from quadruped_env.robot import STANCE_HEIGHT
+from quadruped_env.simulation import build_model, find_terrain
+from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.task import TaskConfig, terrain
+from quadruped_env.viewer import ViewController
+from quadruped_env.viewer.scene import Scene
+from quadruped_env.viewer.show import open_show
+
+HILLS = TaskConfig().on_terrain("hills", 2)
+FIELD = HeightField.of(build_model(terrain=HILLS.ground))
+
+
+@terrain(size=10.0)
+def ramp(grid):
+    """Slope of 0.1 along x."""
+    return 0.1 * grid.x
+
+
+def test_rollout_on_a_terrain_measures_clearance_over_it():
+    config = TaskConfig.from_dict({"terrain": {"name": "hills", "seed": 2}, "action": {"mode": "residual"}})
+    rollout = roll_out(CommandedGaitController(), [(0.5, 0.0)], [1, 2], 6.0, config)
+    assert rollout.terrain == HILLS.ground == rollout.select([1]).terrain
+    assert not rollout.fallen.any()
+    on_ground = rollout.foot_height[-50:][rollout.contact[-50:]]
+    assert np.abs(on_ground).max() < 0.01
+    ground = FIELD.at(rollout.base_position[-50:].astype(float))
+    assert ground.max() > 0.02, "the robot has left the level ground of the start"
+    np.testing.assert_allclose(rollout.base_position[-50:, :, 2] - ground, STANCE_HEIGHT, atol=0.03)
+
+
+def test_recording_on_a_terrain_starts_over_the_highest_ground():
+    config = TaskConfig()
+    flat = record(ZeroController(), 0.1, config=config)
+    hills = record(ZeroController(), 0.1, config=HILLS)
+    assert flat.base_pose[0, 2] == STANCE_HEIGHT
+    assert hills.base_pose[0, 2] == pytest.approx(STANCE_HEIGHT + FIELD.highest(np.zeros(2)))
+    assert hills.terrain == HILLS.ground
+
+
+def test_comparison_on_a_terrain_puts_all_controllers_on_it():
+    comparison = compare(load_policy("flat"), 1, 2.0, [(0.4, 0.0)], terrain="rough")
+    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {find_terrain("rough")}
+    assert comparison.config.terrain.name == "rough"
+    with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills"):
+        compare(load_policy("flat"), 1, 2.0, [(0.4, 0.0)], terrain="swamp")
+
+
+def test_baseline_on_a_terrain_measures_and_records_on_it():
+    rough, flat = (run_baseline(seconds=2.0, episodes=1, terrain=name) for name in ("rough", None))
+    assert (rough.report()["terrain"], flat.report()["terrain"]) == ("rough", "flat")
+    assert rough.recording.terrain == find_terrain("rough")
+    assert not np.array_equal(rough.metrics["forward_velocity"], flat.metrics["forward_velocity"])
+
+
+# --- pictures
+
+
+def test_motion_on_uneven_ground_stays_where_it_is():
+    rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
+    motion = Motion.of_rollout(rollout, 0, "")
+    np.testing.assert_array_equal(motion.base_pose[:, :3], rollout.base_position[:, 0])
+    assert motion.terrain == HILLS.ground
+
+
+def test_camera_shows_the_ground_of_each_motion(opengl):
+    high = find_terrain("hills").variant(2, height=0.5)
+    pose = np.array([[3.0, 1.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0]])
+    raised = pose.copy()
+    raised[:, 2] += FIELD.at(pose) * 0.5 / 0.08
+    joints = np.tile([0.6, -0.72], (1, 4))
+    with Camera() as camera:
+        level = camera.picture(Motion("", 0.02, pose, joints), 0)
+        uneven = camera.picture(Motion("", 0.02, raised, joints, terrain=high), 0)
+        again = camera.picture(Motion("", 0.02, pose, joints), 0)
+    np.testing.assert_array_equal(again, level)
+    assert not np.array_equal(uneven, level)
+    # The camera rises with the ground, by 0.2 m here, so that the robot stays where it was in the picture.
+    assert raised[0, 2] > STANCE_HEIGHT + 0.15
+    np.testing.assert_allclose(hips(uneven), hips(level), atol=3.0)
+
+
+def hips(picture):
+    """Row and column of the middle of the hips: nothing else in the scene is that blue."""
+    red, green, blue = np.moveaxis(picture.astype(int), -1, 0)
+    return np.argwhere((blue > 1.8 * red) & (blue > 1.8 * green)).mean(axis=0)
+
+
+def test_ground_mesh_is_the_height_field_and_faces_up():
+    pytest.importorskip("trimesh")
+    around = np.array([[1.0, 2.0], [3.0, -1.0]])
+    part, whole = ground_mesh(FIELD, around, margin=1.0), ground_mesh(FIELD)
+    for mesh in (part, whole):
+        np.testing.assert_allclose(mesh.vertices[:, 2], FIELD.at(np.array(mesh.vertices)), atol=1e-9)
+        assert (mesh.face_normals[:, 2] > 0.5).all()
+        middles = np.array(mesh.triangles_center)
+        np.testing.assert_allclose(middles[:, 2], FIELD.at(middles), atol=1e-9)
+    np.testing.assert_allclose(part.bounds[:, :2], [[0.0, -2.0], [4.0, 3.0]], atol=0.1)
+    np.testing.assert_allclose(whole.bounds[:, :2], [[-20.0, -20.0], [20.0, 20.0]])
+
+
+# --- the viewer
+
+
+def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, monkeypatch):
+    filmed = []
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: filmed.extend(motions))
+    sources, _ = find_controllers(runs=tmp_path)
+    controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", HILLS.ground)
+    assert HeightField.of(controller.model()) is not None
+    assert {robot(controller, i).terrain for i in range(2)} == {HILLS.ground}
+    controller.set_source(2, "stand still")
+    assert robot(controller, 2).terrain == HILLS.ground
+    controller.start_recording()
+    controller.advance(0.2)
+    controller.close()
+    assert [motion.terrain for motion in filmed] == [HILLS.ground]
+
+
+def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
+    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda controller: HILLS)
+    sources, _ = find_controllers(runs=tmp_path)
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results")
+    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda controller: TaskConfig())
+    controller.set_source(1, "stand still")
+    assert {robot(controller, i).terrain for i in range(2)} == {HILLS.ground}
+    controller.close()
+
+
+def test_viewer_of_an_unknown_terrain_is_refused():
+    pytest.importorskip("viser")
+    with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills"):
+        open_show(["flat"], port=0, terrain="swamp")
+
+
+def test_scene_draws_robots_at_their_places_on_the_ground(tmp_path):
+    pytest.importorskip("mjviser")
+    show = open_show(["flat", "tuned"], (0.3, 0.3), port=0, results=tmp_path, terrain="hills")
+    try:
+        show.controller.advance(0.2)
+        show.draw(show.controller.view())
+        scene: Scene = show._scene
+        assert np.ptp(scene._offsets, axis=0).max() == 0.0, "all robots share one ground"
+        assert scene._robots.fixed_bodies_frame.position[1] == pytest.approx(scene._offsets[0, 1])
+    finally:
+        show.close()
+
+
+# --- live nodes and programs
+
+
+def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
+    simulated = SimulatedRobot(3, ramp)
+    field = HeightField.of(build_model(terrain=ramp))
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(np.zeros(2)))
+    for _ in range(200):
+        simulated.step()
+    simulated.push(np.array([2.0, 0.0, 1.0]))
+    for _ in range(200):
+        simulated.step()
+    place = simulated.state.base_position[0, :2].copy()
+    simulated.pick_up()
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(place))
+
+
+def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
+    pytest.importorskip("stable_baselines3")
+    budget = ["--timesteps", "64", "--num-envs", "8", "--n-steps", "8", "--batch-size", "32", "--hidden", "8"]
+    shape = '{"terrain": {"seed": 5, "name": "rough"}}'
+    assert main(["train", *budget, "--task", shape, "--terrain", "rough", "-o", str(tmp_path / "runs")]) == 0
+    config = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
+    assert config["task"]["terrain"] == {"name": "rough", "seed": 5, "height": 0.01, "distance": 0.2}
+    policy = load_policy(tmp_path / "runs" / "latest")
+    assert policy.make_env().unwrapped.task.config.ground == find_terrain("rough").variant(5)
+    assert policy.make_env(terrain="hills").unwrapped.task.config.ground == find_terrain("hills").variant(5)
+
+
+def test_program_with_an_unknown_terrain_names_the_valid_ones(capsys, tmp_path):
+    assert main(["train", "--terrain", "swamp", "-o", str(tmp_path)]) == 2
+    assert "terrain: 'swamp' is unknown; there are flat, rough, hills" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_report_on_a_terrain_says_so_and_its_line_repeats_it(tmp_path):
+    pytest.importorskip("matplotlib")
+    arguments = ["--terrain", "hills", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    assert main(["evaluate", "flat", *arguments]) == 0
+    document = json.loads(Path(tmp_path, "metrics.json").read_text())
+    assert document["config"]["terrain"]["name"] == "hills"
+    assert "--terrain hills --seeds 1" in json.dumps(document)
