@@ -10,12 +10,15 @@ import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError
-from quadruped_env.robot import JointMotor, MotorConfig
+from quadruped_env.control.config import ControlConfig
+from quadruped_env.robot import JointMotor, MotorConfig, load_model
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import (
     ActionConfig,
     CommandConfig,
     RandomizationConfig,
     RewardConfig,
+    Task,
     TaskConfig,
     TerminationConfig,
 )
@@ -180,3 +183,22 @@ def test_a_section_is_read_by_name_and_frozen():
     changed = section.replace(friction=(0.1, 0.2))
     assert (changed.friction, section.friction) == ((0.1, 0.2), (0.5, 1.0))
     assert repr(section) == "randomization(friction=(0.5, 1.0), push_velocity=0.4)"
+
+
+def test_a_section_is_replaced_with_the_checks_of_its_constructor():
+    section = CommandConfig(standing_fraction=0.2)
+    assert section.replace(straight_fraction=0.8) == CommandConfig(standing_fraction=0.2, straight_fraction=0.8)
+    with pytest.raises(QuadrupedError, match=r"standing_fraction \+ straight_fraction must be at most 1; found 1.3"):
+        section.replace(standing_fraction=0.9)
+
+
+def test_every_randomization_is_switched_off_by_none():
+    config = TaskConfig.from_dict({"randomization": dict.fromkeys(name for name in ("start_heading", "friction"))})
+    task = Task(BatchSimulation(load_model(), 3, 1), config)
+    task.reset(np.arange(3), range(3))
+    w, _, _, z = task.simulation.readings.orientation.T
+    assert (abs(2.0 * np.arctan2(z, w)) < 0.06).all()
+
+
+def test_the_defaults_of_control_are_those_of_the_task():
+    assert ControlConfig() == TaskConfig().control

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import scipy.stats
 from tasks import (
     NEVER_FALLS,
     ONE_COMMAND,
@@ -12,9 +13,20 @@ from tasks import (
     make_task,
 )
 
-from quadruped_env.robot import FOOT_RADIUS, STANCE, load_model
+from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import FOOT_RADIUS, MINI_QUADRUPED, STANCE, load_model
 from quadruped_env.simulation import BatchSimulation, SingleSimulation
-from quadruped_env.task import RandomizationConfig, Task, TaskConfig
+from quadruped_env.task import (
+    ModelField,
+    Parameter,
+    Randomization,
+    RandomizationConfig,
+    Task,
+    TaskConfig,
+    load_task_file,
+)
+from quadruped_env.task import randomization as randomizations
 
 
 def test_starts_are_drawn_in_their_ranges():
@@ -134,3 +146,99 @@ def test_pushes_add_a_horizontal_velocity_at_their_intervals():
     assert (abs(velocities[:, :2]) <= size).all()
     assert abs(velocities[:, :2]).max() > 0.5 * size
     np.testing.assert_array_equal(velocities[:, 2], 0.0)
+
+
+# --- laws and what a user writes ---
+
+
+def drawn(law, setting, n=200_000):
+    """Values of a randomization with a law, from independent uniform numbers."""
+    randomization = Randomization("x", lambda event, values: None, (1.0, 2.0), law=law)
+    uniform = np.random.default_rng(0).random((n, randomization.draws(MINI_QUADRUPED)))
+    return randomization.values(uniform, setting)[:, 0]
+
+
+def test_a_log_uniform_value_is_uniform_in_its_logarithm():
+    share = np.log(drawn("log_uniform", (0.1, 10.0)) / 0.1) / math.log(100.0)
+    assert scipy.stats.kstest(share, "uniform").pvalue > 1e-3
+
+
+def test_a_normal_value_has_a_quarter_of_the_width_as_deviation_and_is_clipped():
+    values = drawn("normal", (-1.0, 3.0))
+    inside = values[(values > -1.0) & (values < 3.0)]
+    # Two deviations on either side.
+    assert scipy.stats.kstest(inside, scipy.stats.truncnorm(-2.0, 2.0, 1.0, 1.0).cdf).pvalue > 1e-3
+    tail = scipy.stats.norm.sf(2.0)
+    for end in (-1.0, 3.0):
+        assert np.mean(values == end) == pytest.approx(tail, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"law": "lognormal"}, r"randomization x: law must be one of uniform, log_uniform, normal; found 'lognormal'"),
+        ({"width": 0}, r"randomization x: width must be 1 or more; found 0"),
+        ({"default": (2.0, 1.0)}, r"randomization x: default must be .*low <= high.*found \(2.0, 1.0\)"),
+        ({"default": (0.0, math.nan)}, r"randomization x: default must be .*found \(0.0, nan\)"),
+        ({"default": -0.5}, r"randomization x: default must be 0 or more.*found -0.5"),
+        ({"default": "much"}, r"randomization x: default must be .*found 'much'"),
+        ({"default": (0.0, 1.0), "law": "log_uniform"}, r"randomization x: default must be .*each positive"),
+        ({"default": 0.5, "law": "log_uniform"}, r"randomization x: default must be a pair of positive numbers"),
+        ({"default": (-2.0, 0.0), "valid": Parameter("kg", -1.0)}, r"each at least -1 \(kg\); found \(-2.0, 0.0\)"),
+    ],
+)
+def test_a_randomization_that_cannot_be_drawn_is_refused_where_it_is_made(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        Randomization("x", lambda event, values: None, **{"default": None, **values})
+
+
+def test_a_log_uniform_range_in_the_config_must_be_positive(tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text(
+        "from quadruped_env.task import ModelField, Randomization\n"
+        "mass = Randomization('mass', ModelField('body_mass'), (0.5, 2.0), law='log_uniform')\n"
+    )
+    with pytest.raises(QuadrupedError, match=r"randomization.mass must be positive; found \(0.0, 2.0\)"):
+        TaskConfig.from_dict({"randomization": {"mass": [0.0, 2.0]}}, load_task_file(file))
+
+
+@pytest.mark.parametrize(
+    ("field", "width", "message"),
+    [
+        (ModelField("body_mas"), 1, r"randomization x: ModelField: 'body_mas' is not an array of MuJoCo's model"),
+        (ModelField("body_mass", ["trunk"]), 1, r"randomization x: ModelField\('body_mass'\): .*trunk"),
+        (ModelField("body_mass", ["LF_leg", "RF_leg"]), 3, r"randomization x: .*3 values for 2 elements.*1, .* or 2"),
+        (ModelField("body_mass"), "feet", r"randomization x: .*4 values for 10 elements"),
+    ],
+)
+def test_a_model_field_that_does_not_fit_is_refused_before_the_first_reset(field, width, message):
+    randomization = Randomization("x", field, (0.5, 1.0), width=width)
+    with pytest.raises(QuadrupedError, match=message):
+        randomizations.bound(randomization, SingleSimulation(load_model()))
+
+
+def test_an_unknown_mode_of_a_model_field_is_refused():
+    with pytest.raises(QuadrupedError, match=r"mode must be one of set, scale, add; found 'multiply'"):
+        ModelField("body_mass", mode="multiply")
+
+
+@pytest.mark.parametrize(("mode", "expected"), [("set", 0.7), ("add", 1.2), ("scale", 0.35)])
+def test_a_model_field_is_set_scaled_or_added_to(mode, expected):
+    model = load_model()
+    model.geom_friction[:, 0] = 0.5
+    simulation = BatchSimulation(model, 4, 1)
+    apply = randomizations.bound(
+        Randomization("x", ModelField("geom_friction", column=0, mode=mode), (0.1, 1.0)), simulation
+    )
+    event = randomizations.Event(simulation, MINI_QUADRUPED, np.array([1, 3]), *[np.zeros((2, 0))] * 3)
+    apply(event, np.full((2, 1), 0.7))
+    friction = simulation.model_field("geom_friction")
+    np.testing.assert_allclose(friction[[1, 3], :, 0], expected)
+    np.testing.assert_allclose(friction[[0, 2], :, 0], 0.5)
+
+
+def test_a_name_in_the_episode_memory_is_given_once():
+    memory = EpisodeMemory(2)
+    memory.zeros("height")
+    with pytest.raises(QuadrupedError, match=r"'height' is taken; choose another than height"):
+        memory.zeros("height")

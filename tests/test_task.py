@@ -191,17 +191,27 @@ def test_joint_targets_never_leave_the_limits(mode):
     assert at_limit > 0
 
 
+class HoldController:
+    """A controller of one constant joint target."""
+
+    def __init__(self, target):
+        self.target = target
+
+    def act(self, observation, control):
+        return self.target
+
+
 def test_a_joint_target_goes_to_the_motors_as_it_is_and_counts_as_no_action():
     env = make_env(termination=NEVER_FALLS)
     env.step(np.full(8, 0.5))
     target = STANCE + 0.1
-    transition = env.task.step_joint_target(target[None])
+    transition = env.task.act(HoldController(target[None]), None)
     np.testing.assert_array_equal(env.data.ctrl, target)
     np.testing.assert_array_equal(column("last_action", transition.observation), 0.0)
-    env.task.step_joint_target(np.full((1, 8), 9.0))
+    env.task.act(HoldController(np.full((1, 8), 9.0)), None)
     np.testing.assert_array_equal(env.data.ctrl, JOINT_POSITION_HIGH)
     with pytest.raises(QuadrupedError, match=r"joint target: expected shape \(1, 8\).*found \(8,\)"):
-        env.task.step_joint_target(target)
+        env.task.act(HoldController(target), None)
 
 
 # --- memory ---
