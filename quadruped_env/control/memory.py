@@ -5,6 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
+from quadruped_env.errors import QuadrupedError
+
 
 class EpisodeMemory:
     """The episode arrays of N envs, each registered under a name when it is created."""
@@ -17,10 +19,12 @@ class EpisodeMemory:
         """A new array (N, *shape) of zeros; write to it in place, never replace it.
 
         Raises:
-            ValueError: if the name is taken.
+            QuadrupedError: if the name is taken.
         """
         if name in self._arrays:
-            raise ValueError(f"episode memory: the name {name!r} is taken")
+            raise QuadrupedError(
+                f"episode memory: the name {name!r} is taken; choose another than {', '.join(self._arrays)}"
+            )
         self._arrays[name] = np.zeros((self.num_envs, *shape), dtype)
         return self._arrays[name]
 

@@ -71,7 +71,7 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
         randomization[entry_.name] = (
             amplitude_entry(setting, entry_.unit)
             if isinstance(setting, (int, float))
-            else range_entry(setting, entry_.valid)
+            else range_entry(setting, entry_.valid, optional=True)
         )
         if entry_.interval is not None:
             randomization[entry_.interval[0]] = range_entry(entry_.interval[1], _POSITIVE_SECONDS)

@@ -2,20 +2,27 @@
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Final, Literal, Protocol
+from dataclasses import dataclass, field, replace
+from typing import Any, Final, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env._plain import is_finite_number
 from quadruped_env.control.config import Range
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 
 Floats = NDArray[np.float64]
 Law = Literal["uniform", "log_uniform", "normal"]
+Mode = Literal["set", "scale", "add"]
+
+
+def _check_choice(what: str, value: object, choices: tuple[str, ...]) -> None:
+    if value not in choices:
+        raise QuadrupedError(f"{what} must be one of {', '.join(choices)}; found {short(value)}")
 
 
 @dataclass(slots=True)
@@ -56,12 +63,35 @@ class Randomization:
     width: int | Literal["joints", "feet"] = 1
     """Number of values per env."""
     law: Law = "uniform"
-    """Distribution: `uniform`, `log_uniform` or `normal`. The normal one has its mean at the middle of the range and a
-    quarter of the width as standard deviation, and is clipped to the range."""
+    """Distribution: `uniform`, `log_uniform` (both ends positive) or `normal`. The normal one has its mean at the
+    middle of the range and a quarter of the width as standard deviation, and is clipped to the range."""
     valid: Parameter = field(default_factory=Parameter)
     """Constraint on both ends of the range."""
     interval: tuple[str, Range] | None = None
     """For a randomization that repeats within an episode: the config's field for the interval in s, and its default."""
+
+    def __post_init__(self) -> None:
+        _check_choice(f"randomization {self.name}: law", self.law, get_args(Law))
+        if self.law == "log_uniform" and not self.valid.low > 0.0:
+            object.__setattr__(self, "valid", replace(self.valid, low=0.0, exclusive=True))
+        if isinstance(self.width, int) and self.width < 1:
+            raise QuadrupedError(f"randomization {self.name}: width must be 1 or more; found {self.width}")
+        setting = self.default
+        if setting is None:
+            return
+        if not isinstance(setting, (tuple, list)):
+            # An amplitude x stands for (-x, x).
+            valid = is_finite_number(setting) and setting >= 0 and self.law != "log_uniform"
+            rule = "a pair of positive numbers" if self.law == "log_uniform" else "0 or more, or a pair (low, high)"
+        else:
+            valid = (
+                len(setting) == 2
+                and all(is_finite_number(end) and self.valid.accepts(end) for end in setting)
+                and setting[0] <= setting[1]
+            )
+            rule = f"None, or a pair (low, high) with low <= high, each {self.valid.rule()}"
+        if not valid:
+            raise QuadrupedError(f"randomization {self.name}: default must be {rule}; found {short(setting)}")
 
     def columns(self, robot: Robot) -> int:
         """Number of values per env."""
@@ -114,13 +144,17 @@ class ModelField:
     field: str
     names: Sequence[str] | Callable[[Robot], Sequence[str]] | None = None
     column: int | None = None
-    mode: Literal["set", "scale", "add"] = "scale"
+    mode: Mode = "scale"
 
-    def bind(self, simulation: Simulation) -> Apply:
-        """Look the names up in a model.
+    def __post_init__(self) -> None:
+        _check_choice(f"ModelField({self.field!r}): mode", self.mode, get_args(Mode))
+
+    def bind(self, simulation: Simulation, width: int) -> Apply:
+        """Look the names up in a model, for `width` values per env.
 
         Raises:
-            QuadrupedError: if the model has no such field or element.
+            QuadrupedError: if the model has no such field or element, or `width` is neither 1 nor the number of
+                elements.
         """
         model = simulation.model
         kind = self.field.partition("_")[0]
@@ -135,6 +169,11 @@ class ModelField:
         except (AttributeError, KeyError) as error:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
         ids = np.arange(len(before))[rows]
+        if width not in (1, len(ids)):
+            raise QuadrupedError(
+                f"ModelField({self.field!r}): {width} values for {len(ids)} elements; width must be 1, for one value "
+                f"for all, or {len(ids)}"
+            )
         return _BoundField(self, simulation, ids, before, model.body_inertia.copy())
 
 
@@ -215,4 +254,9 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
 def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:
     """Function that applies a randomization in a simulation."""
     apply = randomization.apply
-    return apply.bind(simulation) if isinstance(apply, ModelField) else apply
+    if not isinstance(apply, ModelField):
+        return apply
+    try:
+        return apply.bind(simulation, randomization.columns(simulation.robot))
+    except QuadrupedError as error:
+        raise QuadrupedError(f"randomization {randomization.name}: {error}") from error

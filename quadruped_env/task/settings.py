@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Self, cast
 
 from quadruped_env._plain import plain
 from quadruped_env.control.config import check, check_range
@@ -31,7 +31,8 @@ class Section(Mapping[str, Any]):
         name: name of the section, for error messages.
         schema: fields of the section.
         values: values of some fields; the others have their defaults.
-        remake: function that creates the section from plain values when it is unpickled; None: unpickling gives a dict.
+        remake: function that creates the section from its values, with all checks, when it is changed or unpickled;
+            None: there are no further checks, and unpickling gives a dict.
 
     Raises:
         QuadrupedError: if a field is unknown or a value is not valid; the message says what is valid.
@@ -95,8 +96,10 @@ class Section(Mapping[str, Any]):
         return self
 
     def replace(self, **changes: Any) -> Self:
-        """A copy of the section with other values for some fields."""
-        return type(self)(self._name, self._schema, self._values | changes, self._remake)
+        """A copy of the section with other values for some fields; raises a QuadrupedError as the constructor does."""
+        if self._remake is None:
+            return type(self)(self._name, self._schema, self._values | changes)
+        return cast(Self, self._remake(self._values | changes))
 
     def has(self, schema: Schema) -> bool:
         """True if the section was created with this schema."""
@@ -162,11 +165,11 @@ def weights_entry(name: str, defaults: Mapping[str, float]) -> Entry:
     return Entry(Section(name, schema, {}), lambda value, path: Section(name, schema, value))
 
 
-def range_entry(default: tuple[float, float] | None, parameter: Parameter) -> Entry:
-    """Field for a pair (low, high) within the limits of a parameter; None is valid if it is the default."""
+def range_entry(default: tuple[float, float] | None, parameter: Parameter, optional: bool = False) -> Entry:
+    """Field for a pair (low, high) within the limits of a parameter, or None if it is optional."""
 
     def convert(value: Any, path: str) -> tuple[float, float] | None:
-        if value is None and default is None:
+        if value is None and optional:
             return None
         low, high = pair(value, path)
         check(parameter.accepts(low) and parameter.accepts(high), _field(path), (low, high), parameter.rule())
@@ -176,9 +179,11 @@ def range_entry(default: tuple[float, float] | None, parameter: Parameter) -> En
 
 
 def amplitude_entry(default: float, unit: str) -> Entry:
-    """Field for a pair (low, high), or a number x, 0 or more, that stands for (-x, x)."""
+    """Field for a pair (low, high), a number x, 0 or more, that stands for (-x, x), or None."""
 
-    def convert(value: Any, path: str) -> float | tuple[float, float]:
+    def convert(value: Any, path: str) -> float | tuple[float, float] | None:
+        if value is None:
+            return None
         if isinstance(value, (list, tuple)):
             return pair(value, path)
         converted = number(value, path)

@@ -194,21 +194,13 @@ class Task:
             QuadrupedError: if an env was never reset, the action's shape is wrong or a value is not finite; in that
                 case no env has moved.
         """
-        values = self._checked(action, "action", restart)
+        self._check_started()
+        values = np.array(action, dtype=np.float64)
+        if restart is not None and values.shape == self.control.action.shape:
+            values[restart] = 0.0
+        self._check_values(values, "action")
         self.control.advance()
         return self._move(self.control.joint_target(values), restart)
-
-    def step_joint_target(self, target: ArrayLike) -> Transition:
-        """Advance every env by one control step with joint targets (N, J) in rad, clipped to the joints' ranges.
-
-        The last action in the observation is zero.
-
-        Raises:
-            QuadrupedError: as `step`.
-        """
-        values = self._checked(target, "joint target")
-        self.control.advance()
-        return self._move(self.control.within_limits(values))
 
     def act(self, controller: Any, observation: NDArray[np.float32]) -> Transition:
         """Advance every env by one control step with a controller's joint targets.
@@ -286,15 +278,6 @@ class Task:
             "randomizer": self._randomizer.memory,
             "draws": self.draws,
         }
-
-    def _checked(self, values: ArrayLike, what: str, restart: NDArray[np.bool_] | None = None) -> Floats:
-        """A validated copy of values (N, J)."""
-        self._check_started()
-        copied = np.array(values, dtype=np.float64)
-        if restart is not None and copied.shape == self.control.action.shape:
-            copied[restart] = 0.0
-        self._check_values(copied, what)
-        return copied
 
     def _check_started(self) -> None:
         if not self._all_started:

@@ -158,7 +158,7 @@ def export_policy(model: PPO, task: TaskConfig, activation: str, card: dict[str,
     linear = [layer for layer in network if isinstance(layer, torch.nn.Linear)] + [model.policy.action_net]
     layers = [(layer.weight.detach().numpy().T.copy(), layer.bias.detach().numpy().copy()) for layer in linear]
     if isinstance(model.policy, SymmetricPolicy):
-        layers = symmetrized(layers, model.policy._mirror)
+        layers = symmetrized(layers, model.policy.mirror)
     return Policy(
         weights=tuple(weight for weight, _ in layers),
         biases=tuple(bias for _, bias in layers),

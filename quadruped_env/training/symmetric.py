@@ -48,21 +48,21 @@ class SymmetricPolicy(ActorCriticPolicy):
     """
 
     def __init__(self, *args: Any, mirror: MirrorMap, **kwargs: Any) -> None:
-        self._mirror = mirror
+        self.mirror = mirror
         super().__init__(*args, **kwargs)
 
     def _get_constructor_parameters(self) -> dict[str, Any]:
-        return {**super()._get_constructor_parameters(), "mirror": self._mirror}
+        return {**super()._get_constructor_parameters(), "mirror": self.mirror}
 
     def _build_mlp_extractor(self) -> None:
         self.mlp_extractor = _MirroredExtractor(
-            self._mirror,
+            self.mirror,
             self.features_dim,
             net_arch=self.net_arch,
             activation_fn=self.activation_fn,
             device=self.device,
         )
-        self.register_buffer("action_order", torch.as_tensor(self._mirror.action_order), persistent=False)
+        self.register_buffer("action_order", torch.as_tensor(self.mirror.action_order), persistent=False)
 
     def _get_action_dist_from_latent(self, latent_pi: torch.Tensor) -> Any:
         one, other = self.action_net(latent_pi)

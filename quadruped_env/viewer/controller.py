@@ -8,7 +8,7 @@ import math
 import threading
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
@@ -121,6 +121,11 @@ class _Slot:
     robot: ViewedRobot
     clock: float
     """Playback time that the robot has simulated, s."""
+    scratch: mujoco.MjData = field(init=False)
+    """Data for what is computed from a copy of the state."""
+
+    def __post_init__(self) -> None:
+        self.scratch = mujoco.MjData(self.robot.model)
 
 
 Source = ControllerSpec | Callable[[], ViewedRobot]
@@ -399,7 +404,7 @@ class ViewController:
                 self._paused,
                 self._speed,
                 self._command,
-                tuple(_view(slot.robot) for slot in self._slots),
+                tuple(_view(slot) for slot in self._slots),
                 self._watched,
                 None if self._take is None else self._take.seconds,
                 self._lag,
@@ -451,10 +456,11 @@ class ViewController:
             robot.reset(self._seed, self._command)
 
 
-def _view(robot: ViewedRobot) -> RobotView:
+def _view(slot: _Slot) -> RobotView:
+    robot = slot.robot
     # The contact forces of the last state are computed on a copy, since a control step ends before they are known.
-    data = copy.copy(robot.data)
-    points, forces = contact_forces(robot.model, data)
+    mujoco.mj_copyState(robot.model, robot.data, slot.scratch, mujoco.mjtState.mjSTATE_INTEGRATION)
+    points, forces = contact_forces(robot.model, slot.scratch)
     return RobotView(
         robot.name,
         robot.robot,

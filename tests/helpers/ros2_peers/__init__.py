@@ -1,0 +1,138 @@
+"""The real ROS 2 that tests meet: the distributions that `make ros2` installs, and how their programs are started."""
+
+import contextlib
+import json
+import os
+import subprocess
+import threading
+from dataclasses import asdict
+from pathlib import Path
+
+import pytest
+from paths import ROOT
+from waiting import status_of, wait_until
+
+INSTALLED = ROOT / ".ros2"
+DISTRIBUTIONS = ("kilted", "jazzy")
+PEER = Path(__file__).parent / "peer.py"
+_FOREIGN = ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH", "RMW_IMPLEMENTATION", "_ROS_WHEELS_BOOTSTRAP_COMPLETE")
+
+
+class Ros2:
+    """One distribution.
+
+    Args:
+        name: one of `DISTRIBUTIONS`; the test skips if it is not installed.
+    """
+
+    def __init__(self, name):
+        self.name = name
+        self.prefix = INSTALLED / name
+        if not (self.prefix / ".installed").exists():
+            pytest.skip(f"no ROS 2 {name.capitalize()}: make ros2")
+        self.python = self.prefix / "bin" / "python"
+
+    def environment(self, **more):
+        """Environment variables of its programs; the domain is that of this process (fixture `domain_id`).
+
+        The wheels' Python finds its libraries itself.
+        """
+        foreign = (
+            "PYTHONPATH",
+            "PYTHONHOME",
+            "LD_LIBRARY_PATH",
+            "RMW_IMPLEMENTATION",
+            "_ROS_WHEELS_BOOTSTRAP_COMPLETE",
+        )
+        own = {name: value for name, value in os.environ.items() if name not in foreign}
+        return own | {
+            "AMENT_PREFIX_PATH": str(self.prefix),
+            # No shared memory, which only Fast DDS has: what another release of it has left there can end a process.
+            "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
+            "PYTHONNOUSERSITE": "1",
+            "PYTHONUNBUFFERED": "1",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+            **more,
+        }
+
+    def start(self, program, *arguments, **settings):
+        """A Python program in this distribution, as a process whose output is a pipe."""
+        command = [self.python, program, *map(str, arguments)]
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+        return subprocess.Popen(command, **(pipes | {"env": self.environment()} | settings))
+
+    def share(self, package):
+        """The directory of what a package installs, or None without the package."""
+        directory = self.prefix / "share" / package
+        return directory if directory.is_dir() else None
+
+    @contextlib.contextmanager
+    def node(self, name="peer"):
+        """An rclpy node, see `peer.py`; what it prints beside its answers, as ROS 2's log does, fails the test."""
+        with self.start(PEER, name) as process:
+            node = RosNode(process)
+            try:
+                wait_until(lambda: node.said("ready"), node.state, process)
+                yield node
+            finally:
+                process.stdin.close()
+                status = status_of(process)
+                node.reader.join()
+        assert (status, node.log) == (0, [])
+
+
+class RosNode:
+    """An rclpy node in a process of its own."""
+
+    def __init__(self, process):
+        self.process = process
+        self.lines = []
+        """Answers, in the order in which they came."""
+        self.log = []
+        """Other lines that it printed."""
+        self.reader = threading.Thread(target=self._read, daemon=True)
+        self.reader.start()
+
+    def _read(self):
+        for line in self.process.stdout:
+            if line.startswith("{"):
+                self.lines.append(json.loads(line))
+            else:
+                self.log.append(line)
+
+    def ask(self, **line):
+        """Send it one line."""
+        self.process.stdin.write(json.dumps(line) + "\n")
+        self.process.stdin.flush()
+
+    def subscribe(self, topic, qos=None):
+        """Let it subscribe to a `Topic`."""
+        self.ask(subscribe=topic.name, type=topic.type_name, qos=asdict(qos or topic.qos))
+
+    def publish(self, topic, qos=None):
+        """Let it publish a `Topic`."""
+        self.ask(publish=topic.name, type=topic.type_name, qos=asdict(qos or topic.qos))
+
+    def said(self, kind, topic=None):
+        """Its answers of one kind, all or those of a topic."""
+        return [one for one in list(self.lines) if kind in one and topic in (None, one[kind])]
+
+    def received(self, topic):
+        """The messages that it received on a topic, as dicts."""
+        return [one["message"] for one in self.said("received", topic.name)]
+
+    def matched(self, topic):
+        """How many ends of other nodes its own of a topic are connected with now."""
+        counts = self.said("matched", topic.name)
+        return counts[-1]["count"] if counts else 0
+
+    def state(self):
+        """All that it printed, for the error of a test."""
+        return f"{self.lines[-5:]} {self.log}"
+
+
+def colcon():
+    """The program `colcon` that `make ros2` installs; the test skips without it."""
+    if not (ROOT / "colcon" / ".installed").exists():
+        pytest.skip("no colcon: make ros2")
+    return ROOT / "colcon" / "bin" / "colcon"

@@ -1,0 +1,67 @@
+"""Tiny trainings by the program, and what they leave."""
+
+import contextlib
+import csv
+import subprocess
+import sys
+
+import numpy as np
+from paths import ROOT
+from waiting import DEADLINE, wait_until
+
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.policies import load_policy
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
+
+SCRIPT = ROOT / "train" / "ppo.py"
+TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
+ENDLESS = ("--timesteps", "1000000000", *TINY[2:])
+RUN_FILES = {CONFIG_FILE, PROGRESS_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, "tensorboard"}
+
+
+def command(runs, *arguments):
+    return [sys.executable, str(SCRIPT), "--runs", str(runs), *map(str, arguments)]
+
+
+def train(runs, *arguments):
+    """Run the program to its end; the run directory."""
+    done = subprocess.run(command(runs, *arguments), capture_output=True, text=True, check=False, timeout=DEADLINE)
+    assert done.returncode == 0, done.stderr
+    return (runs / "latest").resolve()
+
+
+def progress(directory):
+    with (directory / PROGRESS_FILE).open() as file:
+        return list(csv.DictReader(file))
+
+
+def scalars(directory):
+    """Names of the scalars that TensorBoard shows -> their number of points."""
+    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+
+    events = EventAccumulator(str(directory / "tensorboard"))
+    events.Reload()
+    return {tag: len(events.Scalars(tag)) for tag in events.Tags()["scalars"]}
+
+
+def assert_complete(directory):
+    assert {path.name for path in directory.iterdir()} >= RUN_FILES
+    policy = load_policy(directory)
+    assert Parent.load(directory).timesteps == policy.card["timesteps"]
+    assert progress(directory)
+    assert policy.predict(np.zeros(policy.weights[0].shape[0])).shape == (8,)
+    return policy
+
+
+@contextlib.contextmanager
+def running(runs, *arguments):
+    """The program while it trains, from its second row of progress on."""
+    process = subprocess.Popen(command(runs, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        file = runs / "latest" / PROGRESS_FILE
+        wait_until(lambda: file.exists() and len(progress(runs / "latest")) >= 2, "progress", alive=process)
+        yield process
+    finally:
+        process.kill()
+        process.communicate()

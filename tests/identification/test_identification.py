@@ -1,0 +1,387 @@
+"""Motors from recordings: what is known goes in, and has to come out again."""
+
+import json
+import subprocess
+import sys
+
+import mujoco
+import numpy as np
+import pytest
+from paths import DYNA1, ROOT
+
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
+from quadruped_env.evaluation.episode import play, publish
+from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
+from quadruped_env.identification.dataset import align, held
+from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.identification_report import save
+from quadruped_env.identification.quantities import (
+    coordinate_derivatives,
+    from_coordinates,
+    names_of,
+    to_coordinates,
+    value_of,
+    with_values,
+)
+from quadruped_env.identification.spec import joint_spec
+from quadruped_env.replay.motors_file import read_motors
+from quadruped_env.replay.replay import replay
+from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
+from quadruped_env.robot.motors import fill_command_history
+
+TRUTH = MotorConfig(
+    hip=JointMotor(stall_torque=7.5, kp=32.0, kd=0.7, damping=0.12, friction_loss=0.25, armature=0.016),
+    knee=JointMotor(stall_torque=8.5, kp=48.0, kd=1.3, damping=0.09, friction_loss=0.15, armature=0.008),
+    delay=0.017,
+)
+STANCE = MINI_QUADRUPED.stance
+NOISE = (0.002, 0.05, 0.1)
+"""Standard deviations: rad, rad/s, N m"""
+
+
+def commanded(seconds, rate=50.0, steps=0.35, seed=1):
+    """Waves and steps on every joint: fast, to and fro, and up to the motors' limits."""
+    rng = np.random.default_rng(seed)
+    t = np.arange(round(seconds * rate) + 1) / rate
+    low, high = MINI_QUADRUPED.joint_position_low, MINI_QUADRUPED.joint_position_high
+    half = (high - low) / 2
+    targets = np.tile((low + high) / 2, (len(t), 1))
+    for joint in range(8):
+        for frequency in (0.4, 0.9, 1.7, 2.9):
+            wave = np.sin(2 * np.pi * frequency * (1 + joint / 80) * t + rng.uniform(0, 2 * np.pi))
+            targets[:, joint] += 0.18 * half[joint] * wave
+        jumps = rng.uniform(-steps, steps, int(seconds / 0.4) + 1)
+        targets[:, joint] += jumps[(t / 0.4).astype(int)] * half[joint]
+    targets = np.clip(targets, low + 0.1, high - 0.1)
+    return JointTrajectory(np.rint(t * 1e9).astype(np.int64), JOINT_NAMES, targets)
+
+
+def measured(commands, motors, noise=NOISE, every=2, seed=0):
+    """What a robot on a stand does with the commands, from MuJoCo alone: 5 ms steps, every second one measured."""
+    spec = joint_spec(MINI_QUADRUPED, "fixed", 0.005)
+    motors.write(spec)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    data.qpos = commands.positions[0]
+    fill_command_history(model, data.history[None], commands.positions[:1])
+    rows = [(0, data.qpos.copy(), data.qvel.copy(), np.zeros(8))]
+    command_steps = commands.stamps // 5_000_000
+    for step in range(int(command_steps[-1])):
+        data.ctrl = commands.positions[np.searchsorted(command_steps, step, side="right") - 1]
+        mujoco.mj_step(model, data)
+        if (step + 1) % every == 0:
+            rows.append(((step + 1) * 5_000_000, data.qpos.copy(), data.qvel.copy(), data.actuator_force.copy()))
+    stamps, *signals = map(np.array, zip(*rows, strict=True))
+    return noisy(JointTrajectory(stamps, JOINT_NAMES, *signals), noise, seed)
+
+
+def noisy(trajectory, noise=NOISE, seed=0):
+    rng = np.random.default_rng(seed)
+    signals = trajectory.positions, trajectory.velocities, trajectory.efforts
+    disturbed = [signal + rng.normal(0.0, sigma, signal.shape) for signal, sigma in zip(signals, noise, strict=True)]
+    return JointTrajectory(trajectory.stamps, trajectory.names, *disturbed)
+
+
+def without(trajectory, *kinds):
+    return JointTrajectory(
+        trajectory.stamps,
+        trajectory.names,
+        trajectory.positions,
+        None if "velocities" in kinds else trajectory.velocities,
+        None if "efforts" in kinds else trajectory.efforts,
+    )
+
+
+@pytest.fixture(scope="module")
+def short():
+    """Commands over 3 s, and what a robot made of them."""
+    commands = commanded(3.0)
+    return commands, measured(commands, TRUTH)
+
+
+@pytest.fixture(scope="module")
+def walked():
+    """Commands of a walk over 3 s, and what a robot on the ground made of them."""
+    commands = publish(SinusoidalGait.preset("tuned"), 3.0, 50.0)
+    return commands, noisy(play(commands, motors=TRUTH).joints)
+
+
+class TestRecorded:
+    def test_a_held_command_is_averaged_over_the_step(self):
+        times, values = np.array([0.0, 0.02, 0.03]), np.array([[1.0], [3.0], [-1.0]])
+        means = held(times, values, np.array([-0.01, 0.0, 0.01, 0.025, 0.03, 0.05]))
+        # By hand: before the first command it holds too; from 0.01 to 0.025, two thirds of 1 and one third of 3.
+        np.testing.assert_allclose(means[:, 0], [1.0, 1.0, 1.0 * 2 / 3 + 3.0 / 3, 3.0, -1.0], atol=1e-12)
+
+    def test_commands_and_measurements_meet_on_the_clock_of_the_physics(self):
+        commands = commanded(4.0)
+        late = JointTrajectory(commands.stamps[10:] + 3, JOINT_NAMES, commands.positions[10:])
+        recorded = align(MINI_QUADRUPED, late, commands, 0.5, 0.005)
+        assert recorded.times[0] == 0.0
+        assert len(recorded.times) == len(late) - 1  # the last stamp is after the last command
+        # The control is the command before; 3 ns later it is already the next one's for nearly the whole step.
+        np.testing.assert_allclose(recorded.control[0], commands.positions[10], atol=1e-5)
+        assert recorded.train.sum() == pytest.approx(len(recorded.times) / 2, abs=1)
+        assert recorded.signals == ("position",)
+
+    def test_what_cannot_be_fitted_is_an_error(self):
+        commands = commanded(4.0)
+        still = JointTrajectory([0, 10**10], JOINT_NAMES, np.tile(STANCE, (2, 1)))
+        stamps = np.arange(4001) * 100_000_000
+        longer = JointTrajectory(stamps, JOINT_NAMES, np.tile(STANCE, (4001, 1)) + np.sin(stamps)[:, None] / 10)
+        elsewhere = JointTrajectory(commands.stamps + 10**15, JOINT_NAMES, commands.positions)
+        for recording, told, message in (
+            (commands, still, "no command changes"),
+            (elsewhere, commands, r"0 measurements over 0 s in common .*one clock"),
+            (commands.slice(0.0, 1.0), commands, "at least 2 s"),
+            (longer, longer, r"400 s in common with its commands, over 300 s; cut out"),
+        ):
+            with pytest.raises(QuadrupedError, match=message):
+                align(MINI_QUADRUPED, recording, told, 0.7, 0.005)
+        for arguments, message in (
+            ({"base": "flying"}, "base must be one of fixed, free; found 'flying'"),
+            ({"fitted": ["mass"]}, r"cannot estimate 'mass'; valid names are stall_torque"),
+            ({"train_share": 1.0}, "share for the fit must be from 0.1 to 0.9; found 1"),
+            ({"timestep": 0.1}, "time step must be from 0.0001 to 0.01 s"),
+            ({"without": ["tail"]}, "no joint 'tail' to leave out"),
+            ({"without": JOINT_NAMES}, "no joint is left"),
+        ):
+            with pytest.raises(QuadrupedError, match=message):
+                identify(commands, commands, **arguments)
+
+    def test_commands_beside_the_measurements(self, tmp_path):
+        with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv next to it; name the file \(--comm"):
+            find_commands(tmp_path / "walk.csv")
+        (tmp_path / "walk-commands.csv").touch()
+        assert find_commands(tmp_path / "walk.csv") == tmp_path / "walk-commands.csv"
+
+
+class TestCoordinates:
+    def test_there_and_back(self):
+        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
+        again = from_coordinates(to_coordinates(values))
+        assert again == pytest.approx(values)
+        assert with_values(MotorConfig(), values) == TRUTH
+
+    def test_derivatives(self):
+        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
+        base = np.array(list(to_coordinates(values).values()))
+        found = coordinate_derivatives(values)
+        for column, name in enumerate(values):
+            step = 1e-7 * values[name]
+            moved = np.array(list(to_coordinates({**values, name: values[name] + step}).values()))
+            np.testing.assert_allclose(found[:, column], (moved - base) / step, rtol=1e-5, atol=1e-5)
+
+
+class TestPrediction:
+    def test_the_true_motors_leave_nothing_but_noise(self, short):
+        commands, _ = short
+        exact = measured(commands, TRUTH, noise=(0.0, 0.0, 0.0))
+        fit = MotorFit(align(MINI_QUADRUPED, exact, commands, 0.7, 0.005), "fixed", MotorConfig(), ["kp"])
+        predicted = fit.predict(TRUTH)
+        signals = np.concatenate([exact.positions, exact.velocities, exact.efforts], axis=1)
+        np.testing.assert_allclose(predicted[1:], signals[1:], rtol=0, atol=1e-9)
+
+    def test_on_the_ground_it_is_the_task(self):
+        """The free robot of the fit does what the task's does with the same targets."""
+        commands = publish(SinusoidalGait.preset("tuned"), 2.0, 50.0)
+        walked = play(commands).joints
+        fit = MotorFit(align(MINI_QUADRUPED, walked, commands, 0.7, 0.005), "free", MotorConfig(), ["kp"])
+        predicted = fit.predict(MotorConfig())
+        np.testing.assert_allclose(predicted[1:, :8], walked.positions[1:], rtol=0, atol=1e-6)
+        np.testing.assert_allclose(predicted[1:, 16:], walked.efforts[1:], rtol=0, atol=1e-4)
+
+
+class TestIdentify:
+    def test_two_gains_come_back(self, short, tmp_path):
+        commands, recording = short
+        start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
+        shares = []
+        found = identify(recording, commands, start=start, fitted=["kp"], progress=shares.append)
+        assert found.after.hip.kp == pytest.approx(32.0, rel=0.02)
+        assert found.after.knee.kp == pytest.approx(48.0, rel=0.02)
+        assert found.after.hip.kd == TRUTH.hip.kd
+        assert found.helps
+        assert "held-out time the position error falls from" in found.verdict()
+        for name, sigma in zip(("position", "velocity", "effort"), NOISE, strict=True):
+            np.testing.assert_allclose(found.errors(after=True)[name], sigma, rtol=0.25)
+        assert all(e.half_width < 1.0 and abs(e.after - e.before) > e.half_width for e in found.estimates)
+        assert (shares[-1], shares) == (1.0, sorted(shares))
+
+        save(found, tmp_path / "fit", "python evaluate/identify.py walk.csv")
+        assert read_motors(tmp_path / "fit" / "motors.json") == found.after
+        numbers = json.loads((tmp_path / "fit" / "identification.json").read_text())
+        assert numbers["errors"]["held_out"]["after"]["position"]["LF_hip_joint"] == pytest.approx(0.002, rel=0.25)
+        page = (tmp_path / "fit" / "report.html").read_text()
+        assert page.count("data:image/svg+xml") == 4
+        with pytest.raises(QuadrupedError, match=r"motors\.json: exists already"):
+            save(found, tmp_path / "fit", "")
+
+    def test_what_a_recording_does_not_determine_stays_and_is_named(self):
+        """A motor that never comes to its limit has unknown strength."""
+        commands = commanded(3.0, steps=0.0)
+        gentle = JointTrajectory(commands.stamps, JOINT_NAMES, STANCE + 0.1 * (commands.positions - STANCE))
+        recording = measured(gentle, TRUTH)
+        start = with_values(TRUTH, {"hip.kp": 40.0, "hip.stall_torque": 10.0})
+        found = identify(recording, gentle, start=start, fitted=["stall_torque", "kp"])
+        widths = {estimate.name: estimate.half_width for estimate in found.estimates}
+        assert widths["hip.stall_torque"] is widths["knee.stall_torque"] is None
+        assert found.after.hip.stall_torque == 10.0
+        assert found.after.hip.kp == pytest.approx(32.0, rel=0.05)
+        assert "not determined: stays" in found.table()
+
+    def test_a_joint_that_does_not_obey_is_named_and_can_be_left_out(self, short):
+        commands, recording = short
+        positions = recording.positions.copy()
+        positions[:, 2] = positions[0, 2]
+        broken = JointTrajectory(recording.stamps, JOINT_NAMES, positions, recording.velocities, recording.efforts)
+        start = with_values(TRUTH, {"hip.kp": 40.0})
+        whole = identify(broken, commands, start=start, fitted=["kp"])
+        assert "RF_hip_joint moved 0.000 rad where" in whole.table()
+        assert "--without RF_hip_joint" in whole.table()
+        part = identify(broken, commands, start=start, fitted=["kp"], without=["RF_hip_joint"])
+        assert part.after.hip.kp == pytest.approx(32.0, rel=0.02)
+        assert np.isnan(part.errors(after=True)["position"][2])
+        assert "RF_hip" not in part.table()
+
+    def test_identify_a_walk_on_the_ground_with_a_fixed_base_says_so_and_gives_no_interval(self, walked, tmp_path):
+        commands, recording = walked
+        start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
+        found = identify(recording, commands, start=start, fitted=["kp"])
+        # Without a word this would be taken for the truth.
+        assert abs(found.after.knee.kp / TRUTH.knee.kp - 1.0) > 0.1
+        assert not found.base_fits
+        assert found.verdict().startswith("Do not trust these motors: --base fixed does not fit.")
+        assert all(estimate.half_width is None and estimate.determined for estimate in found.estimates)
+        assert found.table().count("unknown") == 2
+        assert "No intervals: " in found.table()
+        save(found, tmp_path, "")
+        numbers = json.loads((tmp_path / "identification.json").read_text())
+        assert numbers["base_fits"] is False
+        assert numbers["mismatch"]["fixed"] > numbers["mismatch"]["free"]
+        assert "Do not trust these motors" in (tmp_path / "report.html").read_text()
+
+    @pytest.mark.slow
+    def test_identify_on_the_ground_with_a_free_base_gives_no_interval(self, walked):
+        commands, recording = walked
+        found = identify(recording, commands, base="free", start=TRUTH, fitted=["kp"])
+        assert found.base_fits
+        assert "Do not trust" not in found.verdict()
+        assert all(estimate.half_width is None for estimate in found.estimates)
+        assert "No intervals: contacts" in found.table()
+
+    @pytest.mark.parametrize("place", ["fixed", "free"])
+    @pytest.mark.parametrize(
+        ("motors", "missing"),
+        [
+            (TRUTH, ("velocities", "efforts")),
+            (with_values(MotorConfig(), {"hip.kp": 25.0, "knee.kp": 25.0, "delay": 0.03}), ()),
+        ],
+        ids=["positions alone", "weak and late"],
+    )
+    def test_mismatch_tells_a_stand_from_the_ground_before_the_fit(self, motors, missing, place):
+        commands = publish(SinusoidalGait.preset("article"), 2.0, 50.0)
+        done = measured(commands, motors) if place == "fixed" else noisy(play(commands, motors=motors).joints)
+        recorded = align(MINI_QUADRUPED, without(done, *missing), commands, 0.7, 0.005)
+        right, wrong = (
+            MotorFit(recorded, base, MotorConfig(), ()).mismatch() for base in sorted(BASES, key=lambda b: b != place)
+        )
+        assert right < 0.8 * wrong
+
+    @pytest.mark.slow
+    def test_intervals_hold_the_truth(self):
+        """Over two recordings, of all signals and of positions alone; of the intervals of 95 %, one of ten may miss."""
+        start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0, "hip.kd": 1.0, "knee.kd": 1.0, "delay": 0.0})
+        missed = []
+        for seed, missing in enumerate([(), ("velocities", "efforts")]):
+            commands = commanded(5.0, seed=seed)
+            recording = without(measured(commands, TRUTH, seed=seed), *missing)
+            for estimate in identify(recording, commands, start=start, fitted=["kp", "kd", "delay"]).estimates:
+                truth = value_of(TRUTH, estimate.name)
+                assert estimate.half_width is not None
+                assert estimate.half_width < 0.1 * truth
+                missed += [estimate.name] * (abs(estimate.after - truth) > estimate.half_width)
+        assert len(missed) <= 1, missed
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize(("seconds", "missing"), [(10.0, ()), (20.0, ("efforts",))])
+    def test_known_motors_come_back_within_a_tenth(self, seconds, missing):
+        """All of them at once, from the model file's motors, out of noise."""
+        commands = commanded(seconds)
+        found = identify(without(measured(commands, TRUTH), *missing), commands)
+        for estimate in found.estimates:
+            assert estimate.half_width is not None, estimate.name
+            assert estimate.after == pytest.approx(value_of(TRUTH, estimate.name), rel=0.1), estimate.name
+        before, after = found.errors(after=False), found.errors(after=True)
+        np.testing.assert_allclose(after["position"], NOISE[0], rtol=0.1)
+        assert (before["position"] > 10 * after["position"]).all()
+
+    @pytest.mark.slow
+    @pytest.mark.skipif(not DYNA1.is_dir(), reason="needs the recording of Dyna1 in ../shared/data/dyna1")
+    def test_a_real_robots_legs(self):
+        """Dyna1 lifts and lowers itself; two of its hips do not move, whatever they are told."""
+        layout = asset_path("dyna1.toml")
+        recording, commands = (
+            JointTrajectory.load(DYNA1 / name, columns=layout, joint_map=layout)
+            for name in ("measured.csv", "control.csv")
+        )
+        broken = ["LF_hip_joint", "LH_hip_joint"]
+        # It never came near its motors' limits.
+        fitted = [name for name in FITTED if name != "stall_torque"]
+        found = identify(recording, commands, without=broken, fitted=fitted)
+        before, after = (found.errors(after=after)["position"] for after in (False, True))
+        counted = np.array([name not in broken for name in JOINT_NAMES])
+        assert (after[counted] < 0.6 * before[counted]).all()
+        played = [
+            replay(commands, measured=recording, motors=motors).comparison().difference("positions")
+            for motors in (found.before, found.after)
+        ]
+        rms = [np.sqrt((difference[:, counted] ** 2).mean(axis=0)) for difference in played]
+        assert (rms[1] < 0.8 * rms[0]).all()
+
+
+class TestMotorsFile:
+    @pytest.mark.parametrize(
+        ("text", "message"),
+        [
+            ("{", "not valid JSON"),
+            ("[]", r'expected \{"motor"'),
+            ('{"motor": {"hip": {"kp": -1}}}', r"motors\.json: motor: kp must be"),
+            ('{"motor": {"hip": {"kq": 1}}}', "unknown field 'kq'"),
+        ],
+    )
+    def test_what_is_not_one(self, tmp_path, text, message):
+        path = tmp_path / "motors.json"
+        path.write_text(text)
+        with pytest.raises(QuadrupedError, match=message):
+            read_motors(path)
+        with pytest.raises(QuadrupedError, match="there is no such file"):
+            read_motors(tmp_path / "none.json")
+
+
+def run(directory, *arguments):
+    command = [sys.executable, str(ROOT / "evaluate" / "identify.py"), *map(str, arguments)]
+    return subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
+
+
+class TestProgram:
+    def test_from_files_to_motors(self, short, tmp_path):
+        commands, recording = short
+        recording.save(tmp_path / "walk.csv")
+        done = run(tmp_path, "walk.csv", "--fit", "kp", "delay")
+        assert done.returncode == 2
+        assert done.stderr.startswith("identify.py: error: walk.csv: no joint targets: there is no walk-commands.csv")
+        commands.save(tmp_path / "walk-commands.csv")
+        done = run(tmp_path, "walk.csv", "--fit", "kp")
+        assert done.returncode == 0, done.stderr
+        assert "On held-out time the position error falls" in done.stdout
+        assert done.stdout.endswith("motors, numbers and report: results/identify-walk\n")
+        done = run(tmp_path, "walk.csv", "--out", "results/identify-walk")
+        assert (done.returncode, done.stdout) == (2, "")
+        assert "motors.json: exists already" in done.stderr
+
+    def test_help(self):
+        done = run(".", "--help")
+        assert done.returncode == 0
+        for word in ("--commands-topic", "--without", "friction_loss", "motors.json", "--degrees"):
+            assert word in done.stdout

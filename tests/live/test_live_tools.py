@@ -1,0 +1,391 @@
+"""The tools: what they print is what was sent, what they record plays to the same motion, and keys drive the robot."""
+
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import sys
+import time
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from live_nodes import STAMP, joint_state, started
+from paths import ROOT
+from trajectories import assert_same, random_trajectory
+from waiting import DEADLINE, output_of, wait_until
+
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, asset_path
+from quadruped_env.live import Network, Topic
+from quadruped_env.live.dds import open_participant
+from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
+from quadruped_env.live.listener import common_qos
+from quadruped_env.live.nodes.hz import rate_text
+from quadruped_env.live.nodes.teleop import after, twist
+from quadruped_env.live.recorder import Recorder
+from quadruped_env.live.text import as_csv, as_yaml, field_at, plain
+from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF
+from quadruped_env.live.transforms import TransformWriter, description_message
+from quadruped_env.replay.replay import replay
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.ros import Qos, cdr
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+DEEP = Qos(depth=1000)
+REPLAY = ROOT / "evaluate" / "replay.py"
+
+
+def message_of(trajectory, row):
+    return joint_state(
+        int(trajectory.stamps[row]),
+        trajectory.names,
+        trajectory.positions[row],
+        () if trajectory.velocities is None else trajectory.velocities[row],
+        () if trajectory.efforts is None else trajectory.efforts[row],
+    )
+
+
+def ended(process):
+    """What a node printed until Ctrl-C ended it."""
+    process.send_signal(signal.SIGINT)
+    output, _ = output_of(process)
+    assert process.returncode == 0, output
+    assert "Traceback" not in output
+    return output
+
+
+@pytest.mark.parametrize(("write", "suffix"), [(as_yaml, "yaml"), (as_csv, "csv")])
+def test_what_is_printed_can_be_read_back(tmp_path, write, suffix):
+    """By the reader of what `ros2 topic echo` prints, to the last bit: NaN, and numbers of any size."""
+    trajectory = random_trajectory(40)
+    file = tmp_path / f"echo.{suffix}"
+    file.write_text("".join(write(plain(message_of(trajectory, row))) for row in range(len(trajectory))))
+    assert_same(JointTrajectory.load(file), trajectory)
+
+
+def test_yaml_is_that_of_ros():
+    """As `ros2 topic echo` prints it: its own documentation's form, block lists and `''` for an empty text."""
+    message = joint_state(STAMP, ["a", "b"], [0.5, -1e-05])
+    assert as_yaml(plain(message)) == (
+        "header:\n  stamp:\n    sec: 1700000000\n    nanosec: 123456789\n  frame_id: ''\n"
+        "name:\n- a\n- b\nposition:\n- 0.5\n- -1.0e-05\nvelocity: []\neffort: []\n---\n"
+    )
+    assert as_csv(plain(message)) == "1700000000,123456789,,a,b,0.5,-1e-05,,\n"
+
+
+def test_a_field_is_chosen_by_its_path():
+    values = plain(cdr.deserialize(TransformWriter(MINI_QUADRUPED)(STAMP, np.zeros(8)), TF.type_name))
+    assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
+    assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
+    assert field_at(values, "") is values
+    with pytest.raises(QuadrupedError, match=r"--field transforms\.8: there is no '8'; there is a list of 8"):
+        field_at(values, "transforms.8")
+    with pytest.raises(QuadrupedError, match="there is no 'x'; there is transforms"):
+        field_at(values, "x")
+
+
+def test_echo_prints_every_message_of_a_reliable_topic(nodes):
+    publisher = nodes().publish(JOINT_STATES, DEEP)
+    with started("echo", "joint_states", "--field", "position", stderr=subprocess.DEVNULL) as process:
+        wait_until(lambda: publisher.readers, alive=process)
+        for i in range(20):
+            publisher.send(joint_state(position=[i] * 8))
+        assert publisher.wait_until_read(DEADLINE)
+        output = ended(process)
+    assert output == "".join(f"- {i}.0\n" * 8 + "---\n" for i in range(20))
+
+
+def test_echo_prints_messages_of_a_best_effort_topic_whole_and_in_order(nodes, tmp_path):
+    """Best effort promises no message, so it is sent until enough of them are printed."""
+    publisher, log = nodes().publish(JOINT_STATES, Qos(10, reliable=False)), tmp_path / "echo.yaml"
+    sent = iter(range(10**9))
+    with (
+        log.open("w") as file,
+        started("echo", "joint_states", "--field", "position", stdout=file, stderr=subprocess.DEVNULL) as process,
+    ):
+        wait_until(
+            lambda: publisher.send(joint_state(position=[next(sent)] * 8)) or log.read_text().count("---") >= 20,
+            alive=process,
+        )
+        process.send_signal(signal.SIGINT)
+        output_of(process)
+    documents = log.read_text().removesuffix("---\n").split("---\n")
+    printed = [int(document.split()[1].removesuffix(".0")) for document in documents]
+    assert documents == [f"- {i}.0\n" * 8 for i in printed]
+    assert printed == sorted(set(printed))
+
+
+def test_echo_ends_when_nobody_reads_on(nodes):
+    """As with `echo ... | head -1`."""
+    publisher = nodes().publish(JOINT_STATES)
+    with started("echo", "/joint_states", "--csv", stderr=subprocess.PIPE) as process:
+        wait_until(lambda: publisher.readers)
+
+        def ended():
+            publisher.send(joint_state())
+            return process.poll() is not None
+
+        wait_until(lambda: publisher.send(joint_state()) or select.select([process.stdout], [], [], 0.01)[0])
+        assert process.stdout.readline().startswith("1700000000,123456789,,LF_hip_joint,")
+        process.stdout.close()
+        wait_until(ended)
+        assert "Traceback" not in process.stderr.read()
+    assert process.returncode == 0
+
+
+def test_hz_measures_what_comes(nodes):
+    publisher = nodes().publish(JOINT_STATES)
+    with started("hz", stderr=subprocess.DEVNULL) as process:
+        wait_until(lambda: publisher.readers)
+        for _ in range(10):
+            publisher.send(joint_state())
+        assert publisher.wait_until_read(DEADLINE)
+        process.send_signal(signal.SIGINT)
+        output, _ = output_of(process)
+    assert re.search(r"^/joint_states: average rate \d+\.\d\d Hz, period .* ms, 10 messages$", output, re.MULTILINE)
+
+
+def test_list_names_topics_types_owners_and_what_keeps_them_apart(nodes):
+    one, other = nodes("one"), nodes("other")
+    one.publish(JOINT_STATES, Qos(10, reliable=False))
+    other.subscribe(JOINT_STATES)
+
+    def listed():
+        """What it prints once it has found both: it listens for a moment only, which a busy machine may let pass."""
+        with started("list", "--verbose", stderr=subprocess.DEVNULL) as process:
+            lines = output_of(process)[0].splitlines()
+        return lines if len(lines) >= 4 else None
+
+    lines = wait_until(listed, "the topic, its two ends and the problem")
+    assert lines[0] == "/joint_states [sensor_msgs/msg/JointState]"
+    assert lines[1].startswith(f"    publisher    one (process {os.getpid()} on ")
+    assert ": best effort, volatile, RIHS01_a13ee3a3" in lines[1]
+    assert lines[2].startswith(f"    subscription other (process {os.getpid()} on ")
+    assert lines[3].startswith("! /joint_states, from one (process")
+    assert "the reader requests reliable delivery, the writer offers best effort" in lines[3]
+
+
+def test_rates_are_those_of_the_arrivals():
+    assert rate_text(deque([1.0, 1.01, 1.03, 1.04])) == (
+        "average rate 75.00 Hz, period 10.00 to 20.00 ms, standard deviation 4.71 ms, 4 messages"
+    )
+    assert rate_text(deque([1.0])) == "1 message"
+
+
+def test_a_subscription_asks_for_what_all_offer():
+    reliable, latched, loose = Qos(5), Qos(1, transient_local=True), Qos(7, reliable=False)
+    assert common_qos([reliable, latched], "/other") == Qos(10)
+    assert common_qos([latched, latched], "/robot_description") == Qos(1, transient_local=True)
+    assert common_qos([reliable, loose], "/tf") == Qos(100, reliable=False)
+
+
+def test_a_recording_replays_to_the_same_motion(nodes, tmp_path):
+    """A gait on /joint_states, recorded by the program: the bag holds it to the last bit, and plays as it does."""
+    stamps = STAMP + 20_000_000 * np.arange(100)
+    times = (stamps - STAMP) / 1e9
+    gait = SinusoidalGait.preset("tuned")
+    trajectory = JointTrajectory(
+        stamps=stamps, names=JOINT_NAMES, positions=gait.positions(times), velocities=gait.velocities(times)
+    )
+    node, bag = nodes(), tmp_path / "bag"
+    states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
+    node.publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
+    tf_bytes = [TransformWriter(MINI_QUADRUPED)(int(stamps[row]), trajectory.positions[row]) for row in range(100)]
+    with started("record", "-o", str(bag)) as process:
+        wait_until(lambda: states.readers and transforms.readers)
+        for row in range(100):
+            states.send(message_of(trajectory, row))
+            transforms.send_bytes(tf_bytes[row])
+        assert states.wait_until_read(DEADLINE)
+        assert transforms.wait_until_read(DEADLINE)
+        output = ended(process)
+    assert f"201 messages of 3 topics: {bag}" in output.splitlines()
+    assert_same(JointTrajectory.load(bag), trajectory)
+    assert contents(bag)["/tf"] == tf_bytes
+    assert_read_by_others(bag, trajectory)
+    expected, found = tmp_path / "expected", tmp_path / "found"
+    replay(trajectory).save(expected)
+    subprocess.run([sys.executable, REPLAY, bag, "--out", found, "--no-report"], check=True, capture_output=True)
+    for name in ("link_poses.csv", "joint_states.csv"):
+        assert (found / name).read_bytes() == (expected / name).read_bytes()
+
+
+@pytest.mark.slow
+def test_a_recorded_walk_replays_to_the_same_motion(nodes, tmp_path):
+    """What the controller told the robot, recorded live and given to a simulation of its own: it walks as it did."""
+    node, bag = nodes(), tmp_path / "bag"
+    velocities, odometry = node.publish(CMD_VEL), node.subscribe(ODOMETRY, DEEP)
+    places = []
+
+    def walked(distance):
+        velocities.send(twist((0.4, 0.0)))
+        places.extend(odometry.decode(received).pose.pose.position for received in odometry.take())
+        return places and np.hypot(places[-1].x - places[0].x, places[-1].y - places[0].y) > distance
+
+    # A command that is late because the machine is busy would make another walk than its replay.
+    with started("sim", "--realtime") as robot:
+        with started("record", "-o", str(bag)) as record, started("controller", "--realtime") as controller:
+            wait_until(lambda: walked(1.0), "a walk of 1 m", interval=0.1)
+            output = ended(record)
+            ended(controller)
+        ended(robot)
+    assert "/joint_commands" in output
+    commands = JointTrajectory.load(bag, topic="/joint_commands")
+    result = replay(commands, measured=JointTrajectory.load(bag))
+    assert np.sqrt(np.mean(result.comparison().difference("positions") ** 2)) < 0.03
+    recorded = [cdr.deserialize(data, "nav_msgs/msg/Odometry").pose.pose.position for data in contents(bag)["/odom"]]
+    went = np.hypot(recorded[-1].x - recorded[0].x, recorded[-1].y - recorded[0].y)
+    assert went > 0.5
+    x, y = result.motion.base_pose[-1, :2] - result.motion.base_pose[0, :2]
+    assert np.hypot(x, y) == pytest.approx(went, rel=0.1)
+
+
+def assert_read_by_others(bag, trajectory):
+    """An independent reader finds the positions, and the URDF whole."""
+    from mcap.reader import make_reader
+    from mcap_ros2.decoder import DecoderFactory
+
+    positions, texts = [], []
+    with next(bag.glob("*.mcap")).open("rb") as file:
+        for _, channel, _, message in make_reader(file, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
+            if channel.topic == "/joint_states":
+                positions.append(message.position)
+            elif channel.topic == "/robot_description":
+                texts.append(message.data)
+    np.testing.assert_array_equal(positions, trajectory.positions)
+    assert texts == [asset_path("mini_quadruped.urdf").read_text()]
+
+
+def contents(bag):
+    """Topic -> bytes of its messages, as rosbags reads a bag."""
+    from rosbags.rosbag2 import Reader
+
+    found = {}
+    with Reader(bag) as reader:
+        for connection, _, data in reader.messages():
+            found.setdefault(connection.topic, []).append(bytes(data))
+    return found
+
+
+def test_a_recording_keeps_what_publishers_offer(tmp_path):
+    from rosbags.interfaces import QosDurability, QosReliability
+    from rosbags.rosbag2 import Reader
+
+    with Recorder(tmp_path / "bag") as recorder:
+        recorder.write(ROBOT_DESCRIPTION, cdr.serialize(description_message(MINI_QUADRUPED)))
+        recorder.write(Topic("/joint_states", JOINT_STATES.type_name, Qos(10, False)), cdr.serialize(joint_state()))
+    with Reader(tmp_path / "bag") as reader:
+        profiles = {one.topic: one.ext.offered_qos_profiles[0] for one in reader.connections}
+    assert profiles["/robot_description"].durability == QosDurability.TRANSIENT_LOCAL
+    assert profiles["/joint_states"].durability == QosDurability.VOLATILE
+    assert profiles["/joint_states"].reliability == QosReliability.BEST_EFFORT
+
+
+def test_times_of_recording_rise_even_within_a_burst(tmp_path, monkeypatch):
+    from rosbags.rosbag2 import Reader
+
+    monkeypatch.setattr(time, "time_ns", lambda: STAMP)
+    with Recorder(tmp_path / "bag") as recorder:
+        for i in range(5):
+            recorder.write(JOINT_STATES, cdr.serialize(joint_state(STAMP - i)))
+    with Reader(tmp_path / "bag") as reader:
+        assert [time for _, time, _ in reader.messages()] == [STAMP + i for i in range(5)]
+
+
+def test_nothing_is_recorded_over(tmp_path):
+    (tmp_path / "bag").mkdir()
+    with pytest.raises(QuadrupedError, match="bag: exists already; name another place"):
+        Recorder(tmp_path / "bag")
+
+
+def test_record_says_that_nothing_came(domain_id, tmp_path):
+    with started("record", "/joint_states", "--seconds", "1", "-o", str(tmp_path / "bag")) as process:
+        output, _ = output_of(process)
+    assert process.returncode == 2
+    assert (
+        f"nothing to record on domain {domain_id}, this machine only: waited for a publisher of /joint_states" in output
+    )
+    assert not (tmp_path / "bag").exists()
+
+
+def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path):
+    """One that DDS knows and ROS does not."""
+    from cyclonedds.idl import IdlStruct
+    from cyclonedds.pub import DataWriter
+    from cyclonedds.topic import Topic as DdsTopic
+
+    @dataclass
+    class Strange(IdlStruct, typename="Strange"):
+        x: int
+
+    participant = open_participant(Network.from_environment(), "stranger")
+    writer = DataWriter(participant, DdsTopic(participant, "rt/strange", Strange))
+    with started("record", "strange", "-o", str(tmp_path / "bag")) as process:
+        output, _ = output_of(process)
+    assert writer is not None
+    assert process.returncode == 2
+    assert "error: /strange: has the unknown type Strange; known types: builtin_interfaces/msg/Time" in output
+
+
+@pytest.mark.parametrize(
+    ("data", "keys", "rest"),
+    [
+        (b"w \x1b[A\x1bOD", ["w", " ", UP, LEFT], b""),
+        (b"\x1b[B\x1b[C\x1b[", [DOWN, RIGHT], b"\x1b["),
+        (b"\x1b[5~\x1b[1;5Hq", ["q"], b""),
+        (b"\x1b", [], b"\x1b"),
+    ],
+)
+def test_keys_are_split_from_what_a_terminal_sends(data, keys, rest):
+    assert split_keys(data) == (keys, rest)
+
+
+def test_keys_step_the_command_within_its_range():
+    command = (0.0, 0.0)
+    for _ in range(20):
+        command = after(after(command, UP), LEFT)
+    assert command == (0.6, 0.8)
+    for _ in range(20):
+        command = after(after(command, "s"), "d")
+    assert command == (-0.3, -0.8)
+    assert after(command, "x") == command
+    assert after(command, " ") == (0.0, 0.0)
+
+
+def test_teleop_sends_what_the_keys_say_and_stands_when_it_ends(nodes):
+    heard = nodes().subscribe(CMD_VEL, DEEP)
+    ours, terminal = pty.openpty()
+    commands = []
+
+    def take():
+        for received in heard.take():
+            twist = heard.decode(received)
+            command = (twist.linear.x, twist.angular.z)
+            if not commands or commands[-1] != command:
+                commands.append(command)
+        return commands
+
+    with started("teleop", stdin=terminal) as process:
+        wait_until(take)
+        for key, expected in ((b"\x1b[A", (0.1, 0.0)), (b"\x1b[A\x1b[C", (0.2, -0.2))):
+            os.write(ours, key)
+            wait_until(lambda expected=expected: take()[-1] == expected)
+        os.write(ours, b"q")
+        output, _ = output_of(process)
+        assert process.returncode == 0, output
+    wait_until(lambda: take()[-1] == (0.0, 0.0))
+    assert commands == [(0.0, 0.0), (0.1, 0.0), (0.2, -0.2), (0.0, 0.0)]
+    os.close(ours)
+    os.close(terminal)
+
+
+def test_teleop_needs_a_terminal(domain_id):
+    with started("teleop", stdin=subprocess.DEVNULL) as process:
+        output, _ = output_of(process)
+    assert process.returncode == 2
+    assert "error: the keyboard: standard input is not a terminal" in output

@@ -1,0 +1,139 @@
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tomllib
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+from paths import ROOT
+from tasks import LAYOUT
+
+from quadruped_env.cli.commands import SUMMARIES
+from quadruped_env.envs import MiniQuadrupedEnv
+from quadruped_env.task import TaskConfig
+
+USE = """
+import gymnasium, quadruped_env
+assert "site-packages" in quadruped_env.__file__, quadruped_env.__file__
+for name in ("mini_quadruped.urdf", "mini_quadruped.xml", "scene.xml"):
+    assert quadruped_env.asset_path(name).is_file()
+env = gymnasium.make("MiniQuadruped-v0")
+observation, _ = env.reset(seed=0)
+policy = quadruped_env.policies.load_policy("flat")
+for name in ("train", "evaluate", "tests", "tools", "benchmarks", "assets"):
+    try:
+        __import__(name)
+    except ImportError:
+        continue
+    raise AssertionError(f"{name} is importable")
+envs = gymnasium.make_vec("MiniQuadruped-v0", num_envs=4, action_mode=policy.action_mode)
+observation, _ = envs.reset(seed=0)
+for _ in range(50):
+    observation, *_ = envs.step(policy.predict(observation))
+print("stepped")
+"""
+
+
+def test_every_package_is_listed_for_the_wheel():
+    listed = set(tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]["packages"])
+    packages = {".".join(path.parent.relative_to(ROOT).parts) for path in (ROOT / "quadruped_env").rglob("__init__.py")}
+    assert listed == packages | {"quadruped_env.assets"}
+
+
+@pytest.mark.slow
+def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_repository(tmp_path):
+    # From a copy: setuptools would also pack what an earlier build left in the checkout.
+    source = tmp_path / "source"
+    for name in ("quadruped_env", "assets"):
+        shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, source)
+    subprocess.run(
+        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(tmp_path), str(source)],
+        check=True,
+        capture_output=True,
+    )
+    (wheel,) = tmp_path.glob("*.whl")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
+    for part in ("assets/mini_quadruped/scene.xml", "control/shipped/flat/policy.safetensors", "py.typed"):
+        assert f"quadruped_env/{part}" in names
+    assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
+
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    environment = tmp_path / "venv"
+    venv.create(environment, with_pip=True)
+    python = environment / "bin" / "python"
+    subprocess.run(
+        [python, "-m", "pip", "install", "--quiet", "-c", str(ROOT / "constraints.txt"), str(wheel)],
+        check=True,
+        capture_output=True,
+        env=clean,
+    )
+    result = subprocess.run([python, "-c", USE], cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+    assert "stepped" in result.stdout
+
+    def command(*arguments):
+        program = [environment / "bin" / "mini-quadruped", *arguments]
+        return subprocess.run(program, cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
+
+    listed = command("--help")
+    assert listed.returncode == 0, listed.stderr
+    assert all(name in listed.stdout for name in SUMMARIES)
+    done = command("baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv")
+    assert done.returncode == 0, done.stderr
+    assert command("convert", "a.csv", "b.csv").returncode == 0
+    refused = command("evaluate", "nowhere")
+    assert refused.returncode == 2
+    advice = re.fullmatch(r"mini-quadruped evaluate: error: .* train one with '(.*) train'\n", refused.stderr)
+    assert advice, refused.stderr
+    named = subprocess.run(
+        [*shlex.split(advice[1]), "train", "--help"], cwd=tmp_path, env=clean, capture_output=True, check=False
+    )
+    assert named.returncode == 0
+
+
+def test_the_tables_of_the_docstring_are_the_terms():
+    doc = MiniQuadrupedEnv.__doc__
+    lines = [line.strip() for line in doc.splitlines() if line.strip().startswith("|")]
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
+    terms = {row[0].strip("`"): row for row in rows if len(row) == 4 and row[0].startswith("`")}
+    assert {name: float(row[3]) for name, row in terms.items()} == TaskConfig().reward.weights
+    assert len({row[1] for row in terms.values()}) == len(terms), "each has a description of its own"
+    fields = {row[1].strip("`"): row for row in rows if len(row) == 6 and row[1].startswith("`")}
+    assert list(fields) == list(LAYOUT.slices)
+    for name, columns in LAYOUT.slices.items():
+        assert fields[name][0] == f"{columns.start}-{columns.stop - 1}"
+        assert float(fields[name][4]) == LAYOUT.scale[columns.start]
+        assert fields[name][5] == f"+-{LAYOUT.high[columns.start]:g}"
+    assert "{" not in doc.replace("`{}`", "").replace('{"command": (vx, wz)}', "")
+    config = TaskConfig()
+    for number in (config.reward.foot_lift, config.reward.base_height):
+        assert re.search(rf"\b{number:g} m\b", doc)
+
+
+def test_the_repository_names_no_home_and_no_registry():
+    tracked = subprocess.run(["git", "-C", str(ROOT), "ls-files"], capture_output=True, text=True, check=False)
+    if tracked.returncode:
+        pytest.skip("not a git checkout")
+    home = str(Path.home()) + "/"
+    for name in tracked.stdout.splitlines():
+        if Path(name).suffix in {".py", ".md", ".toml", ".txt", ".xml", ".urdf", ".json"}:
+            text = (ROOT / name).read_text()
+            assert str(ROOT.parent) + "/" not in text, name
+            assert home not in text, name
+
+
+def test_every_public_name_of_the_design_is_there():
+    import quadruped_env
+
+    for name in quadruped_env.__all__:
+        assert hasattr(quadruped_env, name), name
+    assert callable(quadruped_env.envs.make_sb3_vec_env)
+    assert callable(quadruped_env.policies.load_policy)

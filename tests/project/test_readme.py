@@ -1,0 +1,167 @@
+"""README.md and README.zh-CN.md: the first steps work, the figures are true, both say the same."""
+
+import ast
+import contextlib
+import io
+import re
+import tomllib
+
+import gymnasium
+import pytest
+import yaml
+from pages import FENCED, commands_of, inline_code, links
+from paths import ROOT
+
+README = (ROOT / "README.md").read_text()
+CHINESE = (ROOT / "README.zh-CN.md").read_text()
+TUTORIAL = "The tutorial"
+"""Section of README.md that is one paragraph there and the whole map in Chinese"""
+FIGURE = re.compile(r"(?<![\w.])[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:\s?(?:m/s|rad/s|rad|N m|kg|Hz|ms|s|%)(?![A-Za-z]))?")
+
+
+def sections(text):
+    """Heading -> text of every second-level section, in order; the text before the first has the heading ''."""
+    parts = re.split(r"^## (.*)$", text, flags=re.MULTILINE)
+    return dict(zip(["", *parts[1::2]], parts[0::2], strict=True))
+
+
+def figures(text):
+    return {
+        " ".join(found.split()) for found in FIGURE.findall(re.sub(r"`[^`]*`|\]\([^)]*\)", "", FENCED.sub("", text)))
+    }
+
+
+def table_lines(text):
+    """Contents of a section's table lines, without their headers and rules."""
+    return [line for line in text.splitlines() if line.startswith("| ") and not line.startswith("| |")]
+
+
+@pytest.mark.parametrize("text", [README, CHINESE], ids=["en", "zh"])
+def test_snippet_printed_distance_is_command_times_time(text):
+    (snippet,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(snippet, {})  # noqa: S102
+    (distance,) = re.fullmatch(r"(-?[0-9.]+) m forward\n", printed.getvalue()).groups()
+    # 10 s at 0.5 m/s, from rest.
+    assert float(distance) == pytest.approx(5.0, abs=0.5)
+
+
+@pytest.mark.parametrize("text", [README, CHINESE], ids=["en", "zh"])
+def test_environment_is_activated_before_the_first_python_command(text):
+    assert 0 < text.index(". .venv/bin/activate") < text.index("`python ")
+
+
+def test_readme_is_one_page_in_the_agreed_order():
+    assert len(README.splitlines()) <= 120
+    assert list(sections(README)) == [
+        "",
+        "Install",
+        "In Python",
+        "The environment",
+        "Commands",
+        "Results",
+        TUTORIAL,
+        "Documentation",
+    ]
+    assert README.index("walk.webp") < README.index("A small four-legged robot") < README.index("## Install")
+    assert len(table_lines(sections(README)["Commands"])) == 1 + 6
+    assert len(table_lines(sections(README)["Results"])) == 1 + 3
+
+
+def test_environment_table_states_the_spaces_terms_and_limits_of_the_env():
+    env = gymnasium.make("MiniQuadruped-v0")
+    _, info = env.reset(seed=0)
+    *_, info = env.step(env.action_space.sample())
+    table = sections(README)["The environment"]
+    assert f"`Box(-1, 1, {env.action_space.shape})`, {1 / env.unwrapped.dt:.0f} Hz" in table
+    assert f"`Box({env.observation_space.shape})`" in table
+    assert f"sum of {sum(name.startswith('reward_') for name in info)} weighted terms" in table
+    assert f"| {env.spec.max_episode_steps * env.unwrapped.dt:g} s; terminated" in table
+    specification = " ".join(type(env.unwrapped).__doc__.split())
+    for limit in ("-0.3 to 0.6 m/s", "-0.8 to 0.8 rad/s"):
+        assert limit in table
+        assert limit in specification
+    mass = sum(env.unwrapped.model.body_mass)
+    assert f"| {mass:.0f} kg, {env.action_space.shape[0]} joints" in table
+
+
+def test_three_figures_are_those_of_the_measurements_page():
+    measurements = (ROOT / "docs" / "measurements.md").read_text()
+    walking, speed, falls = (line.split("|")[2] for line in table_lines(sections(README)["Results"])[1:])
+    (seconds,) = re.findall(r"[\d.]+", walking)
+    assert f"| residual | 5 of 5 | {seconds} |" in measurements
+    steps, share = re.findall(r"\d[\d,.]*\d", speed)
+    assert f"| vector env, 256 envs, over bare Batch.step | {share} |" in measurements
+    assert f"| {steps} of " in measurements
+    assert f"{int(falls)} falls in 300 episodes of 20 s" in measurements
+
+
+# --- the two languages
+
+
+def test_both_languages_have_the_language_line_on_top_and_as_many_sections():
+    assert README.startswith("English | [简体中文](README.zh-CN.md)\n")
+    assert CHINESE.startswith("[English](README.md) | 简体中文\n")
+    assert len(sections(README)) == len(sections(CHINESE))
+
+
+PAIRED = [
+    pytest.param(english, chinese, id=heading or "top")
+    for (heading, english), chinese in zip(sections(README).items(), sections(CHINESE).values(), strict=False)
+    if heading != TUTORIAL
+]
+
+
+@pytest.mark.parametrize(("english", "chinese"), PAIRED)
+def test_both_languages_have_the_same_commands_figures_and_links(english, chinese):
+    assert sorted(commands_of(english)) == sorted(commands_of(chinese))
+    assert sorted(inline_code(english)) == sorted(inline_code(chinese))
+    assert figures(english) == figures(chinese)
+    pages = {"README.md", "README.zh-CN.md"}
+    assert sorted(set(links(english)) - pages) == sorted(set(links(chinese)) - pages)
+    code = [[ast.dump(ast.parse(block)) for _, block in FENCED.findall(text)] for text in (english, chinese)]
+    assert code[0] == code[1]
+
+
+def test_figures_differ_where_a_digit_or_unit_does():
+    assert figures("at 0.5 m/s") != figures("at 0.6 m/s")
+    assert figures("at 0.5 m/s") != figures("at 0.5 rad/s")
+    assert figures("5 seeds, 20 s") == figures("5 个种子, 20 s 回合") == {"5", "20 s"}
+
+
+def test_chinese_tutorial_map_covers_the_english_one():
+    english = (ROOT / "docs" / "from-the-tutorial.md").read_text()
+    chinese = next(text for heading, text in sections(CHINESE).items() if "教程" in heading)
+    # Its first cells that are codes or section numbers stand in both languages.
+    numbers = [re.match(r"\| ((?:\d(?:\.\d)?(?:, |、)?)+) ", line) for line in table_lines(english)]
+    expected = [match[1].replace(", ", "、") for match in numbers if match]
+    assert len(expected) == 13
+    assert re.findall(r"^\| ((?:\d(?:\.\d)?、?)+) ", chinese, re.MULTILINE) == expected
+    assert re.findall(r"troubleshooting\.md#(\d)", chinese) == list("1234567")
+
+    english_commands = sections(english)["Commands"]
+    chinese_commands = chinese.split("### 命令对照")[1].split("###")[0]
+    assert sorted(inline_code(english_commands)) == sorted(inline_code(chinese_commands))
+    known = set(inline_code(english)) | set(inline_code((ROOT / "docs" / "troubleshooting.md").read_text()))
+    known |= set(commands_of((ROOT / "docs" / "troubleshooting.md").read_text()))
+    assert [code for code in inline_code(chinese) if code not in known] == []
+
+
+# --- citation
+
+
+def test_citation_repeats_the_projects_metadata():
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    version = re.search(r'"(.*)"', (ROOT / "quadruped_env" / "_version.py").read_text())[1]
+    assert citation["cff-version"] == "1.2.0"
+    assert citation["version"] == version
+    assert citation["license"] == project["license"]
+    assert citation["authors"] == project["authors"]
+    assert citation["abstract"] == project["description"]
+    assert citation["keywords"] == project["keywords"]
+    (tutorial,) = citation["references"]
+    assert tutorial["title"] in README
+    assert tutorial["title"] in CHINESE
+    assert tutorial["title"] in (ROOT / "docs" / "from-the-tutorial.md").read_text()

@@ -1,0 +1,112 @@
+"""No code outside `robot/` knows a robot: its numbers and names come from a `Robot` that is passed down."""
+
+import ast
+import re
+
+import pytest
+from paths import ROOT
+
+PACKAGE = ROOT / "quadruped_env"
+
+ENTRY_POINTS = {
+    "__init__.py": "public names of the built-in robot",
+    "gait.py": "the robot on which the presets were tuned; default of the public gaits",
+    "control/by_name.py": "default of a public function",
+    "control/live_controller.py": "robot of controllers that are not policies",
+    "control/policy.py": "default of a public function; policies that name no robot",
+    "control/task_file.py": "the built-in robot may be imported by a task file",
+    "envs/specification.py": "tables in the docstring of the environment",
+    "live/nodes/controller.py": "the order of joints in its help",
+    "live/robot_option.py": "default of --task",
+    "live/simulated.py": "default of a public class",
+    "simulation/batch.py": "default of a public class",
+    "simulation/model.py": "default of a public function",
+    "simulation/single.py": "default of a public class",
+    "task/definition.py": "robot of the built-in task",
+    "training/gait_tuning.py": "the robot whose gaits are searched",
+}
+"""Modules that name the built-in robot, and why."""
+
+# Constants of the package `robot` that are no numbers or names of a robot.
+NEUTRAL = {"JOINT_KINDS", "ODOMETRY_FRAME"}
+
+# Position of the robot among the arguments.
+NEEDS_ROBOT = {
+    "BatchSimulation": 3,
+    "CommandedGait.tuned": 0,
+    "SimulatedRobot": 2,
+    "SingleSimulation": 1,
+    "SinusoidalGait.preset": 1,
+    "build_model": 9,
+}
+"""Functions whose default is the built-in robot: the package itself always says which robot."""
+
+PARTS = re.compile(r"(?<![\w/])(base_link|[LR][FH]_(hip|knee|leg|foot)\w*)")
+
+OPEN = {"evaluation", "identification", "replay", "reporting", "trajectory", "viewer"}
+"""Packages that do not take a robot yet; to be removed, never added to."""
+
+MODULES = sorted(path for path in PACKAGE.rglob("*.py") if path.relative_to(PACKAGE).parts[0] not in {"robot", *OPEN})
+
+
+def name_of(module):
+    return module.relative_to(PACKAGE).as_posix()
+
+
+def imported(tree):
+    """Names that a module imports from the package `robot`."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and re.match(r"quadruped_env\.robot(\.|$)", node.module or ""):
+            yield from (alias.name for alias in node.names)
+
+
+def calls(tree):
+    """Calls by the last two names of the function."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call):
+            yield ".".join(ast.unparse(node.func).split(".")[-2:]), node
+
+
+def docstrings(tree):
+    """Bare strings: docstrings of modules, classes, functions and attributes."""
+    return {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+
+
+@pytest.fixture(params=MODULES, ids=name_of)
+def module(request):
+    return request.param
+
+
+def test_modules_import_no_numbers_or_names_of_a_robot(module):
+    constants = {name for name in imported(ast.parse(module.read_text())) if name.isupper()} - NEUTRAL
+    allowed = {"MINI_QUADRUPED"} if name_of(module) in ENTRY_POINTS else set()
+    if name_of(module) == "__init__.py":
+        allowed |= {"JOINT_NAMES", "LEG_NAMES"}
+    assert constants <= allowed, "take them from the Robot that is passed down"
+
+
+def test_modules_say_which_robot_they_mean(module):
+    for name, call in calls(ast.parse(module.read_text())):
+        for function, position in NEEDS_ROBOT.items():
+            if name == function or name.endswith(f".{function}"):
+                named = any(keyword.arg in ("robot", None) for keyword in call.keywords)
+                assert named or len(call.args) > position, f"line {call.lineno}: {name} without a robot"
+
+
+def test_modules_name_no_part_of_a_robot(module):
+    tree = ast.parse(module.read_text())
+    allowed = docstrings(tree)
+    found = [
+        f"line {node.lineno}: {node.value!r}"
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant)
+        and isinstance(node.value, str)
+        and id(node) not in allowed
+        and PARTS.search(node.value)
+    ]
+    assert not found
+
+
+def test_every_entry_point_names_the_built_in_robot():
+    for name in ENTRY_POINTS.keys() - {"__init__.py"}:
+        assert "MINI_QUADRUPED" in set(imported(ast.parse((PACKAGE / name).read_text()))), name

@@ -1,0 +1,320 @@
+"""The whole path on another robot: kinematics, environments, gait, training, policies, live topics."""
+
+import json
+import math
+import pickle
+import warnings
+
+import gymnasium
+import numpy as np
+import pytest
+from environments import assert_same, episodes, make, make_native, make_sync
+from gymnasium.envs.registration import EnvSpec
+from gymnasium.utils.env_checker import check_env
+from live_loop import Loop
+from paths import TESTS
+from second_robot import DESIGN, ROBOT
+from trainings import train
+from waiting import wait_until
+
+from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
+from quadruped_env.control import ControlInterface
+from quadruped_env.control.live_controller import LiveController
+from quadruped_env.control.policy import load_policy as load_control_policy
+from quadruped_env.control.policy import load_terms
+from quadruped_env.control.stand_up import StandUp
+from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.gait import PRESETS
+from quadruped_env.policies import CommandedGaitController, PolicyController, ZeroController, load_policy
+from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
+from quadruped_env.robot.corners import corners
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
+from quadruped_env.task import BUILT_IN, Task, TaskConfig, load_task_file
+
+FILE = TESTS / "helpers" / "second_robot.py"
+CONFIG = TaskConfig().for_robot(ROBOT)
+
+
+def walk(controller, commands, seconds=6.0):
+    """Mean forward velocity, yaw rate and upright axis (K, 3) of a controller after two seconds."""
+    simulation = BatchSimulation(build_model(robot=ROBOT), len(commands), 1, ROBOT)
+    task = Task(simulation, CONFIG)
+    everywhere = np.arange(len(commands))
+    task.reset(everywhere, seeds=everywhere.tolist())
+    for env_id, command in enumerate(commands):
+        task.set_command(np.array([env_id]), command)
+    found = []
+    observation = task.observe()
+    for _ in range(round(seconds / CONFIG.control_timestep)):
+        observation = task.act(controller, observation).observation
+        readings = simulation.readings
+        found.append(
+            np.stack([readings.linear_velocity_b[:, 0], readings.angular_velocity_b[:, 2], readings.up_b[:, 2]])
+        )
+    return np.mean(found[100:], axis=0).T
+
+
+class TestModel:
+    def test_feet_are_where_closed_forms_say(self):
+        rng = np.random.default_rng(0)
+        positions = rng.uniform(ROBOT.joint_position_low, ROBOT.joint_position_high, (100, 8))
+        feet = ROBOT.foot_centres(positions)
+        for leg, name in enumerate(("RH", "LF", "LH", "RF")):
+            hip, knee = positions[:, 2 * leg], positions[:, 2 * leg + 1]
+            x, y = (0.18 if name[1] == "F" else -0.18), (0.12 if name[0] == "L" else -0.12)
+            forward = x - 0.05 * np.sin(hip) - 0.175 * np.sin(hip + knee)
+            down = -0.05 * np.cos(hip) - 0.175 * np.cos(hip + knee)
+            np.testing.assert_allclose(feet[:, leg], np.stack([forward, np.full(100, y), down], 1), atol=1e-12)
+
+    def test_jacobian_is_the_derivative_of_the_feet(self):
+        positions, step = ROBOT.stance + 0.1, 1e-6
+        jacobian = ROBOT.foot_jacobians(positions)
+        for joint in range(8):
+            change = np.zeros(8)
+            change[joint] = step
+            ends = [ROBOT.foot_centres(positions + sign * change) for sign in (1, -1)]
+            np.testing.assert_allclose(jacobian[:, :, joint], (ends[0] - ends[1]) / (2 * step), atol=1e-9)
+
+    def test_masses_and_stance(self):
+        assert ROBOT.total_mass == pytest.approx(3.0 + 4 * 0.6, rel=1e-12)
+        height = 0.05 * math.cos(0.7) + 0.175 * math.cos(0.185) + 0.025
+        assert ROBOT.stance_height == pytest.approx(height, abs=1e-7)
+        np.testing.assert_allclose(ROBOT.resting_pose(ROBOT.stance)[2], height, atol=1e-6)
+
+    def test_urdf_is_the_same_robot(self, tmp_path):
+        import yourdfpy
+
+        (tmp_path / "tall.urdf").write_text(ROBOT.urdf)
+        urdf = yourdfpy.URDF.load(str(tmp_path / "tall.urdf"), load_meshes=False)
+        assert tuple(urdf.actuated_joint_names) == ROBOT.joint_names
+        positions = ROBOT.stance + 0.2
+        poses = ROBOT.forward_kinematics(positions)
+        urdf.update_cfg(positions)
+        for link in ROBOT.link_names:
+            np.testing.assert_allclose(urdf.get_transform(link, "base_link")[:3, 3], poses[link][0], atol=1e-12)
+            assert urdf.link_map[link].inertial.mass == pytest.approx(float(ROBOT.skeleton.model.body(link).mass[0]))
+
+
+class TestEnv:
+    @pytest.mark.parametrize("mode", ["position", "residual"])
+    def test_env_passes_gymnasiums_check(self, mode):
+        env = make(robot=ROBOT, action_mode=mode)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # its advice on spaces
+            check_env(env.unwrapped, skip_render_check=True)
+        assert env.unwrapped.model.body("base_link").mass == 3.0
+        assert env.unwrapped.task.config.motor == ROBOT.motors
+
+    @pytest.mark.parametrize("mode", ["position", "residual"])
+    def test_single_and_vector_are_bit_identical(self, mode):
+        kwargs = {
+            "robot": ROBOT,
+            "action_mode": mode,
+            "config": {"randomization": {"payload": [-0.5, 1.0], "push_velocity": 1.0, "observation_noise": 1.0}},
+        }
+        native, sync = make_native(4, max_episode_steps=40, **kwargs), make_sync(4, max_episode_steps=40, **kwargs)
+        for one, other in zip(episodes(native, 120), episodes(sync, 120), strict=True):
+            assert_same(one[0], other[0])
+            assert_same(one[1:-1], other[1:-1])
+
+    def test_spec_holds_the_robot_as_json_and_pickle(self):
+        for env in (make(robot=DESIGN), make(config=CONFIG), make(task_file=FILE)):
+            assert env.unwrapped.task.config.robot == ROBOT
+            again = gymnasium.make(EnvSpec.from_json(env.spec.to_json()))
+            assert again.unwrapped.task.config.robot == ROBOT
+            copied = pickle.loads(pickle.dumps(env.unwrapped))  # noqa: S301
+            assert copied.task.config.robot == ROBOT
+            observation = env.reset(seed=3)[0]
+            assert_same(copied.reset(seed=3)[0], observation)
+            assert_same(again.reset(seed=3)[0], observation)
+
+    def test_workers_get_the_robot(self):
+        env = gymnasium.make_vec("MiniQuadruped-v0", num_envs=2, vectorization_mode="async", robot=ROBOT)
+        try:
+            observation, info = env.reset(seed=0)
+        finally:
+            env.close()
+        assert_same(observation, make_native(2, robot=ROBOT).reset(seed=0)[0])
+        assert info["joint_position"].shape == (2, 8)
+
+    def test_sb3_env_takes_the_robot(self):
+        env = make_sb3_vec_env(2, seed=0, robot=ROBOT)
+        assert env.task.config.robot == ROBOT
+
+    def test_partial_motor_config_starts_from_the_robots_motors(self):
+        motor = make(robot=ROBOT, config={"motor": {"hip": {"kp": 50.0}}}).unwrapped.task.config.motor
+        assert (motor.hip.kp, motor.hip.stall_torque, motor.knee) == (50.0, 14.0, ROBOT.motors.knee)
+        assert TaskConfig(motor=motor).for_robot(ROBOT).motor == motor
+
+    @pytest.mark.parametrize("robot", ["tall", 3, {"name": "tall"}])
+    def test_no_robot_is_refused(self, robot):
+        with pytest.raises(QuadrupedError, match="robot: expected"):
+            make(robot=robot)
+
+    def test_config_of_another_robot_is_refused(self):
+        values = CONFIG.to_dict()
+        assert json.loads(json.dumps(values))["robot"] == {"name": "tall", "sha256": ROBOT.sha256}
+        assert TaskConfig.from_dict(values, BUILT_IN.with_robot(ROBOT)) == CONFIG
+        with pytest.raises(QuadrupedError, match=r"made for the robot 'tall' .* the robot here is Robot\('mini_quad"):
+            TaskConfig.from_dict(values)
+        heavier = QuadrupedDesign(**{**vars(DESIGN), "base_mass": 3.5}).robot()
+        with pytest.raises(QuadrupedError, match="another version of the robot 'tall'"):
+            TaskConfig.from_dict(values, BUILT_IN.with_robot(heavier))
+
+    def test_simulation_of_another_robot_is_refused(self):
+        simulation = SingleSimulation(build_model(robot=ROBOT), ROBOT)
+        with pytest.raises(QuadrupedError, match=r"it is for Robot\('mini_quadruped'.* simulation of Robot\('tall'"):
+            Task(simulation, TaskConfig())
+        with pytest.raises(QuadrupedError, match="must follow the one before it in the model"):
+            SingleSimulation(build_model(robot=ROBOT), MINI_QUADRUPED)
+
+
+class TestGait:
+    def test_corners_and_phases_follow_the_legs(self):
+        assert corners(ROBOT) == (3, 0, 2, 1)
+        trot = ControlInterface(ROBOT, CONFIG.control).leg_clock()
+        article, published = SinusoidalGait.preset("article"), SinusoidalGait.preset("article", ROBOT)
+        assert published.phases == (4.71, 5.21, 0.0, 0.5, 1.57, 2.07, 3.14, 3.64)
+        assert published.hip_amplitude == article.hip_amplitude
+        np.testing.assert_allclose(trot, 0.0, atol=1e-12)  # all phases are 0 or half a cycle
+
+    @pytest.mark.parametrize("preset", [name for name in PRESETS if name != "article"])
+    def test_feet_move_as_those_of_the_tuned_robot(self, preset):
+        """About the stance and to first order: a tenth of the amplitude makes the second order small."""
+        t = np.linspace(0.0, 1.0, 50)
+        moves = []
+        for robot in (MINI_QUADRUPED, ROBOT):
+            angles = SinusoidalGait.preset(preset, robot).positions(t)
+            feet = robot.foot_centres(robot.stance + 0.01 * (angles - robot.stance)) - robot.foot_centres(robot.stance)
+            moves.append({robot.leg_names[leg]: feet[:, leg] for leg in range(4)})
+        for name in MINI_QUADRUPED.leg_names:
+            np.testing.assert_allclose(moves[0][name], moves[1][name], rtol=0, atol=3e-5)
+            assert np.abs(moves[0][name]).max() > 2e-4
+
+    def test_commanded_gait_at_a_command_is_the_commanded_gait(self):
+        gait, t, command = CommandedGait.tuned(ROBOT), np.linspace(0.0, 1.0, 30), (0.3, 0.4)
+        np.testing.assert_allclose(
+            gait.at(command).positions(t),
+            gait.positions(gait.angular_frequency * t, np.tile(command, (30, 1))),
+            atol=1e-12,
+        )
+        assert gait.half_track == pytest.approx(0.58 * 1.2)
+
+    def test_tuned_gait_walks_and_turns_as_commanded(self):
+        found = walk(CommandedGaitController(), [(0.3, 0.0), (-0.2, 0.0), (0.2, 0.4), (0.2, -0.4), (0.0, 0.0)])
+        assert found[:, 2].min() > 0.97  # upright
+        forward, turn = found[:, 0], found[:, 1]
+        assert 0.2 < forward[0] < 0.4
+        assert -0.3 < forward[1] < -0.1
+        assert turn[2] > 0.15
+        assert turn[3] < -0.15
+        np.testing.assert_allclose(found[4, :2], 0.0, atol=0.02)
+
+    def test_straight_legs_are_refused(self):
+        straight = QuadrupedDesign(name="straight", knee_range=(-1.0, 1.0), stance_angles=(0.0, 0.0)).robot()
+        with pytest.raises(QuadrupedError, match="a leg of 'straight' is straight in the stance"):
+            CommandedGait.tuned(straight)
+        make(robot=straight).reset(seed=0)  # position mode needs no gait
+
+    def test_robot_stands_on_a_zero_action(self):
+        found = walk(ZeroController(), [(0.0, 0.0)])
+        np.testing.assert_allclose(found[0], [0.0, 0.0, 1.0], atol=0.01)
+
+
+class TestLive:
+    def test_stand_up_keeps_to_the_limits_and_ends_in_the_stance(self):
+        plan = StandUp.plan(ROBOT, np.array([1.3, -0.1] * 4), 1.5, 1.0)
+        assert (plan.points >= ROBOT.joint_position_low).all()
+        assert (plan.points <= ROBOT.joint_position_high).all()
+        np.testing.assert_array_equal(plan.positions(plan.duration), ROBOT.stance)
+
+    def test_live_controller_walks_the_simulated_robot(self):
+        loop = Loop("tuned", robot=ROBOT)
+        loop.run(4.0)
+        speeds, upright = loop.run(4.0, (0.3, 0.0))
+        assert upright.min() > 0.95
+        assert 0.15 < speeds[-400:].mean() < 0.45
+
+    def test_nodes_take_the_robot_from_a_file(self, start, nodes):
+        from quadruped_env.live.joints import JointReader
+        from quadruped_env.live.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION
+        from quadruped_env.ros import Qos, cdr
+
+        node = nodes()
+        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, ROBOT))
+        described = node.subscribe(ROBOT_DESCRIPTION)
+        odometry, ask = node.subscribe(ODOMETRY, Qos(1000)), node.publish(CMD_VEL)
+        for arguments in (("sim",), ("state",), ("controller", "tuned")):
+            start(*arguments, "--task", str(FILE))
+        texts, speeds = [], []
+
+        def walks():
+            ask.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.3}))
+            texts.extend(described.decode(one).data for one in described.take())
+            speeds.extend(odometry.decode(one).twist.twist.linear.x for one in odometry.take())
+            return len(speeds) > 100 and np.mean(speeds[-100:]) > 0.15
+
+        wait_until(walks, "walking", interval=0.05)
+        wait_until(lambda: texts or texts.extend(described.decode(one).data for one in described.take()), "description")
+        assert texts[0] == ROBOT.urdf
+        assert states.newest(pytest.fail)[1].positions.shape == (8,)
+
+
+class TestTaskFile:
+    def test_file_gives_the_robot_to_tasks_and_to_controllers(self):
+        assert load_task_file(FILE).robot == load_terms(FILE).robot == ROBOT
+
+    def test_two_robots_in_a_file_are_refused(self, tmp_path):
+        file = tmp_path / "two.py"
+        file.write_text(f"{FILE.read_text()}\nOTHER = QuadrupedDesign(name='other')\n")
+        with pytest.raises(QuadrupedError, match="defines the robots 'tall' and 'other'"):
+            load_task_file(file)
+
+    def test_the_built_in_robot_may_be_imported(self, tmp_path):
+        file = tmp_path / "both.py"
+        file.write_text(f"from quadruped_env.robot import MINI_QUADRUPED\n{FILE.read_text()}")
+        assert load_task_file(file).robot == ROBOT
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """A training of five seconds on the second robot."""
+    return train(tmp_path_factory.mktemp("runs"), "--seconds", "5", "--task", FILE)
+
+
+@pytest.mark.slow
+class TestTraining:
+    def test_policy_names_its_robot_and_runs_on_it(self, run):
+        document = json.loads((run / "policy.json").read_text())
+        assert document["robot"] == {"name": "tall", "sha256": ROBOT.sha256}
+        policy = load_policy(run, FILE)
+        assert policy.robot == ROBOT
+        env = policy.make_env()
+        assert env.unwrapped.task.config.robot == ROBOT
+        observation, _ = env.reset(seed=0)
+        for _ in range(50):
+            observation, reward, *_ = env.step(policy.predict(observation))
+            assert np.isfinite(reward)
+
+    def test_policy_is_refused_on_another_robot(self, run, tmp_path):
+        with pytest.raises(QuadrupedError, match=r"second_robot.py', which is not executed automatically"):
+            load_policy(run)
+        policy = load_policy(run, FILE)
+        with pytest.raises(QuadrupedError, match="made for the robot 'tall'"):
+            policy.check_env(gymnasium.make("MiniQuadruped-v0", action_mode=policy.action_mode))
+        with pytest.raises(QuadrupedError, match="made for the robot 'tall'"):
+            LiveController(PolicyController(policy), robot=MINI_QUADRUPED)
+        with pytest.raises(QuadrupedError, match="made for the robot 'mini_quadruped'"):
+            load_policy("flat", FILE)
+        with pytest.raises(QuadrupedError, match="made for the robot 'mini_quadruped'"):
+            load_policy("flat", robot=ROBOT)
+
+    def test_run_is_resumed_with_its_file(self, run):
+        resumed = train(run.parent, "--resume", run, "--timesteps", "2048", "--task", FILE)
+        assert load_policy(resumed, FILE).robot == ROBOT
+
+    def test_live_controller_runs_the_policy(self, run):
+        policy = load_control_policy(run, load_terms(FILE))
+        loop = Loop(controller=lambda: PolicyController(policy), robot=ROBOT)
+        _, upright = loop.run(4.0)
+        assert upright.min() > 0.9

@@ -1,0 +1,204 @@
+"""The task's config: JSON, defaults, and what is refused."""
+
+import copy
+import dataclasses
+import json
+import math
+import pickle
+
+import numpy as np
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control.config import ControlConfig
+from quadruped_env.robot import JointMotor, MotorConfig
+from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.task import (
+    ActionConfig,
+    CommandConfig,
+    RandomizationConfig,
+    RewardConfig,
+    Task,
+    TaskConfig,
+    TerminationConfig,
+)
+
+CONFIG = TaskConfig(
+    decimation=5,
+    physics_timestep=0.002,
+    clock_frequency=1.5,
+    action=ActionConfig(mode="residual", residual_scale=0.3),
+    command=CommandConfig(forward_velocity=(0.0, 1.0), standing_fraction=0.2),
+    reward=RewardConfig(weights=RewardConfig().weights | {"upright": -3.0}, base_height=0.15),
+    termination=TerminationConfig(max_tilt=0.7),
+    randomization=RandomizationConfig(friction=(0.5, 1.0), payload=None, push_velocity=0.4),
+)
+
+
+def test_a_config_survives_json():
+    document = json.loads(json.dumps(CONFIG.to_dict()))
+    again = TaskConfig.from_dict(document)
+    assert again == CONFIG
+    assert again.to_dict() == CONFIG.to_dict()
+    assert TaskConfig.from_dict({}) == TaskConfig()
+    assert TaskConfig.from_dict(TaskConfig().to_dict()) == TaskConfig()
+
+
+def test_numpy_scalars_and_arrays_in_a_config_become_plain_values():
+    given = {
+        "decimation": np.int64(5),
+        "physics_timestep": np.float64(0.002),
+        "clock_frequency": np.array(1.5),
+        "command": {"forward_velocity": np.array([0.0, 1.0]), "yaw_rate": [np.float32(-0.5), np.float64(0.5)]},
+        "reward": {"weights": {"upright": np.float32(-3.0)}},
+        "randomization": {"friction": np.array([0.5, 1.0]), "push_velocity": np.float64(0.4)},
+        "motor": {"hip": {"kp": np.float32(41.0)}, "delay": np.float64(0.01)},
+    }
+    config = TaskConfig.from_dict(given)
+    document = json.loads(json.dumps(config.to_dict()))
+    assert TaskConfig.from_dict(document) == config
+    assert config.command.forward_velocity == (0.0, 1.0)
+    assert (type(config.decimation), config.decimation) == (int, 5)
+    assert (type(config.motor.hip.kp), config.motor.hip.kp) == (float, 41.0)
+    assert given["command"]["forward_velocity"].shape == (2,), "the caller's values are the caller's"
+
+
+def test_numpy_values_given_to_the_dataclasses_become_plain_values():
+    config = TaskConfig(
+        decimation=np.int64(5),
+        physics_timestep=np.float32(0.25),
+        command=CommandConfig(forward_velocity=np.array([0.0, 1.0])),
+        reward=RewardConfig(weights=RewardConfig().weights | {"upright": np.float64(-3.0)}),
+        randomization=RandomizationConfig(friction=np.array([0.5, 1.0])),
+        motor=MotorConfig(hip=JointMotor(kp=np.float32(41.0)), delay=np.array(0.01)),
+    )
+    json.dumps(config.to_dict())
+    assert config == TaskConfig(
+        decimation=5,
+        physics_timestep=0.25,
+        command=CommandConfig(forward_velocity=(0.0, 1.0)),
+        reward=RewardConfig(weights=RewardConfig().weights | {"upright": -3.0}),
+        randomization=RandomizationConfig(friction=(0.5, 1.0)),
+        motor=MotorConfig(hip=JointMotor(kp=41.0), delay=0.01),
+    )
+    assert hash(config.motor) == hash(MotorConfig(hip=JointMotor(kp=41.0), delay=0.01))
+
+
+@pytest.mark.parametrize(
+    "value", [np.array([1.0]), np.array([[0.0, 1.0]]), np.array(["a", "b"]), np.array([0.0, np.nan])]
+)
+def test_arrays_of_the_wrong_kind_in_a_config_are_refused(value):
+    with pytest.raises(QuadrupedError, match=r"config\.command\.forward_velocity"):
+        TaskConfig.from_dict({"command": {"forward_velocity": value}})
+
+
+def test_what_a_config_leaves_out_keeps_its_default():
+    config = TaskConfig.from_dict({"decimation": 2, "reward": {"weights": {"upright": -7}}})
+    default = TaskConfig()
+    assert config.decimation == 2
+    assert config.control_timestep == default.physics_timestep * 2
+    assert config.reward.weights == default.reward.weights | {"upright": -7.0}
+    assert tuple(config.reward.weights) == tuple(default.reward.weights), "the order in which terms are added"
+    assert config.command == default.command
+
+
+def test_configs_share_nothing_and_do_not_change():
+    one, other = TaskConfig(), TaskConfig()
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        one.decimation = 3
+    document = one.to_dict()
+    document["reward"]["weights"]["upright"] = 9.0
+    assert one == other
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"tempo": 1}, r"config: unknown field 'tempo'; valid fields are decimation, physics_timestep"),
+        ({"command": {"speed": 1}}, r"config.command: unknown field 'speed'; valid fields are forward_velocity"),
+        ({"command": 0.3}, r"config.command: expected a mapping of fields; found 0.3"),
+        ({"command": {"yaw_rate": 0.3}}, r"config.command.yaw_rate: expected a pair \(low, high\); found 0.3"),
+        ({"command": {"yaw_rate": [0.3, 0.1]}}, r"command.yaw_rate must be a pair .* low <= high; found \(0.3, 0.1\)"),
+        ({"command": {"yaw_rate": [0.3, "x"]}}, r"config.command.yaw_rate: expected a number; found 'x'"),
+        ({"command": {"resample_interval": [0, 1]}}, r"command.resample_interval must be positive"),
+        ({"command": {"standing_fraction": -0.1}}, r"command.standing_fraction must be at least 0; found -0.1"),
+        ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.4"),
+        ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
+        ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\); found 0"),
+        ({"action": {"residual_scale": math.nan}}, r"action.residual_scale.*found nan"),
+        ({"decimation": True}, r"config.decimation: expected a whole number; found True"),
+        ({"decimation": 0}, r"config: decimation must be 1 or more; found 0"),
+        ({"physics_timestep": "fast"}, r"config.physics_timestep: expected a number; found 'fast'"),
+        ({"physics_timestep": -0.1}, r"physics_timestep must be positive"),
+        ({"clock_frequency": 0}, r"clock_frequency must be positive"),
+        ({"clock_frequency": math.inf}, r"clock_frequency.*found inf"),
+        ({"reward": {"weights": {"speed": 1}}}, r"config.reward.weights: unknown field 'speed'; valid fields are"),
+        ({"reward": {"weights": {"upright": "much"}}}, r"config.reward.weights.upright: expected a number"),
+        ({"reward": {"weights": {"upright": math.nan}}}, r"reward.weights.upright.*found nan"),
+        ({"reward": {"weights": [1, 2]}}, r"config.reward.weights: expected a mapping"),
+        ({"reward": {"base_height": 0}}, r"reward.base_height must be positive \(m\); found 0"),
+        ({"termination": {"max_tilt": 4}}, r"termination.max_tilt must be in \(0, pi\] \(rad\); found 4"),
+        ({"termination": {"max_trunk_force": -1}}, r"termination.max_trunk_force must be at least 0"),
+        ({"randomization": {"start_tilt": -1}}, r"randomization.start_tilt must be at least 0 \(rad\); found -1"),
+        ({"randomization": {"friction": [0, 1]}}, r"randomization.friction must be positive"),
+        ({"randomization": {"friction": [1, 0.5]}}, r"randomization.friction must be a pair"),
+        ({"randomization": {"payload": [-3, 0]}}, r"randomization.payload must be over -1 \(kg\)"),
+        ({"randomization": {"push_velocity": -1}}, r"randomization.push_velocity must be at least 0"),
+        ({"randomization": {"push_interval": [0, 1]}}, r"randomization.push_interval must be positive"),
+        ({"randomization": {"observation_noise": -1}}, r"randomization.observation_noise must be at least 0"),
+    ],
+)
+def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        TaskConfig.from_dict(values)
+
+
+def test_the_weights_are_those_of_the_terms():
+    with pytest.raises(
+        QuadrupedError, match=r"reward.weights: unknown field 'uprigth'; valid fields are track_forward"
+    ):
+        RewardConfig(weights=RewardConfig().weights | {"uprigth": 1.0})
+    weights = RewardConfig(weights={"upright": -7.0}).weights
+    assert weights == RewardConfig().weights | {"upright": -7.0}
+    assert tuple(weights) == tuple(RewardConfig().weights), "the order in which terms are added"
+
+
+def through_pickle(value):
+    return pickle.loads(pickle.dumps(value))  # noqa: S301
+
+
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_a_copied_config_is_equal(duplicate):
+    assert duplicate(CONFIG) == CONFIG
+    assert duplicate(CONFIG.reward.weights) == CONFIG.reward.weights
+
+
+def test_a_section_is_read_by_name_and_frozen():
+    section = CONFIG.randomization
+    assert section.friction == section["friction"] == (0.5, 1.0)
+    with pytest.raises(AttributeError, match="a config is frozen"):
+        section.friction = (1.0, 1.0)
+    with pytest.raises(AttributeError, match=r"config.randomization has no field 'frictoin'"):
+        section.frictoin  # noqa: B018
+    changed = section.replace(friction=(0.1, 0.2))
+    assert (changed.friction, section.friction) == ((0.1, 0.2), (0.5, 1.0))
+    assert repr(section) == "randomization(friction=(0.5, 1.0), push_velocity=0.4)"
+
+
+def test_a_section_is_replaced_with_the_checks_of_its_constructor():
+    section = CommandConfig(standing_fraction=0.2)
+    assert section.replace(straight_fraction=0.8) == CommandConfig(standing_fraction=0.2, straight_fraction=0.8)
+    with pytest.raises(QuadrupedError, match=r"standing_fraction \+ straight_fraction must be at most 1; found 1.3"):
+        section.replace(standing_fraction=0.9)
+
+
+def test_every_randomization_is_switched_off_by_none():
+    config = TaskConfig.from_dict({"randomization": dict.fromkeys(name for name in ("start_heading", "friction"))})
+    task = Task(BatchSimulation(build_model(), 3, 1), config)
+    task.reset(np.arange(3), range(3))
+    w, _, _, z = task.simulation.readings.orientation.T
+    assert (abs(2.0 * np.arctan2(z, w)) < 0.06).all()
+
+
+def test_the_defaults_of_control_are_those_of_the_task():
+    assert ControlConfig() == TaskConfig().control

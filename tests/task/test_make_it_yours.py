@@ -1,0 +1,292 @@
+"""A user's own terms: the code of docs/make-it-yours.md, and what is refused."""
+
+import copy
+import json
+import pickle
+import re
+import subprocess
+import sys
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.envs.registration import EnvSpec
+from paths import ROOT
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control.policy import load_terms
+from quadruped_env.envs import ENV_ID
+from quadruped_env.policies import load_policy
+from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
+
+PAGE = ROOT / "docs" / "make-it-yours.md"
+EXAMPLES = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S)
+
+
+@pytest.fixture
+def my_task(tmp_path):
+    """All examples of the page in one file."""
+    file = tmp_path / "my_task.py"
+    file.write_text("\n\n".join(EXAMPLES))
+    return file
+
+
+def write(tmp_path, text):
+    file = tmp_path / "own.py"
+    file.write_text(text)
+    return file
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=range(len(EXAMPLES)))
+def test_an_example_of_the_page_is_under_fifteen_lines_and_works_alone(example, tmp_path):
+    assert len([line for line in example.splitlines() if line.strip()]) < 15
+    env = gymnasium.make(ENV_ID, task_file=write(tmp_path, example))
+    env.reset(seed=0)
+    for _ in range(3):
+        env.step(env.action_space.sample())
+
+
+def test_terms_of_a_file_appear_in_env_info_and_config(my_task):
+    env = gymnasium.make(ENV_ID, task_file=my_task, config={"reward": {"weights": {"hip_usage": -2.0}, "free": 0.0}})
+    built_in = gymnasium.make(ENV_ID)
+    assert env.observation_space.shape[0] == built_in.observation_space.shape[0] + 8 + 1
+    observation, _ = env.reset(seed=1, options={"command": (0.3, 0.0, 0.16)})
+    assert observation[-1] == pytest.approx(5.0 * 0.16)
+    _, reward, _, _, info = env.step(np.zeros(8))
+    terms = {name: value for name, value in info.items() if name.startswith("reward_")}
+    assert reward == pytest.approx(sum(terms.values()))
+    assert list(terms)[-3:] == ["reward_hip_usage", "reward_air_time", "reward_height_error"]
+    task = env.unwrapped.task
+    hips = info["joint_position"][0::2] - task.control.robot.stance[0::2]
+    assert terms["reward_hip_usage"] == pytest.approx(-2.0 * 0.02 * (hips**2).sum())
+    assert terms["reward_height_error"] == pytest.approx(-50.0 * 0.02 * (info["base_position"][2] - 0.16) ** 2)
+    document = json.loads(json.dumps(task.config.to_dict()))
+    assert document["task_file"]["name"] == "my_task.py"
+    assert document["randomization"]["leg_mass"] == [0.8, 1.2]
+    assert TaskConfig.from_dict(document, load_task_file(my_task)) == task.config
+
+
+def test_terrain_of_the_page_is_the_ground_of_envs_that_name_it(my_task):
+    env = gymnasium.make_vec(ENV_ID, num_envs=2, task_file=my_task, terrain="steps", config={"terrain": {"seed": 1}})
+    env.reset(seed=0)
+    field = env.unwrapped.task.simulation.height_field
+    np.testing.assert_allclose(field.at(np.array([[2.2, 3.0], [2.6, 3.0], [0.0, 0.0]])), [0.02, 0.0, 0.0], atol=1e-9)
+    assert env.unwrapped.task.config.to_dict()["terrain"] == {"name": "steps", "seed": 1, "height": 0.02, "width": 0.4}
+
+
+def test_a_randomized_model_field_is_drawn_per_row_and_scales_inertia_too(my_task):
+    env = gymnasium.make_vec(ENV_ID, num_envs=50, task_file=my_task).unwrapped
+    plain = env.task.simulation.model
+    env.reset(seed=0)
+    legs = [plain.body(f"{leg}_leg").id for leg in env.task.control.robot.leg_names]
+    mass = env.task.simulation.model_field("body_mass")[:, legs]
+    shares = mass / plain.body_mass[legs]
+    assert 0.8 <= shares.min() < 0.83
+    assert 1.17 < shares.max() <= 1.2
+    assert len(np.unique(shares)) == shares.size, "each leg on its own"
+    inertia = env.task.simulation.model_field("body_inertia")[:, legs]
+    np.testing.assert_allclose(inertia / plain.body_inertia[legs], shares[..., None].repeat(3, -1))
+    others = np.delete(np.arange(plain.nbody), legs)
+    np.testing.assert_array_equal(
+        env.task.simulation.model_field("body_mass")[:, others], [plain.body_mass[others]] * 50
+    )
+
+
+def test_a_term_that_is_added_changes_no_other_draw(my_task):
+    envs = [gymnasium.make(ENV_ID, **kwargs).unwrapped for kwargs in ({"task_file": my_task}, {})]
+    for episode in range(3):
+        own, built_in = (env.reset(seed=5 if episode == 0 else None)[1] for env in envs)
+        np.testing.assert_array_equal(own["joint_position"], built_in["joint_position"])
+        np.testing.assert_array_equal(own["command"], built_in["command"])
+        assert envs[0].task.phase == envs[1].task.phase
+
+
+def test_single_and_vector_environment_with_own_terms_are_bit_identical(my_task):
+    single = gymnasium.make(ENV_ID, task_file=my_task, disable_env_checker=True).unwrapped
+    vector = gymnasium.make_vec(ENV_ID, num_envs=3, task_file=my_task, autoreset_mode="Disabled")
+    one, many = single.reset(seed=7)[0], vector.reset(seed=7)[0]
+    np.testing.assert_array_equal(one, many[0])
+    rng = np.random.default_rng(0)
+    for _ in range(40):
+        action = rng.uniform(-0.5, 0.5, (3, 8)).astype(np.float32)
+        one, reward, fallen, _, _ = single.step(action[0])
+        many, rewards, falls, _, _ = vector.step(action)
+        np.testing.assert_array_equal(one, many[0])
+        assert (reward, fallen) == (rewards[0], falls[0])
+        if falls.any():
+            break
+
+
+def test_a_term_of_a_built_in_name_takes_its_place(tmp_path):
+    file = write(
+        tmp_path,
+        "from quadruped_env.task import reward\n"
+        "@reward(weight=3.0)\n"
+        "def upright(context):\n"
+        "    return 0.0 * context.moving + 1.0\n",
+    )
+    definition = load_task_file(file)
+    assert list(definition.weights) == list(BUILT_IN.weights)
+    env = gymnasium.make(ENV_ID, task_file=file)
+    env.reset(seed=0)
+    assert env.step(np.zeros(8))[4]["reward_upright"] == pytest.approx(3.0 * 0.02)
+
+
+REFUSED = {
+    "nothing": ("x = 1\n", r"own.py: defines no term and no robot; use @reward.* or @terrain, or make a Randomization"),
+    "syntax": ("def f(:\n", r"own.py, line 1: SyntaxError"),
+    "failure": ("\n\n1 / 0\n", r"own.py, line 3: ZeroDivisionError"),
+    "no default": (
+        "from quadruped_env.task import reward\n@reward(1.0)\ndef a(context, b): ...\n",
+        r"a: argument 'b' needs a number as its default.*found none",
+    ),
+    "half of a group": (
+        "from quadruped_env.task import reward\n@reward(1.0)\ndef turn_progress(context): ...\n",
+        r"turn_progress would replace a part of forward_progress and turn_progress",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), REFUSED.values(), ids=REFUSED)
+def test_a_file_that_does_not_work_is_refused_with_its_line(text, message, tmp_path):
+    with pytest.raises(QuadrupedError, match=message):
+        gymnasium.make(ENV_ID, task_file=write(tmp_path, text))
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("return 1.0", r"reward mine: expected an array of shape \(1,\).*found \(\)"),
+        ("return context.joint_offset", r"reward mine: expected an array of shape \(1,\).*found \(1, 8\)"),
+        ("return context.nothing", r"reward mine: AttributeError: .*nothing"),
+    ],
+)
+def test_a_reward_of_the_wrong_shape_is_refused_before_any_step(body, message, tmp_path):
+    text = f"from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    {body}\n"
+    with pytest.raises(QuadrupedError, match=message):
+        gymnasium.make(ENV_ID, task_file=write(tmp_path, text))
+
+
+def test_a_reward_that_is_not_finite_is_refused_with_its_name_and_step(tmp_path):
+    text = (
+        "import numpy as np\nfrom quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n"
+        "    return np.where(context.control.steps == 2, np.nan, 0.0)\n"
+    )
+    env = gymnasium.make(ENV_ID, task_file=write(tmp_path, text))
+    env.reset(seed=0)
+    env.step(np.zeros(8))
+    with pytest.raises(QuadrupedError, match=r"reward mine: nan in env 0, step 2; return finite numbers"):
+        env.step(np.zeros(8))
+
+
+def test_a_missing_file_is_refused_by_name(tmp_path):
+    with pytest.raises(QuadrupedError, match=r"gone.py: cannot be read"):
+        gymnasium.make(ENV_ID, task_file=tmp_path / "gone.py")
+
+
+def test_a_run_with_own_terms_is_trained_and_asks_for_its_file(my_task, tmp_path):
+    """And another version of the file is not the file."""
+    pytest.importorskip("stable_baselines3")
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import train
+
+    config = TrainConfig(num_envs=8, n_steps=8, batch_size=32, timesteps=128, hidden=(8,))
+    directory, _ = train(config, tmp_path / "runs", "train", task_file=my_task)
+    with pytest.raises(
+        QuadrupedError, match=r"policy.json: this task has terms from 'my_task.py', which is not executed"
+    ):
+        load_policy(directory)
+    policy = load_policy(directory, my_task)
+    assert policy.config.definition.file.name == "my_task.py"
+    env = policy.make_env()
+    observation, _ = env.reset(seed=0)
+    env.step(policy.predict(observation))
+    my_task.write_text(my_task.read_text() + "\n# another version\n")
+    with pytest.raises(QuadrupedError, match=r"another version of 'my_task.py'"):
+        load_policy(directory, my_task)
+
+
+def test_a_named_file_is_not_executed_to_find_out_whether_it_is_the_right_one(tmp_path):
+    config = {"task_file": {"name": "own.py", "sha256": "0" * 64}}
+    with pytest.raises(QuadrupedError, match=r"terms from 'own.py', which is not executed automatically.*--task FILE"):
+        TaskConfig.from_dict(config)
+
+
+def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
+    terms = load_terms(write(my_task.parent, EXAMPLES[2]))
+    assert terms.observations[-1].name == "joint_torque"
+
+
+def test_what_the_robot_does_not_measure_cannot_be_observed_live(my_task, tmp_path):
+    pytest.importorskip("stable_baselines3")
+    from quadruped_env.control import PolicyController
+    from quadruped_env.control.live_controller import LiveController
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import train
+
+    text = EXAMPLES[2].replace("joint_torque", "foot_force").replace('"joints"', '"feet"')
+    file = write(tmp_path, text)
+    config = TrainConfig(num_envs=8, n_steps=8, batch_size=32, timesteps=64, hidden=(8,))
+    directory, _ = train(config, tmp_path / "runs", "train", task_file=file)
+    with pytest.raises(QuadrupedError, match=r"observes foot_force, which the robot does not measure"):
+        LiveController(PolicyController(load_policy(directory, file)))
+
+
+@pytest.mark.slow
+def test_the_page_works_from_the_command_line(my_task, tmp_path):
+    budget = ["--timesteps", "4096", "--num-envs", "64", "--task", my_task, "--output", tmp_path / "runs"]
+    for command in (
+        ["train/ppo.py", *budget, "--task", '{"reward": {"weights": {"upright": -3}}}'],
+        [
+            "evaluate/policy.py",
+            tmp_path / "runs" / "latest",
+            "--task",
+            my_task,
+            "--seeds",
+            "1",
+            "--seconds",
+            "2",
+            "--no-video",
+        ],
+    ):
+        arguments = [sys.executable, ROOT / command[0], *command[1:]]
+        done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+    document = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
+    assert document["task"]["reward"]["weights"]["upright"] == -3.0
+    assert document["task"]["task_file"]["name"] == "my_task.py"
+
+
+NOISY = {"randomization": {"observation_noise": 1.0, "push_velocity": 0.4, "push_interval": [0.1, 0.3]}}
+CONTINUE = """
+import pickle, sys
+import numpy as np
+env = pickle.load(open(sys.argv[1], "rb"))
+print([float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)])
+"""
+
+
+def test_a_copied_env_with_own_terms_goes_on_identically_also_in_another_process(my_task, tmp_path):
+    env = gymnasium.make(ENV_ID, task_file=my_task, config=NOISY)
+    env.reset(seed=1)
+    for _ in range(10):
+        env.step(np.full(8, -0.1))
+    copied, file = copy.deepcopy(env), tmp_path / "env.pickle"
+    file.write_bytes(pickle.dumps(env))
+    expected = [float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)]
+    assert [float(copied.step(np.full(8, 0.1))[1]).hex() for _ in range(20)] == expected
+    done = subprocess.run([sys.executable, "-c", CONTINUE, file], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == str(expected)
+
+
+def test_an_env_with_own_terms_is_made_again_from_its_spec_and_in_workers(my_task):
+    env = gymnasium.make(ENV_ID, task_file=my_task)
+    again = gymnasium.make(EnvSpec.from_json(env.spec.to_json()))
+    assert again.observation_space == env.observation_space
+    # Not forked: other tests leave threads in this process.
+    vector_kwargs = {"context": "spawn"}
+    workers = gymnasium.make_vec(
+        ENV_ID, num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, task_file=my_task
+    )
+    np.testing.assert_array_equal(workers.reset(seed=0)[0][0], env.reset(seed=0)[0])
+    workers.close()

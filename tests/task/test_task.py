@@ -1,0 +1,280 @@
+"""The task: terminations, commands, actions and what it remembers."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from tasks import ACTION_WIDTH, NEVER_FALLS, STILL_START, Terms, column, make_env, make_task, random_readings
+
+from quadruped_env import CommandedGait, QuadrupedError
+from quadruped_env.control.config import COMMANDS
+from quadruped_env.control.velocity_command import check_command
+from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
+from quadruped_env.task import (
+    ActionConfig,
+    CommandConfig,
+    Task,
+    TaskConfig,
+    TerminationConfig,
+    terminations,
+)
+from quadruped_env.task.commands import CommandSampler
+
+# --- terminations ---
+
+
+def terms_on(**readings):
+    """The task's context on readings of which some are given."""
+    count = len(next(iter(readings.values())))
+    return Terms(dataclasses.replace(random_readings(np.random.default_rng(0), count), **readings)).context
+
+
+def test_tilted_is_an_angle_between_the_up_axes():
+    angles = np.array([0.0, 0.5, 0.999, 1.001, 2.0, math.pi])
+    context = terms_on(up_b=np.stack([np.sin(angles), np.zeros(6), np.cos(angles)], axis=1))
+    np.testing.assert_array_equal(terminations.tilted(context, max_tilt=1.0)(context), angles > 1.0)
+
+
+def test_trunk_contact_is_more_than_a_force_on_any_part():
+    force = np.zeros((4, 5))
+    force[1, 0], force[2, 4], force[3] = 1.5, 1.0, 0.5
+    context = terms_on(trunk_force=force)
+    ended = terminations.trunk_contact(context, max_trunk_force=1.0)(context)
+    np.testing.assert_array_equal(ended, [False, True, False, False])
+
+
+def test_a_robot_that_lies_on_its_belly_has_fallen():
+    env = make_env(randomization=STILL_START)
+    assert not env.step(np.zeros(8))[2]
+    env.data.qpos[2] = 0.038  # half of the trunk's height is 0.04
+    env.data.qpos[7:] = [1.5, 0.0] * 4  # legs stretched
+    env.data.qvel[:] = 0.0
+    *_, terminated, truncated, info = env.step(np.zeros(8))
+    assert terminated
+    assert not truncated
+    assert info["reward_fall"] == env.task.config.reward.weights["fall"] * env.dt
+    assert not info["diverged"]
+
+
+def test_a_robot_that_tips_over_has_fallen():
+    env = make_env(randomization=STILL_START, termination=TerminationConfig(max_tilt=0.5, max_trunk_force=1e9))
+    for angle, fallen in ((0.4, False), (0.6, True)):
+        env.reset(seed=0)
+        env.data.qpos[2] = 1.0
+        env.data.qpos[3:7] = [math.cos(angle / 2), math.sin(angle / 2), 0.0, 0.0]
+        *_, terminated, _, info = env.step(np.zeros(8))
+        assert terminated is fallen
+        assert bool(info["reward_fall"] != 0.0) is fallen
+
+
+def test_an_episode_is_truncated_when_its_steps_are_used_up():
+    task = make_task(2, max_episode_steps=5, termination=NEVER_FALLS)
+    ends = []
+    for step in range(8):
+        if step == 3:
+            task.reset(np.array([1]))
+        transition = task.step(np.zeros((2, 8)))
+        ends.append(transition.truncated.tolist())
+        assert not transition.terminated.any()
+    assert [end[0] for end in ends] == [False] * 4 + [True] * 4, "out of time until it is reset"
+    assert [end[1] for end in ends] == [False] * 7 + [True]
+
+
+# --- commands ---
+
+
+def test_commands_are_sampled_in_their_ranges_and_shares():
+    config = CommandConfig(
+        forward_velocity=(-0.2, 0.7), yaw_rate=(-1.0, 0.5), standing_fraction=0.15, straight_fraction=0.3
+    )
+    n = 40_000
+    command, interval = CommandSampler(COMMANDS, config).sample(np.random.default_rng(0).random((n, 4)))
+    assert command.shape == (n, 2)
+    standing = (command == 0).all(axis=1)
+    straight = (command[:, 1] == 0) & ~standing
+    error = 4 * math.sqrt(0.25 / n)
+    assert standing.mean() == pytest.approx(0.15, abs=error)
+    assert straight.mean() == pytest.approx(0.3, abs=error)
+    for values, (low, high) in ((command[~standing, 0], (-0.2, 0.7)), (command[command[:, 1] != 0, 1], (-1.0, 0.5))):
+        assert low <= values.min() < low + 0.01
+        assert high - 0.01 < values.max() <= high
+        assert values.mean() == pytest.approx((low + high) / 2, abs=0.02)
+    low, high = config.resample_interval
+    assert low <= interval.min()
+    assert interval.max() <= high
+    assert interval.mean() == pytest.approx((low + high) / 2, rel=0.02)
+
+
+def test_commands_change_when_their_interval_is_over():
+    config = CommandConfig(resample_interval=(0.1, 0.1), standing_fraction=0.0)
+    task = make_task(4, command=config, termination=NEVER_FALLS)
+    steps = round(0.1 / task.config.control_timestep)
+    trace = [task.command.copy()]
+    for _ in range(4 * steps):
+        task.step(np.zeros((4, 8)))
+        trace.append(task.command.copy())
+    changed = (np.diff(np.array(trace), axis=0) != 0).any(axis=2)
+    np.testing.assert_array_equal(np.flatnonzero(changed.any(axis=1)) + 1, steps * np.arange(1, 5))
+    assert changed[steps - 1 :: steps].all()
+
+
+def test_a_fixed_command_is_not_replaced():
+    task = make_task(fixed_command=(0.25, 0.125), command=CommandConfig(resample_interval=(0.02, 0.02)))
+    task.reset(np.array([1]))
+    for _ in range(10):
+        task.step(np.zeros((3, 8)))
+        np.testing.assert_array_equal(task.command[[0, 2]], [[0.25, 0.125]] * 2)
+    assert (task.command[1] != [0.25, 0.125]).any()
+
+
+@pytest.mark.parametrize("command", [(9.0, 0.0), (0.0, math.nan), (0.1,), None, "x"])
+def test_a_bad_command_is_refused_by_name(command):
+    with pytest.raises(QuadrupedError, match=r"options\['command'\]"):
+        check_command(command, COMMANDS)
+
+
+# --- actions ---
+
+
+def test_a_zero_action_in_position_mode_is_the_stance():
+    env = make_env()
+    env.step(np.zeros(8))
+    np.testing.assert_array_equal(env.data.ctrl, STANCE)
+
+
+def test_an_action_scales_around_the_stance_and_is_clipped_to_one():
+    env = make_env(action=ActionConfig(position_scale=0.2))
+    env.step(np.array([0.5, -0.5, 1.0, -1.0, 7.0, -7.0, 0.0, 0.25]))
+    unit = np.array([0.5, -0.5, 1.0, -1.0, 1.0, -1.0, 0.0, 0.25])
+    np.testing.assert_allclose(env.data.ctrl, STANCE + 0.2 * unit, rtol=1e-12)
+
+
+@pytest.mark.parametrize("command", [(0.0, 0.0), (0.3, 0.0), (-0.2, 0.3), (0.1, -0.5)])
+def test_a_zero_action_in_residual_mode_is_exactly_the_tuned_gait(command):
+    env = make_env(fixed_command=command, action=ActionConfig(mode="residual"), termination=NEVER_FALLS)
+    gait = CommandedGait.tuned()
+    targets = []
+    for _ in range(40):
+        env.step(np.zeros(8))
+        expected = gait.positions(env.task.phase, env.task.command)[0]
+        np.testing.assert_array_equal(env.data.ctrl, np.clip(expected, JOINT_POSITION_LOW, JOINT_POSITION_HIGH))
+        targets.append(expected)
+    swing = np.ptp(targets, axis=0)
+    assert (swing == 0.0).all() if command == (0.0, 0.0) else swing.max() > 0.05
+
+
+def test_the_gait_in_residual_mode_follows_a_command_that_changes():
+    env = make_env(action=ActionConfig(mode="residual"), command=CommandConfig(resample_interval=(0.04, 0.08)))
+    gait = CommandedGait.tuned()
+    seen = set()
+    for _ in range(40):
+        before = env.task.command.copy()
+        env.step(np.zeros(8))
+        expected = gait.positions(env.task.phase, before)[0]
+        np.testing.assert_array_equal(env.data.ctrl, np.clip(expected, JOINT_POSITION_LOW, JOINT_POSITION_HIGH))
+        seen.add(tuple(before[0]))
+    assert len(seen) > 5
+
+
+@pytest.mark.parametrize("mode", ["position", "residual"])
+def test_joint_targets_never_leave_the_limits(mode):
+    env = make_env(action=ActionConfig(mode=mode, position_scale=3.0, residual_scale=3.0), termination=NEVER_FALLS)
+    rng = np.random.default_rng(0)
+    at_limit = 0
+    for _ in range(50):
+        env.step(rng.uniform(-1, 1, 8))
+        assert (env.data.ctrl >= JOINT_POSITION_LOW).all()
+        assert (env.data.ctrl <= JOINT_POSITION_HIGH).all()
+        at_limit += (env.data.ctrl == JOINT_POSITION_LOW).sum() + (env.data.ctrl == JOINT_POSITION_HIGH).sum()
+    assert at_limit > 0
+
+
+class HoldController:
+    """A controller of one constant joint target."""
+
+    def __init__(self, target):
+        self.target = target
+
+    def act(self, observation, control):
+        return self.target
+
+
+def test_a_joint_target_goes_to_the_motors_as_it_is_and_counts_as_no_action():
+    env = make_env(termination=NEVER_FALLS)
+    env.step(np.full(8, 0.5))
+    target = STANCE + 0.1
+    transition = env.task.act(HoldController(target[None]), None)
+    np.testing.assert_array_equal(env.data.ctrl, target)
+    np.testing.assert_array_equal(column("last_action", transition.observation), 0.0)
+    env.task.act(HoldController(np.full((1, 8), 9.0)), None)
+    np.testing.assert_array_equal(env.data.ctrl, JOINT_POSITION_HIGH)
+    with pytest.raises(QuadrupedError, match=r"joint target: expected shape \(1, 8\).*found \(8,\)"):
+        env.task.act(HoldController(target), None)
+
+
+# --- memory ---
+
+
+def test_tasks_of_one_config_share_no_arrays():
+    config = TaskConfig()
+    tasks = [Task(BatchSimulation(build_model(), 2, 1), config) for _ in range(2)]
+    arrays = [
+        {
+            f"{part}.{name}": value
+            for part in (task, task.control, task.context)
+            for name, value in vars(part).items()
+            if isinstance(value, np.ndarray) and value.flags.writeable and value.shape[:1] == (2,)
+        }
+        for task in tasks
+    ]
+    assert len(arrays[0]) > 10
+    for name, array in arrays[0].items():
+        for other in arrays[1].values():
+            assert not np.shares_memory(array, other), name
+
+
+def test_a_transition_is_not_overwritten_by_the_next_step():
+    task = make_task()
+    first = task.step(np.full((3, 8), 0.3))
+    copies = {f.name: getattr(first, f.name).copy() for f in dataclasses.fields(first)}
+    task.step(np.full((3, ACTION_WIDTH), -0.3))
+    task.reset(np.arange(3))
+    for name, value in copies.items():
+        np.testing.assert_array_equal(getattr(first, name), value, err_msg=name)
+
+
+def test_a_reset_clears_what_has_memory_and_only_there():
+    task = make_task(3, termination=NEVER_FALLS)
+    for _ in range(5):
+        task.step(np.full((3, 8), 0.3))
+    before = [task.get_state(row) for row in (0, 2)]
+    task.reset(np.array([1]))
+    fresh, others = task.get_state(1), [task.get_state(row) for row in (0, 2)]
+    np.testing.assert_array_equal(fresh["control"]["action"], 0.0)
+    np.testing.assert_array_equal(fresh["terms"]["smooth_velocity"], 0.0)
+    np.testing.assert_array_equal(task.steps, [5, 0, 5])
+    for old, new in zip(before, others, strict=True):
+        assert old["generator"] == new["generator"]
+        np.testing.assert_array_equal(new["simulation"].integration, old["simulation"].integration)
+        for part in ("episode", "control", "terms", "randomizer", "draws"):
+            for name, value in old[part].items():
+                np.testing.assert_array_equal(new[part][name], value, err_msg=name)
+
+
+def test_a_command_set_within_an_episode_stays_and_is_followed(model):
+    config = TaskConfig.from_dict({"action": {"mode": "residual"}, "command": {"resample_interval": [0.02, 0.02]}})
+    changed, told = (Task(SingleSimulation(model), config) for _ in range(2))
+    row = np.zeros(1, dtype=np.intp)
+    changed.reset(row, seeds=[3], command=(0.0, 0.0))
+    told.reset(row, seeds=[3], command=(0.4, 0.2))
+    changed.set_command(row, (0.4, 0.2))
+    for _ in range(50):
+        first, second = changed.step(np.zeros((1, 8))), told.step(np.zeros((1, 8)))
+        np.testing.assert_array_equal(first.observation, second.observation)
+        np.testing.assert_array_equal(first.reward, second.reward)
+    np.testing.assert_array_equal(changed.command, [[0.4, 0.2]])
+    with pytest.raises(QuadrupedError, match="forward_velocity = 9 is outside"):
+        changed.set_command(row, (9.0, 0.0))
+    np.testing.assert_array_equal(changed.command, [[0.4, 0.2]])

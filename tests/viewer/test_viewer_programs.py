@@ -1,0 +1,84 @@
+"""The viewer's server and its program."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+
+import psutil
+import pytest
+from paths import ROOT
+from waiting import output_of
+
+from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.viewer import open_show
+from quadruped_env.viewer.server import start_server, stop_server
+
+
+def test_a_taken_port_makes_way_for_the_next_free_one():
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        taken = other.getsockname()[1]
+        server = start_server(port=taken)
+        try:
+            assert taken < server.get_port() < taken + 100
+            listening = {
+                c.laddr.ip
+                for c in psutil.Process().net_connections("inet")
+                if c.status == psutil.CONN_LISTEN and c.laddr.port == server.get_port()
+            }
+            assert listening == {"127.0.0.1"}
+            # A page could ask for a public address without a button.
+            assert server.request_share_url() is None
+        finally:
+            stop_server(server)
+
+
+def test_an_address_that_is_not_here_is_refused():
+    with pytest.raises(QuadrupedError, match=r"--host: cannot listen on '203\.0\.113\.1'"):
+        start_server("203.0.113.1")
+    with pytest.raises(QuadrupedError, match="--port: expected 0 to"):
+        start_server(port=70000)
+
+
+def test_without_viser_the_extra_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    with pytest.raises(MissingExtraError, match=r"The viewer needs the 'viewer' extra: .*\[viewer\]"):
+        open_show(port=0)
+
+
+def _program(*arguments, **options):
+    return subprocess.Popen(
+        [sys.executable, ROOT / "evaluate" / "view.py", "--port", "0", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"PYTHONWARNINGS": "error"},
+        **options,
+    )
+
+
+def test_the_program_says_where_it_is_and_ends_at_ctrl_c(tmp_path):
+    process = _program("flat", "trot", cwd=tmp_path)
+    line = process.stdout.readline()
+    assert line.startswith("policy flat, gait trot: http://127.0.0.1:")
+    process.send_signal(signal.SIGINT)
+    out, err = output_of(process)
+    assert (process.returncode, out, err) == (0, "ending\n", "")
+
+
+def test_the_program_measures_its_pace(tmp_path):
+    process = _program("--measure", "0.5", cwd=tmp_path)
+    out, err = output_of(process)
+    assert process.returncode == 0, err
+    assert "control steps/s" in out.splitlines()[-1]
+
+
+def test_the_program_names_what_is_wrong(tmp_path):
+    process = _program("runs/none", cwd=tmp_path)
+    out, err = output_of(process)
+    assert (process.returncode, out) == (2, "")
+    assert err.startswith("view.py: error: 'runs/none' is neither a shipped policy (flat), nor a scripted gait (")
+    assert len(err.splitlines()) == 1
