@@ -296,7 +296,7 @@ while True:
 """
     pytest.importorskip("rosbags")
     rng = np.random.default_rng(0)
-    for _ in range(12):
+    for _ in range(5):
         process = subprocess.Popen(
             [sys.executable, "-c", code, str(tmp_path)], env=importing(), stdout=subprocess.PIPE, text=True
         )

@@ -145,7 +145,7 @@ class ControlInterface:
 
     @property
     def clock(self) -> Floats:
-        """Sine and cosine of the phase, 0 where the command is zero, (N, 2); overwritten by the next call."""
+        """Sine and cosine of the phase, 0 where standing is commanded, (N, 2); overwritten by the next call."""
         clock = self._clock
         np.sin(self.phase, clock[:, 0])
         np.cos(self.phase, clock[:, 1])

@@ -13,7 +13,7 @@ VELOCITY: Final = 2
 """Number of components of the velocity command, which come first in every command."""
 
 MOVING_THRESHOLD: Final = 0.02
-"""Threshold below which a velocity command means standing, in both m/s and rad/s."""
+"""Maximum of both velocities of a command that means standing, in m/s and rad/s."""
 
 
 def check_command(command: Sequence[float] | NDArray[np.float64], commands: Sequence[Command]) -> NDArray[np.float64]:

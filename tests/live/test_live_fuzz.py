@@ -108,7 +108,7 @@ def test_node_swamped_with_damaged_messages_goes_on(name, nodes, capsys):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NODES)
 def test_node_swamped_with_many_damaged_messages_goes_on(name, nodes, capsys):
-    run_swamped(NODES[name], nodes, turns=3000, seed=1)
+    run_swamped(NODES[name], nodes, turns=1000, seed=1)
 
 
 def run_swamped(arguments, nodes, turns, seed=0):

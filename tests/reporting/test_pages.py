@@ -26,7 +26,8 @@ def report(tmp_path_factory):
 @pytest.fixture(scope="module")
 def opened(chromium, report):
     """The report in one page for all tests: the replay in 3D is slow to start on a processor."""
-    with browser.opened(chromium) as page:
+    # Its viewer would lower the resolution if frames were slow.
+    with browser.opened(chromium, slow_frames=False) as page:
         page.set_viewport_size({"width": 640, "height": 600})
         page.goto(report[0].as_uri())
         yield page

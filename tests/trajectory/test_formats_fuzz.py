@@ -1,6 +1,6 @@
 """Mutated files of every format: refused with this package's own error, or read as what they now say.
 
-By default a few hundred files a format; `pytest -m slow` tries thousands.
+By default a few hundred files a format; `pytest -m slow` tries many.
 """
 
 import re
@@ -339,7 +339,7 @@ def test_damaged_files_are_refused_or_read_as_they_are(tmp_path, kind):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", WRITERS)
-def test_thousands_of_damaged_files(tmp_path, kind):
-    refused, read = fuzz(tmp_path, kind, 3000, seed=1)
-    assert refused > 300
-    assert read > 10
+def test_many_damaged_files(tmp_path, kind):
+    refused, read = fuzz(tmp_path, kind, 1500, seed=1)
+    assert refused > 150
+    assert read > 5

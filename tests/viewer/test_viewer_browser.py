@@ -18,8 +18,6 @@ from quadruped_env.viewer.scene import OVERLAYS
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
 
-SIZE = (1020, 640)
-"""Of the page: enough, and little to draw for a machine without a graphics card"""
 MIDDLE = {"x": 370, "y": 200, "width": 320, "height": 400}
 """Of the page: the robot, without panels and notifications"""
 
@@ -47,7 +45,7 @@ def until(condition, page=None):
 def stage(tmp_path_factory, chromium):
     """A show and a page on it, for the tests that leave both as they were."""
     directory = tmp_path_factory.mktemp("viewer")
-    with showing(directory) as show, browser.opened(chromium, *SIZE) as page:
+    with showing(directory) as show, browser.opened(chromium) as page:
         visit(page, show)
         yield show, page
         assert page.watched.errors == []
@@ -173,7 +171,7 @@ def test_keys_command_the_robot_and_leave_the_camera_alone(stage, paused):
     controller, page = paused
     (client,) = show.clients()
     camera = client.camera.position.copy()
-    page.mouse.click(SIZE[0] / 2, SIZE[1] - 20)
+    page.mouse.click(browser.WIDTH / 2, browser.HEIGHT - 20)
     for key, command in (
         ("ArrowUp", (0.1, 0.0)),
         ("ArrowUp", (0.2, 0.0)),
@@ -295,11 +293,11 @@ def test_randomization_and_falls(paused):
 def test_two_browsers_show_and_steer_the_same(stage, paused, chromium):
     show, _ = stage
     controller, page = paused
-    with browser.opened(chromium, *SIZE) as other:
+    with browser.opened(chromium) as other:
         visit(other, show)
         until(lambda: robot_pixels(shot(other)) > ENOUGH, page=other)
         for steering, watching, shown in ((page, other, "0.1"), (other, page, "0.2")):
-            steering.mouse.click(SIZE[0] / 2, SIZE[1] - 20)
+            steering.mouse.click(browser.WIDTH / 2, browser.HEIGHT - 20)
             steering.keyboard.press("ArrowUp")
             until(lambda shown=shown: controller.command == (float(shown), 0.0))
             for each in (steering, watching):
@@ -312,7 +310,7 @@ def test_two_browsers_show_and_steer_the_same(stage, paused, chromium):
 def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     with showing(tmp_path) as show:
-        with browser.opened(chromium, *SIZE) as page:
+        with browser.opened(chromium) as page:
             visit(page, show)
             page.get_by_role("button", name="Record").click()
             until(lambda: (show.controller.view().recorded or 0.0) > 0.5, page=page)
