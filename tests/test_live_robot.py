@@ -120,7 +120,7 @@ def test_terrain_is_repeatable_flat_at_the_start_and_at_its_edge():
 def test_the_models_ground_is_the_terrains():
     """Rays from above meet the heights that were asked for."""
     terrain = Terrain.make("hills", 5)
-    model = terrain.model(TIMESTEP)
+    model = terrain.model(MINI_QUADRUPED, TIMESTEP)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     rng = np.random.default_rng(0)
