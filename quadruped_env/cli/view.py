@@ -58,10 +58,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.task,
         arguments.terrain,
     )
-    return play(show, arguments.host, arguments.port, arguments.measure)
+    return run_show(show, arguments.host, arguments.port, arguments.measure)
 
 
-def play(show: Show, host: str, port: int, seconds: float | None) -> int:
+def run_show(show: Show, host: str, port: int, seconds: float | None) -> int:
     """Print the address of a show, and run it until Ctrl-C or for a time in s."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: show.stop())

@@ -59,7 +59,7 @@ def as_robot(value: Any) -> Robot:
     """A robot from a `Robot`, a `QuadrupedDesign`, or the result of `Robot.to_dict`.
 
     Raises:
-        QuadrupedError: if it is none of these.
+        QuadrupedError: if it is another value.
     """
     if isinstance(value, QuadrupedDesign):
         return value.robot()

@@ -2,7 +2,7 @@
 
 import importlib.util
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -149,7 +149,7 @@ class Identification:
 
     def config(self) -> dict[str, Any]:
         """The motors as a part of the environment's `config`."""
-        return {"motor": TaskConfig(motor=self.after).to_dict()["motor"]}
+        return {"motor": asdict(self.after)}
 
     def table(self) -> str:
         """The report as a plain-text table."""

@@ -1,5 +1,6 @@
 """The HTML report of a replay: tracking errors, motor limits, and figures of both."""
 
+import dataclasses
 from pathlib import Path
 from typing import Any, Final
 
@@ -11,7 +12,6 @@ from quadruped_env.reporting.pages.page import circumstances, figure, write_html
 from quadruped_env.reporting.palette import BLUE, INK, VERMILION
 from quadruped_env.reporting.plots.joints import Line, joint_panels
 from quadruped_env.reporting.results import REPORT_FILE
-from quadruped_env.task import TaskConfig
 
 _GOOD: Final = 0.05
 """Maximum RMS tracking error of a good replay, rad."""
@@ -49,7 +49,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
         "tables": tables,
         "figures": figures,
         "document": circumstances(command_line),
-        "motors": TaskConfig(motor=replay.motors).to_dict()["motor"],
+        "motors": dataclasses.asdict(replay.motors),
     }
     write_html(directory / REPORT_FILE, "motion.html", context)
 

@@ -53,7 +53,7 @@ def save(pieces: Iterable[Rows], path: Path, options: WriteOptions) -> None:
     if path.suffix.lower() == _CSV:
         project_csv.write(pieces, path, options.overwrite)
     else:
-        bag_writer.write(pieces, path, _bag_options(path, options), options.overwrite)
+        bag_writer.write(pieces, path, options.robot, _bag_options(path, options), options.overwrite)
 
 
 def check(path: Path, options: WriteOptions) -> None:
@@ -83,4 +83,4 @@ def _bag_options(path: Path, options: WriteOptions) -> BagOptions:
         )
     if path.suffix and options.compress and storage == "sqlite3":
         raise QuadrupedError(f"{path}: a bare sqlite3 file cannot be compressed; name a directory, or use mcap")
-    return BagOptions(storage, options.tf_rate, options.compress, options.robot)
+    return BagOptions(storage, options.tf_rate, options.compress)

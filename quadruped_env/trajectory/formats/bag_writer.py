@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import PART, unwritable, whole
-from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.robot import Robot
 from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
 from quadruped_env.ros.joint_state import Encoder
@@ -53,8 +53,6 @@ class BagOptions:
     """Rate of /tf in Hz, at multiples of its period; 0 writes no /tf"""
     compress: bool = False
     """Compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd"""
-    robot: Robot = MINI_QUADRUPED
-    """Robot that the bag describes"""
 
     def __post_init__(self) -> None:
         if self.storage not in STORAGES:
@@ -63,8 +61,15 @@ class BagOptions:
             raise QuadrupedError(f"tf_rate: expected 0 to 1e6 Hz; found {self.tf_rate!r}")
 
 
-def write(pieces: Iterable[Rows], path: Path, options: BagOptions, overwrite: bool) -> None:
+def write(pieces: Iterable[Rows], path: Path, robot: Robot, options: BagOptions, overwrite: bool) -> None:
     """Write a bag, in full or not at all: a directory, or one bare storage file if the path ends in its suffix.
+
+    Args:
+        pieces: rows to write.
+        path: path of the bag.
+        robot: robot that the bag describes, if the rows have its joints.
+        options: options for writing.
+        overwrite: True to replace an existing bag.
 
     Raises:
         QuadrupedError: if the bag exists and must not be overwritten, or cannot be written.
@@ -76,7 +81,7 @@ def write(pieces: Iterable[Rows], path: Path, options: BagOptions, overwrite: bo
         bag = part.with_suffix("") if bare else part
         try:
             with open_bag(bag, options) as writer:
-                _write_messages(pieces, writer, options)
+                _write_messages(pieces, writer, robot, options)
         except sqlite3.Error as error:
             raise unwritable(path, error) from error
         if bare:
@@ -152,15 +157,15 @@ def _compress_with_checksum(file: Path) -> None:
     part.replace(file)
 
 
-def _write_messages(pieces: Iterable[Rows], writer: Any, options: BagOptions) -> None:
+def _write_messages(pieces: Iterable[Rows], writer: Any, robot: Robot, options: BagOptions) -> None:
     encode: Encoder | None = None
     joints, tf = None, None
     for piece in pieces:
         if encode is None:
             encode = Encoder(piece.names)
             joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
-            if set(options.robot.joint_names) <= set(piece.names):
-                tf = _TfWriter(writer, options.robot, options.tf_rate, int(piece.stamps[0]))
+            if set(robot.joint_names) <= set(piece.names):
+                tf = _TfWriter(writer, robot, options.tf_rate, int(piece.stamps[0]))
         until = 0
         transforms = iter(()) if tf is None else tf.messages(piece)
         following = next(transforms, None)
