@@ -1,4 +1,4 @@
-"""A trained policy is data: saved, loaded without pickle or torch, the same numbers as torch's, and checked."""
+"""Trained policies: saved and loaded as data, without pickle or torch, with torch's numbers, and checked."""
 
 import dataclasses
 import errno
@@ -55,7 +55,7 @@ POSITION = {"action": {"mode": "position"}}
 
 
 def edit_card(directory, **changes):
-    """Change fields of the saved card; a field of None is removed. A changed config gets the hash that it has."""
+    """Change fields of the saved card; a field of None is removed. A changed config gets its new hash."""
     document = json.loads((directory / CARD_FILE).read_text()) | changes
     if "config" in changes:
         document["config_sha256"] = sha256(json.dumps(changes["config"], sort_keys=True).encode()).hexdigest()
@@ -97,7 +97,7 @@ def test_saving_twice_gives_the_same_bytes(run_directory, tmp_path):
         assert (tmp_path / "again" / name).read_bytes() == (run_directory / name).read_bytes()
 
 
-def test_the_card_says_what_the_numbers_mean(run_directory):
+def test_card_describes_the_policy(run_directory):
     document = json.loads((run_directory / CARD_FILE).read_text())
     assert document["action_mode"] == "residual"
     assert document["control_rate_hz"] == pytest.approx(1.0 / TASK.control_timestep)
@@ -111,7 +111,7 @@ def test_a_policys_files_hold_no_pickle(run_directory):
     tensors = (run_directory / TENSORS_FILE).read_bytes()
     header = json.loads(tensors[8 : 8 + int.from_bytes(tensors[:8], "little")])
     assert all(entry["dtype"] == "F32" for name, entry in header.items() if name != "__metadata__")
-    assert tensors[:2] != b"PK", "no zip, in which torch hides a pickle"
+    assert tensors[:2] != b"PK", "not a zip, in which torch stores a pickle"
     with pytest.raises(ValueError, match=r"."):
         list(pickletools.genops(tensors))
 
@@ -152,7 +152,7 @@ def test_actions_stay_within_one():
     assert actions.max() == 1.0
 
 
-def test_predicting_takes_any_kind_of_number_and_changes_nothing():
+def test_predict_accepts_any_kind_of_number_and_does_not_change_it():
     policy, observation = make_policy(), observations((2,))
     kept = observation.copy()
     np.testing.assert_array_equal(policy.predict(observation.tolist()), policy.predict(observation))
@@ -184,7 +184,7 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, sym
     env = make_sb3_vec_env(4, seed=0, config=TASK)
     model = make_model(config, env)
     with torch.no_grad():
-        # As made, the last layer is almost zero and the biases are.
+        # At initialization, the last layer is almost zero and the biases are zero.
         for parameter in model.policy.parameters():
             parameter.add_(0.3 * torch.randn_like(parameter))
     export_policy(model, TASK, activation, {"seed": 0}).save(tmp_path)
@@ -196,7 +196,7 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, sym
     expected, _ = model.predict(observation, deterministic=True)
     np.testing.assert_allclose(policy.predict(observation), expected, atol=1e-5)
     inside = abs(expected) < 1.0
-    assert inside.any(axis=1).mean() > 0.5, "clipped actions prove little"
+    assert inside.any(axis=1).mean() > 0.5, "most actions must not be clipped"
 
 
 # --- bad directories ---
@@ -308,7 +308,7 @@ DAMAGES = {
 
 
 @pytest.mark.parametrize("name", DAMAGES)
-def test_a_damaged_run_is_refused_with_the_file_the_field_and_the_cure(run_directory, name):
+def test_damaged_run_is_refused_with_the_file_the_field_and_the_fix(run_directory, name):
     break_it, message = DAMAGES[name]
     break_it(run_directory)
     with pytest.raises(QuadrupedError, match=message) as caught:
@@ -350,7 +350,7 @@ def test_the_files_of_a_policy_have_the_same_rights(tmp_path):
     assert len({path.stat().st_mode for path in tmp_path.iterdir()}) == 1
 
 
-def test_a_full_disk_keeps_the_policy_that_was_there(run_directory, monkeypatch):
+def test_save_on_a_full_disk_keeps_the_old_policy(run_directory, monkeypatch):
     def fsync(descriptor):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
@@ -360,7 +360,7 @@ def test_a_full_disk_keeps_the_policy_that_was_there(run_directory, monkeypatch)
     np.testing.assert_array_equal(load_policy(run_directory).weights[0], make_policy().weights[0])
 
 
-def test_of_a_killed_run_the_last_checkpoint_is_loaded_with_a_warning(tmp_path):
+def test_killed_run_loads_its_last_checkpoint_with_a_warning(tmp_path):
     for seed, name in enumerate(["00060s", "99980s", "100000s"]):
         make_policy(seed=seed).save(tmp_path / "run" / CHECKPOINTS / name)
     (tmp_path / "run" / CHECKPOINTS / "100020s").mkdir()
@@ -392,7 +392,7 @@ def test_a_policy_does_not_change():
 
 
 @pytest.mark.parametrize("name", SHIPPED)
-def test_a_shipped_policy_walks_where_it_is_told_to(name):
+def test_shipped_policy_follows_its_velocity_commands(name):
     policy = load_policy(name)
     assert {"command", "seed", "versions", "git_commit"} <= set(policy.card)
     env = make_vec(ENV_ID, num_envs=16, action_mode=policy.action_mode, config=policy.config)
@@ -423,7 +423,7 @@ def test_make_env_makes_the_task_that_the_policy_was_trained_for():
     env.close()
 
 
-def test_make_vec_env_makes_many_of_them():
+def test_make_vec_env_makes_num_envs_envs_of_the_policys_task():
     policy = make_policy()
     env = policy.make_vec_env(3, max_episode_steps=7)
     assert env.num_envs == 3
@@ -433,7 +433,7 @@ def test_make_vec_env_makes_many_of_them():
 
 
 @pytest.mark.parametrize("name", ["action_mode", "config"])
-def test_make_env_takes_no_other_task(name):
+def test_make_env_with_another_task_is_refused(name):
     for call in (make_policy().make_env, lambda **kwargs: make_policy().make_vec_env(2, **kwargs)):
         with pytest.raises(QuadrupedError, match=f"policy.make_env: {name} is given by the policy"):
             call(**{name: None})
@@ -451,7 +451,7 @@ def test_make_env_takes_no_other_task(name):
         ),
     ],
 )
-def test_a_task_in_which_actions_mean_something_else_is_refused(config, message):
+def test_task_with_another_meaning_of_actions_is_refused(config, message):
     policy = make_policy()
     env = make(ENV_ID, config=config)
     with pytest.raises(QuadrupedError, match=f"{message}; make its own with policy.make_env"):
@@ -463,7 +463,7 @@ def test_a_task_in_which_actions_mean_something_else_is_refused(config, message)
     env.close()
 
 
-def test_a_task_that_differs_in_what_does_not_change_actions_fits():
+def test_task_that_differs_without_changing_actions_is_accepted():
     values = TASK.to_dict() | {"randomization": {"payload": (0.0, 1.0)}, "motor": {"delay": 0.01}}
     make_policy().check_task(TaskConfig.from_dict(values))
 

@@ -5,7 +5,7 @@ import numpy as np
 from quadruped_env import JOINT_NAMES, JointTrajectory
 
 STAMPS = [1_763_500_000_000_000_001, 1_763_500_000_020_000_003, 1_763_500_000_050_000_000, 1_763_500_001_000_000_000]
-"""ns: later than 2^53, where a float no longer holds every whole number, and unevenly spaced"""
+"""Timestamps, ns: over 2^53, where a float no longer holds every whole number, and unevenly spaced."""
 
 
 def random_trajectory(rows=4, names=JOINT_NAMES, **changes):
@@ -23,7 +23,7 @@ def random_trajectory(rows=4, names=JOINT_NAMES, **changes):
 
 
 def assert_same(a, b):
-    """Equal to the last bit."""
+    """Assert equality to the last bit."""
     assert a.names == b.names
     for name in ("stamps", "positions", "velocities", "efforts"):
         x, y = getattr(a, name), getattr(b, name)

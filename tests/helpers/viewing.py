@@ -1,4 +1,4 @@
-"""What tests of the viewer share: running shows, and looks at their robots."""
+"""Running shows of the viewer, and access to the state of their robots."""
 
 import threading
 from contextlib import contextmanager
@@ -11,7 +11,7 @@ DT = 0.02
 
 @contextmanager
 def showing(directory, *names, asked=()):
-    """A show that runs beside the test."""
+    """A show that runs in a thread of its own."""
     sources, chosen = find_controllers(asked, runs=directory / "runs")
     controller = ViewController(sources, names or chosen, directory / "results")
     show = Show(controller, port=0)

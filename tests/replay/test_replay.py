@@ -70,13 +70,13 @@ class TestPublish:
             (1.0, 1e4, "rate: .*up to 1000 Hz; found 10000"),
         ],
     )
-    def test_numbers_that_make_no_sense(self, seconds, rate, message):
+    def test_invalid_numbers_are_refused(self, seconds, rate, message):
         with pytest.raises(QuadrupedError, match=message):
             publish(SinusoidalGait.preset("article"), seconds, rate)
 
 
 class TestRecord:
-    def test_begins_with_the_start_and_has_a_row_a_control_step(self):
+    def test_begins_with_the_start_and_has_one_row_per_control_step(self):
         recording = record(ZeroController(), 0.5)
         np.testing.assert_array_equal(recording.joints.stamps, np.arange(26) * 20_000_000)
         np.testing.assert_array_equal(recording.joints.positions[0], STANCE)
@@ -105,7 +105,7 @@ class TestRecord:
         assert_same(played.joints, walked.joints)
         np.testing.assert_array_equal(played.base_pose, walked.base_pose)
 
-    def test_says_when_the_robot_fell_and_goes_on(self):
+    def test_reports_when_the_robot_fell_and_continues(self):
         # Legs swung back as far as they go: it lands on its belly.
         flat = np.tile([1.5, 0.0], 4)
         recording = play(standing(3.0, positions=np.stack([STANCE, flat]), stamps=[0, 1_000_000_000]))
@@ -179,7 +179,7 @@ class TestReplay:
         np.testing.assert_array_equal(played.stamps, expected.stamps + first)
         np.testing.assert_array_equal(played.positions, expected.positions)
 
-    def test_positions_outside_the_limits_are_named_or_clipped_on_purpose(self):
+    def test_positions_outside_the_limits_are_named_or_clipped_on_request(self):
         positions = np.tile(STANCE, (2, 1))
         positions[1, 3], positions[1, 4] = 0.3, -1.7
         bad = standing(positions=positions)
@@ -205,7 +205,7 @@ class TestReplay:
         assert replay(standing(positions=positions), "kinematic").clipped.sum() == 0
 
     def test_it_starts_in_the_first_pose_on_its_feet(self):
-        """Of a gait, three feet or four are on the ground, none is in it, and nothing jumps at the start."""
+        """Of a gait, three or four feet are on the ground, none is below it, and nothing jumps at the start."""
         for preset in PRESETS:
             commands = publish(SinusoidalGait.preset(preset), 0.2, 50.0)
             result = replay(commands)
@@ -216,7 +216,7 @@ class TestReplay:
             assert result.report()["motion"]["feet_on_ground_at_start"] >= 3
             assert np.abs(np.diff(result.motion.base_pose[:3, 2])).max() < 2e-3
 
-    def test_limits_and_saturation(self):
+    def test_requests_beyond_the_motors_are_reported_as_saturation(self):
         """A step of 1 rad asks for more than a motor has: kp times the step is 40 N m."""
         positions = np.tile(STANCE, (4, 1))
         positions[2:, 6] = STANCE[6] + 0.5
@@ -236,7 +236,7 @@ class TestReplay:
             "first_at": None,
         }
 
-    def test_wanted_torque_and_what_is_too_much(self):
+    def test_requested_torque_and_its_excess_by_hand(self):
         """By hand: kp 40, kd 1; at 2 rad/s forwards a motor has 10 - 2 * 2 = 6 N m left, and 10 N m to brake with."""
         stamps = np.array([0, 20, 40, 60]) * 1_000_000
         positions, velocities = np.zeros((2, 4, 8))
@@ -255,7 +255,7 @@ class TestReplay:
         pulled = saturation(JointTrajectory(stamps, JOINT_NAMES, targets), played, MotorConfig())
         assert pulled.excess[2, 0] == pytest.approx(0.3 * 40 - 2.0 - 6.0)
 
-    def test_lag_is_the_delay_that_was_put_in(self):
+    def test_lag_is_the_known_delay(self):
         times = np.arange(0, 4, 0.02)
         target = JointTrajectory(np.rint(times * 1e9).astype(int), JOINT_NAMES, np.sin(3 * times)[:, None] * np.ones(8))
         late = JointTrajectory(target.stamps, JOINT_NAMES, target.positions_at(times - 0.06))
@@ -312,7 +312,7 @@ class TestReplay:
         assert result.played.stamps.tolist() == [7]
         assert result.report()["tracking_error"]["all"] == {"rms": 0.0, "max": 0.0}
 
-    def test_a_stamp_from_another_clock_is_named(self):
+    def test_timestamp_from_another_clock_is_named(self):
         stamps = [0, 1_763_500_000_000_000_000, 1_763_500_000_020_000_000]
         with pytest.raises(QuadrupedError, match=r"lasts 1\.7635e.09 s, over 21600 s; its longest gap.*row 1; cut it"):
             replay(standing(stamps=stamps, positions=np.tile(STANCE, (3, 1))))
@@ -322,7 +322,7 @@ class TestReplay:
         with pytest.raises(QuadrupedError, match="unknown mode 'fast'; valid modes are kinematic, dynamic"):
             replay(standing(), "fast")
 
-    def test_results_are_never_overwritten_unasked(self, tmp_path):
+    def test_existing_results_without_overwrite_are_kept(self, tmp_path):
         replay(standing(0.1)).save(tmp_path / "new")
         assert sorted(p.name for p in (tmp_path / "new").iterdir()) == [
             "joint_states.csv",
@@ -336,7 +336,7 @@ class TestReplay:
 
 
 class TestBaseline:
-    def test_numbers_that_make_no_sense(self):
+    def test_invalid_numbers_are_refused(self):
         for arguments, message in {
             ("preset", "gallop"): "unknown preset 'gallop'",
             ("episodes", 0): "episodes: expected 1 or more; found 0",
@@ -345,7 +345,7 @@ class TestBaseline:
             with pytest.raises(QuadrupedError, match=message):
                 run_baseline(**dict([arguments]))
 
-    def test_a_robot_too_short_of_time_for_a_metric_is_reported_all_the_same(self, tmp_path):
+    def test_run_too_short_for_a_metric_is_still_reported(self, tmp_path):
         baseline = run_baseline("tuned", seconds=0.1, episodes=2)
         baseline.save(tmp_path / "a.csv")
         report = json.loads((tmp_path / "a.json").read_text())
@@ -353,7 +353,7 @@ class TestBaseline:
         assert report["metrics"]["fall_rate"]["mean"] == 0.0
         assert "Forward velocity" in baseline.table()
 
-    def test_a_name_of_no_format_is_refused_before_the_work(self):
+    def test_unknown_file_format_is_refused_before_the_simulation(self):
         with pytest.raises(QuadrupedError, match=r"a\.json: unknown ending '\.json'"):
             check_target(Path("a.json"), overwrite=False)
 
@@ -445,7 +445,7 @@ class TestPrograms:
         played = results / "replay-baseline-tuned-commands" / "joint_states.csv"
         assert played.read_bytes() == (results / "baseline-tuned.csv").read_bytes()
 
-    def test_against_what_the_robot_did(self, tmp_path):
+    def test_replay_program_compares_with_measurements(self, tmp_path):
         commands = publish(SinusoidalGait.preset("tuned"), 0.5, 50.0)
         commands.save(tmp_path / "told.csv")
         did = play(commands).joints
@@ -462,7 +462,7 @@ class TestPrograms:
         assert page.count("data:image/svg+xml") == 6
         assert "Recorded against simulated" in page
 
-    def test_another_robots_recording(self, tmp_path):
+    def test_replay_program_reads_the_recording_of_another_robot(self, tmp_path):
         if not DYNA1.is_dir():
             pytest.skip("needs the recording of Dyna1 in ../shared/data/dyna1")
         layout = asset_path("dyna1.toml")
@@ -480,7 +480,7 @@ class TestPrograms:
         assert refused.returncode == 2
         assert "--" in refused.stderr
 
-    def test_the_articles_publisher(self, tmp_path):
+    def test_baseline_program_writes_the_tutorials_commands(self, tmp_path):
         arguments = ("--preset", "article", "--rate", "20", "--commands", "--seconds", "2", "--episodes", "1")
         assert run(tmp_path, "baseline.py", *arguments, "--out", "a.csv").returncode == 0
         commands = JointTrajectory.load(tmp_path / "a.csv")

@@ -140,7 +140,7 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     assert '"physics_timestep"' in text
 
 
-def test_report_needs_nothing_beside_it(written):
+def test_report_needs_no_other_file(written):
     html = written[0]
     page = Page(html)
     assert page.addresses
@@ -160,7 +160,7 @@ def test_report_needs_nothing_beside_it(written):
     assert len(html) < 4_000_000
 
 
-def test_report_says_nothing_about_where_it_was_made(written, run_directory):
+def test_report_names_no_directory_of_the_machine(written, run_directory):
     html, numbers = written
     for document in (re.sub(r"base64,[^\"]*", "", html), numbers):
         assert str(run_directory.parent) not in document
@@ -290,18 +290,18 @@ def test_findings_say_how_far_it_gets_and_where_it_falls():
     assert "more accurate forwards" in findings["Article's gait"]
 
 
-def test_what_was_not_asked_for_is_not_judged():
+def test_motions_that_were_not_commanded_are_not_judged():
     topics = [topic for topic, _ in verdict(invented(0.9, commands=[(0.3, 0.0)])).findings]
     assert topics == ["Falls", "Forwards", "Effort", "Tuned gait", "Article's gait"]
 
 
-def test_reached_share_counts_the_wrong_way_as_negative():
+def test_reached_share_in_the_wrong_direction_is_negative():
     assert reached_share(invented(0.8), "policy", "backwards") == pytest.approx(0.8)
     assert reached_share(invented(-0.5), "policy", "backwards") == pytest.approx(-0.5)
     assert math.isnan(reached_share(invented(0.8, fallen=[6]), "policy", "backwards"))
 
 
-def test_motions():
+def test_commands_are_classified_by_motion():
     assert [motion_of(c) for c in ((0.1, 0.0), (0.0, 0.0), (-0.1, 0.0), (0.0, 0.5), (0.3, -0.5))] == [
         "forwards", "standing", "backwards", "turning", "turning",
     ]  # fmt: skip
@@ -318,7 +318,7 @@ def test_pairs_share_their_starts_and_differences_are_of_pairs(comparison):
     assert comparison.difference("distance", "policy", "zero").mean == pytest.approx(by_hand)
 
 
-def test_a_policy_can_be_asked_for_more_than_it_was_trained_for():
+def test_policy_can_be_compared_on_commands_beyond_its_training():
     narrow = random_policy("position", command=CommandConfig(forward_velocity=(0.0, 0.1), yaw_rate=(0.0, 0.0)))
     done = compare(narrow, num_seeds=1, seconds=2.0, commands=[(0.5, -0.5)])
     assert done.config.command.forward_velocity == (0.0, 0.5)
@@ -384,7 +384,7 @@ def test_learning_curves_of_several_runs_are_drawn_in_one_figure(run_directory):
 
 
 def with_falls(comparison, **falls):
-    """The comparison, with the policy falling in rows (r3 is the fourth) after so many samples."""
+    """The comparison, in which the policy falls in the given envs (r3 is the fourth) after the given samples."""
     policy = comparison.rollouts["policy"]
     valid = policy.valid.copy()
     for row, samples in falls.items():
@@ -423,7 +423,7 @@ def test_without_falls_the_worst_has_the_largest_error(comparison):
         ("y", 0.1, "its trunk hit the ground while nearly level (6° of tilt)"),
     ],
 )
-def test_story_says_which_way_it_fell(comparison, axis, angle, words):
+def test_story_names_the_direction_of_a_fall(comparison, axis, angle, words):
     fell = with_falls(comparison, r0=50)
     policy = fell.rollouts["policy"]
     orientation = policy.orientation.copy()

@@ -1,4 +1,4 @@
-"""The robot's facts, held against its URDF, its MJCF and the package's own numbers."""
+"""The robot's URDF, its MJCF and the package's numbers, against those of the tutorial."""
 
 import itertools
 import os
@@ -307,7 +307,7 @@ class TestAssets:
         assert load_model(motors=MotorConfig(hip=JointMotor(armature=0.02))).dof_armature[6] == 0.02
         assert load_model().dof_armature[6] == 0.01
 
-    def test_load_model_compiles_each_variant_once_and_an_edited_file_anew(self, monkeypatch, tmp_path):
+    def test_load_model_compiles_each_variant_once_and_an_edited_file_again(self, monkeypatch, tmp_path):
         for name in ("scene.xml", "mini_quadruped.xml"):
             (tmp_path / name).write_text(asset_path(name).read_text())
         monkeypatch.setattr("quadruped_env.robot.assets.asset_path", tmp_path.joinpath)

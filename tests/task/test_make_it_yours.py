@@ -66,7 +66,7 @@ def test_terms_of_a_file_appear_in_env_info_and_config(my_task):
     assert TaskConfig.from_dict(document, load_task_file(my_task)) == task.config
 
 
-def test_a_randomized_model_field_is_drawn_per_row_and_scales_inertia_too(my_task):
+def test_randomized_model_field_is_drawn_per_env_and_scales_inertia_too(my_task):
     env = gymnasium.make_vec(ENV_ID, num_envs=50, task_file=my_task).unwrapped
     plain = env.task.simulation.model
     env.reset(seed=0)
@@ -109,7 +109,7 @@ def test_single_and_vector_environment_with_own_terms_are_bit_identical(my_task)
             break
 
 
-def test_a_term_of_a_built_in_name_takes_its_place(tmp_path):
+def test_term_with_a_built_in_name_replaces_the_built_in_term(tmp_path):
     file = write(
         tmp_path,
         "from quadruped_env.task import reward\n"
@@ -177,7 +177,7 @@ def test_a_missing_file_is_refused_by_name(tmp_path):
 
 
 def test_a_run_with_own_terms_is_trained_and_asks_for_its_file(my_task, tmp_path):
-    """And another version of the file is not the file."""
+    """Another version of the file is refused."""
     pytest.importorskip("stable_baselines3")
     from quadruped_env.training import TrainConfig
     from quadruped_env.training.ppo import train

@@ -37,13 +37,13 @@ def recording(tmp_path):
 def test_a_second_of_real_time_is_a_second_times_the_speed(control, speed, steps):
     controller = control("stand still")
     controller.set_speed(speed)
-    # In pieces that are no whole number of steps.
+    # In pieces that are not whole numbers of steps.
     assert sum(controller.advance(1.0 / 30.0) for _ in range(30)) == steps
     assert controller.view().time == pytest.approx(speed)
     assert now(controller).time == pytest.approx(speed)
 
 
-def test_a_pause_stands_still_and_a_step_is_one_control_step(control):
+def test_pause_stops_the_clock_and_a_step_is_one_control_step(control):
     controller = control("policy flat")
     controller.advance(0.1)
     assert controller.toggle_pause()
@@ -57,13 +57,13 @@ def test_a_pause_stands_still_and_a_step_is_one_control_step(control):
     assert controller.advance(DT) == 1
 
 
-def test_a_delay_is_not_made_up_for_without_end(control):
+def test_long_delay_is_caught_up_with_only_in_part(control):
     controller = control("stand still")
     assert controller.advance(10.0) == pytest.approx(0.25 / DT, abs=1)
     assert controller.view().lag == pytest.approx(9.75)
 
 
-def test_reset_zeroes_the_clock_and_puts_everybody_at_the_start(control):
+def test_reset_zeroes_the_clock_and_puts_every_robot_at_the_start(control):
     controller = control("policy flat", "gait tuned")
     controller.set_command(0.5, 0.3)
     for _ in range(10):
@@ -80,13 +80,13 @@ def test_reset_zeroes_the_clock_and_puts_everybody_at_the_start(control):
         np.testing.assert_allclose(shown.now.joint_position, STANCE, atol=1e-12)
 
 
-def test_what_walks_is_what_a_recording_of_the_same_policy_does(control):
+def test_robot_walks_as_far_as_in_a_recording_of_the_same_policy(control):
     controller = control("policy flat")
     controller.set_command(0.4, 0.0)
     controller.reset()
     for _ in range(50):
         controller.advance(0.04)
-    # The gait clock begins elsewhere, so the two are alike, not equal.
+    # The gait clock begins at another phase, so the two are similar, not equal.
     expected = record(PolicyController(load_policy("flat")), 2.0, (0.4, 0.0)).base_pose[-1, 0]
     assert now(controller).base_pose[0] == pytest.approx(expected, abs=0.1)
     assert expected > 0.5
@@ -154,7 +154,7 @@ def _targets(controller, steps):
 
 
 @pytest.mark.parametrize("preset", ["article", "trot", "walk", "bound", "pace"])
-def test_a_gait_that_nobody_edited_is_the_preset(control, preset):
+def test_gait_without_edits_is_the_preset(control, preset):
     controller = control(f"gait {preset}")
     gait = SinusoidalGait.preset(preset)
     np.testing.assert_allclose(_targets(controller, 40), gait.positions(np.arange(40) * DT), atol=1e-9)
@@ -162,18 +162,18 @@ def test_a_gait_that_nobody_edited_is_the_preset(control, preset):
     np.testing.assert_allclose(same.velocities(0.3), gait.velocities(0.3), atol=1e-9)
 
 
-def test_another_frequency_goes_on_from_the_same_phase(control):
+def test_gait_with_another_frequency_keeps_its_phase(control):
     controller = control("gait trot")
     before = _targets(controller, 33)
     gait = controller.gait
     controller.set_gait(GaitSettings(gait.amplitude, gait.frequency / 2, gait.phases))
     after = _targets(controller, 2)
-    # No joint is asked for more than its speed allows from one step to the next.
+    # No joint target changes by more than the joint's speed allows within a step.
     assert np.abs(after[0] - before[-1]).max() <= 5.0 * DT
     assert np.abs(after[1] - after[0]).max() < np.abs(np.diff(before, axis=0)).max()
 
 
-def test_gait_settings_that_make_no_sense_are_refused(control):
+def test_invalid_gait_settings_are_refused(control):
     controller = control("policy flat")
     assert controller.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
@@ -184,7 +184,7 @@ def test_gait_settings_that_make_no_sense_are_refused(control):
         GaitSettings(1.0, 1.0, (0.0, math.nan, 0.0, 0.0))
 
 
-def test_a_gait_beyond_the_motors_says_so(control):
+def test_gait_beyond_the_motors_is_reported(control):
     controller = control("gait trot")
     assert not controller.view().robots[0].complaints
     gait = controller.gait
@@ -228,7 +228,7 @@ def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
     assert second.now.time == pytest.approx(controller.view().time)
 
 
-def test_who_is_not_to_stand_up_stays_down(control):
+def test_fallen_robot_that_is_not_restarted_stays_down(control):
     controller = control("stand still")
     controller.restart_after_fall = False
     throw_on_the_back(controller)
@@ -321,7 +321,7 @@ def test_a_recording_of_another_robot_is_refused(tmp_path):
         find_controllers([str(tmp_path / "nowhere.csv")])
 
 
-def test_robots_come_and_go(control):
+def test_robots_can_be_added_and_removed(control):
     controller = control("policy flat")
     controller.set_source(1, "gait trot")
     controller.set_source(2, "gait pace")
@@ -342,7 +342,7 @@ def test_robots_come_and_go(control):
         control(*["stand still"] * 4)
 
 
-def test_side_by_side_means_the_same_time_and_the_same_command(control):
+def test_robots_side_by_side_share_time_and_command(control):
     controller = control("policy flat")
     controller.set_command(0.4, 0.1)
     controller.advance(0.2)
@@ -360,7 +360,7 @@ def test_side_by_side_means_the_same_time_and_the_same_command(control):
 
 
 @pytest.mark.parametrize("name", RANDOMIZATIONS)
-def test_randomization(control, name):
+def test_randomization_of_starts_is_the_chosen_one(control, name):
     controller = control("policy flat", "policy flat")
     controller.set_randomization(name)
     starts = []
@@ -391,12 +391,12 @@ def test_turning_the_start_ahead_keeps_the_motion(control):
 # --- threads
 
 
-def test_any_thread_may_do_anything_at_any_time(control):
+def test_controller_can_be_used_from_any_thread(control):
     controller = control("policy flat", "gait tuned")
     stop = threading.Event()
     failures = []
 
-    def hammer(index):
+    def call_at_random(index):
         generator = np.random.default_rng(index)
         try:
             while not stop.is_set():
@@ -410,7 +410,7 @@ def test_any_thread_may_do_anything_at_any_time(control):
         except Exception as error:
             failures.append(error)
 
-    threads = [threading.Thread(target=hammer, args=(i,)) for i in range(3)]
+    threads = [threading.Thread(target=call_at_random, args=(i,)) for i in range(3)]
     for thread in threads:
         thread.start()
     for _ in range(60):
