@@ -5,7 +5,6 @@ import browser
 import domains
 import live_nodes
 import mujoco
-import numpy as np
 import pytest
 import ros2_peers
 
@@ -88,6 +87,16 @@ def start(domain_id, tmp_path):
         yield start
 
 
+@pytest.fixture(scope="module")
+def comparison():
+    """A small comparison of a random policy with the scripted controllers."""
+    from comparisons import TINY, random_policy
+
+    from quadruped_env.evaluation.comparison import compare
+
+    return compare(random_policy("residual"), num_seeds=2, seconds=3.0, commands=TINY)
+
+
 @pytest.fixture(params=ros2_peers.DISTRIBUTIONS)
 def ros2(request, domain_id):
     """A real ROS 2 on the test's domain; skips where it is not installed."""
@@ -107,18 +116,6 @@ def page(chromium):
     """A new page of it, with its errors and requests in `page.watched`."""
     with browser.opened(chromium) as page:
         yield page
-
-
-def mirrored(qpos, qvel, ctrl):
-    """The reflection in the plane y = 0: left legs become right legs, rotations about x and z change sign."""
-    swap = np.array([2, 3, 0, 1, 6, 7, 4, 5])
-    base_pose = qpos[:7] * [1, -1, 1, 1, -1, 1, -1]
-    base_velocity = qvel[:6] * [1, -1, 1, -1, 1, -1]
-    return (
-        np.concatenate([base_pose, qpos[7:][swap]]),
-        np.concatenate([base_velocity, qvel[6:][swap]]),
-        ctrl[swap],
-    )
 
 
 @pytest.fixture

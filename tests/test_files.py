@@ -16,7 +16,7 @@ from paths import importing
 from waiting import DEADLINE, output_of
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.files import PART, whole, write_json, write_whole
+from quadruped_env.files import PART, free_path, whole, write_json, write_whole
 from quadruped_env.policies import load_policy
 from quadruped_env.reporting.films.video import save_video
 
@@ -163,6 +163,16 @@ def test_file_in_place_of_a_directory_is_refused(tmp_path):
     with pytest.raises(QuadrupedError, match=r"there: cannot be written \(Is a directory\)"):
         write_whole({tmp_path / "there": b"1"})
     assert names(tmp_path) == ["there"]
+
+
+def test_free_path_counts_up(tmp_path):
+    path = tmp_path / "a.csv"
+    assert free_path(path) == path
+    path.touch()
+    (tmp_path / "a-2.csv").touch()
+    assert free_path(path) == tmp_path / "a-3.csv"
+    with pytest.raises(QuadrupedError, match="cannot be written"):
+        write_json(path / "b.json", {})
 
 
 def test_a_full_device_is_refused():

@@ -5,7 +5,7 @@ import math
 import gymnasium
 import numpy as np
 import pytest
-from conftest import mirrored
+from mirroring import mirrored
 from tasks import ACTION_WIDTH, LAYOUT, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment

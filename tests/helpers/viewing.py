@@ -3,6 +3,8 @@
 import threading
 from contextlib import contextmanager
 
+import numpy as np
+
 from quadruped_env.policies import find_controllers
 from quadruped_env.viewer import Show, ViewController
 
@@ -36,3 +38,12 @@ def now(controller, index=0):
 def throw_on_the_back(controller):
     data = robot(controller).data
     data.qpos[2:7] = [0.1, 0.0, 1.0, 0.0, 0.0]
+
+
+def joint_targets(controller, steps):
+    """The joint targets (steps, 8) of the next control steps."""
+    targets = []
+    for _ in range(steps):
+        controller.step()
+        targets.append(robot(controller).data.ctrl.copy())
+    return np.array(targets)

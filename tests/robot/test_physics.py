@@ -6,7 +6,7 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from conftest import mirrored
+from mirroring import mirrored
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
