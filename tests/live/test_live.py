@@ -11,6 +11,7 @@ import numpy as np
 import psutil
 import pytest
 from live_nodes import STAMP, joint_state, received_from
+from manual_clock import ManualClock
 from random_messages import filled
 from waiting import DEADLINE, killed_on_failure, status_of, wait_until
 
@@ -225,15 +226,6 @@ def test_joints_that_are_not_this_robots_are_refused(changes, words):
         JointReader("/joint_states")(cdr.serialize(joint_state(**changes)))
     assert str(raised.value).startswith("/joint_states: ")
     assert words in str(raised.value)
-
-
-class ManualClock:
-    """A clock that the test sets."""
-
-    now = 100.0
-
-    def __call__(self):
-        return self.now
 
 
 def test_pace_with_late_ticks_does_not_accumulate_lateness():

@@ -7,6 +7,7 @@ import time
 
 import pytest
 from live_nodes import joint_state, usable
+from manual_clock import ManualClock
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
@@ -144,13 +145,6 @@ def test_check_field_accepts_only_fields_of_the_type():
 
 
 # --- the log of refusals
-
-
-class ManualClock:
-    now = 100.0
-
-    def __call__(self):
-        return self.now
 
 
 def test_refusals_are_logged_once_a_second_with_a_count():
