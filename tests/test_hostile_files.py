@@ -226,7 +226,7 @@ def test_read_name_that_no_file_can_have_is_refused(tmp_path, name):
 
 
 class TestDocuments:
-    def test_read_json_and_toml_give_what_they_hold(self, tmp_path):
+    def test_read_json_and_toml_returns_their_contents(self, tmp_path):
         path = tmp_path / "a"
         path.write_bytes(b'\xef\xbb\xbf{"a": [1, 2.5, null, {"b": "\xc3\xa4"}]}')
         assert read_json(path) == {"a": [1, 2.5, None, {"b": "ä"}]}
@@ -263,7 +263,7 @@ class TestMessages:
     def test_short_values_are_short(self, value):
         assert len(short(value)) < 100
 
-    def test_short_keeps_what_is_short(self):
+    def test_short_values_are_kept_whole(self):
         assert [short(value) for value in ("a", 3, None, [1, "b"], {"a": 1.5})] == [
             "'a'", "3", "None", "[1, 'b']", "{'a': 1.5}",
         ]  # fmt: skip

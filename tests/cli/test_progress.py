@@ -12,7 +12,7 @@ def test_progress_is_quiet_until_it_takes_long(capsys, monkeypatch):
     assert capsys.readouterr().err == "playing:  25%, 8 s left\nplaying: 100%, 0 s left\n"
 
 
-def test_progress_estimates_from_the_first_step_and_not_from_what_came_before(capsys, monkeypatch):
+def test_progress_estimates_from_the_first_step_and_not_from_earlier_work(capsys, monkeypatch):
     now = [0.0]
     monkeypatch.setattr("time.monotonic", lambda: now[0])
     line = ProgressLine("filming")

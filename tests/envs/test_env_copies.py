@@ -1,4 +1,4 @@
-"""Environments remade from a spec, copied, and restored go on identically."""
+"""Environments remade from a spec, copied, and restored continue identically."""
 
 import copy
 import pickle
@@ -72,7 +72,7 @@ def test_config_object_is_accepted_like_plain_values():
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_a_copy_taken_within_an_episode_goes_on_identically(mode, duplicate):
+def test_a_copy_taken_within_an_episode_continues_identically(mode, duplicate):
     env = make(action_mode=mode, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     env.reset(seed=4)
     play(env, 17)
@@ -83,7 +83,7 @@ def test_a_copy_taken_within_an_episode_goes_on_identically(mode, duplicate):
 
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
-def test_a_restored_single_environment_goes_on_identically(mode):
+def test_a_restored_single_environment_continues_identically(mode):
     # A small tilt limit, so that some episodes end by a fall.
     config = ROUGH | {"termination": {"max_tilt": 0.2}}
     env, fresh = (make(action_mode=mode, config=config, disable_env_checker=True).unwrapped for _ in range(2))
@@ -97,7 +97,7 @@ def test_a_restored_single_environment_goes_on_identically(mode):
         assert_same(play(other, 300, seed=9), expected)
 
 
-def test_a_restored_vector_environment_goes_on_identically():
+def test_a_restored_vector_environment_continues_identically():
     kwargs = {"action_mode": "residual", "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     env, fresh = make_native(**kwargs), make_native(**kwargs)
     episodes(env, 50)
@@ -116,7 +116,7 @@ def test_a_restored_vector_environment_goes_on_identically():
 
 @pytest.mark.parametrize("mode", AutoresetMode, ids=lambda mode: mode.value)
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_copy_of_a_vector_environment_taken_within_episodes_goes_on_identically(duplicate, mode):
+def test_copy_of_a_vector_environment_taken_within_episodes_continues_identically(duplicate, mode):
     env = make_native(
         action_mode="residual", config=ROUGH, max_episode_steps=EPISODE_STEPS, autoreset_mode=mode, num_threads=2
     )
@@ -151,7 +151,7 @@ def test_copy_of_a_vector_environment_that_was_never_reset_begins_identically(du
 
 
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_copy_of_the_sb3_environment_taken_within_episodes_goes_on_identically(duplicate):
+def test_copy_of_the_sb3_environment_taken_within_episodes_continues_identically(duplicate):
     env = make_sb3_vec_env(NUM_ENVS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     env.reset()
     rng = np.random.default_rng(1)

@@ -87,7 +87,7 @@ def test_an_unknown_argument_is_refused(maker):
     ],
 )
 @pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(3, **kwargs)], ids=["single", "native"])
-def test_bad_reset_options_are_refused_and_the_episode_goes_on(maker, options, message):
+def test_bad_reset_options_are_refused_and_the_episode_continues(maker, options, message):
     env, untouched = maker(), maker()
     env.reset(seed=0), untouched.reset(seed=0)
     before = env.unwrapped.get_state()

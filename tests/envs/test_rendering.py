@@ -49,7 +49,7 @@ def test_missing_opengl_error_names_the_packages_to_install(monkeypatch):
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a display")
-def test_window_on_a_display_that_is_not_there_is_refused_and_the_process_goes_on():
+def test_window_on_a_display_that_is_not_there_is_refused_and_the_process_continues():
     code = """
 import gymnasium, quadruped_env
 try:

@@ -242,7 +242,7 @@ class TestIdentify:
         assert np.isnan(part.errors(after=True)["position"][2])
         assert "RF_hip" not in part.table()
 
-    def test_identify_a_walk_on_the_ground_with_a_fixed_base_says_so_and_gives_no_interval(self, walked, tmp_path):
+    def test_identify_a_walk_on_the_ground_with_a_fixed_base_warns_and_gives_no_interval(self, walked, tmp_path):
         commands, recording = walked
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
         found = identify(recording, commands, start=start, fitted=["kp"])

@@ -339,7 +339,7 @@ def test_help_describes_each_node():
         assert node_module(name).__doc__.count("\n") >= 3
 
 
-def test_a_node_without_subscriptions_waits_too(nodes):
+def test_node_without_subscriptions_waits_too(nodes):
     start = time.monotonic()
     assert not nodes().wait(0.05)
     assert time.monotonic() - start >= 0.05

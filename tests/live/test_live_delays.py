@@ -111,7 +111,7 @@ def test_live_controller_delayed_in_many_ways_follows_the_command_within_3_s():
         assert follows_after(*delays) <= WALKS_WITHIN, delays
 
 
-# --- by hand
+# --- single cases
 
 
 def test_stale_states_are_refused_until_the_robot_is_limp_and_then_accepted():

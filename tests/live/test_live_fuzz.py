@@ -113,7 +113,7 @@ def test_node_flooded_with_many_damaged_messages_continues(name, nodes, capsys):
 
 def run_flooded(arguments, nodes, turns, seed=0):
     if arguments[0] == "echo":
-        # It subscribes to what is published.
+        # It subscribes to the topics that are published.
         nodes().publish(JOINT_STATES)
     args, log = make_parser().parse_args(arguments), io.StringIO()
     with FloodedSession(args, log, np.random.default_rng(seed), turns) as session:

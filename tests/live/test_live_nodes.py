@@ -53,7 +53,7 @@ class Watcher:
         wait_until(lambda: abs(np.mean(self.watch(1.0)[0]) - self.velocity) < 0.1, "walking")
 
     def until_it_lies(self):
-        """Wait until the robot has sunk down; from legs that balance, against their brakes, that takes over 10 s."""
+        """Wait until the robot has sunk to the ground, which takes over 10 s if its legs balance it."""
         wait_until(lambda: self.watch(0.3)[1][-1] < 0.12, "lying")
 
 

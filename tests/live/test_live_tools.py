@@ -313,7 +313,7 @@ def test_record_without_messages_reports_it(domain_id, tmp_path):
 
 
 def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path):
-    """One that DDS knows and ROS does not."""
+    """A type of DDS that is not one of ROS."""
     from cyclonedds.idl import IdlStruct
     from cyclonedds.pub import DataWriter
     from cyclonedds.topic import Topic as DdsTopic

@@ -1,4 +1,4 @@
-"""Replays of recordings, kinematic and dynamic, and what they report."""
+"""Replays of recordings, kinematic and dynamic, and their reports."""
 
 import json
 
@@ -114,7 +114,7 @@ class TestReplay:
             assert np.abs(np.diff(result.motion.base_pose[:3, 2])).max() < 2e-3
 
     def test_requests_beyond_the_motors_are_reported_as_saturation(self):
-        """A step of 1 rad asks for more than a motor has: kp times the step is 40 N m."""
+        """A step of 1 rad requests more torque than a motor has: kp times the step is 40 N m."""
         positions = np.tile(STANCE, (4, 1))
         positions[2:, 6] = STANCE[6] + 0.5
         stamps = np.array([0, 400, 401, 800]) * 1_000_000

@@ -315,7 +315,7 @@ def through_pickle(simulation):
 
 
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_a_copied_single_simulation_goes_on_identically(model, duplicate):
+def test_a_copied_single_simulation_continues_identically(model, duplicate):
     rng = np.random.default_rng(0)
     original = SingleSimulation(copy.copy(model))
     original.model_field("geom_friction")[:, :, 0] = 0.6

@@ -1,4 +1,4 @@
-"""The task's config: JSON, defaults, and what is refused."""
+"""The task's config: JSON, defaults, and refusal of bad values."""
 
 import copy
 import dataclasses

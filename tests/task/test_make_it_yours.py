@@ -1,4 +1,4 @@
-"""A user's own terms: the code of docs/make-it-yours.md, and what is refused."""
+"""A user's own terms: the code of docs/make-it-yours.md, and refusal of bad terms."""
 
 import copy
 import json
@@ -176,7 +176,7 @@ def test_a_missing_file_is_refused_by_name(tmp_path):
         gymnasium.make(ENV_ID, task_file=tmp_path / "gone.py")
 
 
-def test_a_run_with_own_terms_is_trained_and_asks_for_its_file(my_task, tmp_path):
+def test_run_with_own_terms_is_trained_and_requires_its_file(my_task, tmp_path):
     """Another version of the file is refused."""
     pytest.importorskip("stable_baselines3")
     from quadruped_env.training import TrainConfig
@@ -209,7 +209,7 @@ def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
     assert terms.observations[-1].name == "joint_torque"
 
 
-def test_what_the_robot_does_not_measure_cannot_be_observed_live(my_task, tmp_path):
+def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
     from quadruped_env.control import PolicyController
     from quadruped_env.control.live_controller import LiveController
@@ -258,7 +258,7 @@ print([float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)])
 """
 
 
-def test_a_copied_env_with_own_terms_goes_on_identically_also_in_another_process(my_task, tmp_path):
+def test_a_copied_env_with_own_terms_continues_identically_also_in_another_process(my_task, tmp_path):
     env = gymnasium.make(ENV_ID, task_file=my_task, config=NOISY)
     env.reset(seed=1)
     for _ in range(10):

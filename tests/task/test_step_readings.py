@@ -170,7 +170,7 @@ class Episode:
     seed: int = 0
 
 
-# Either zero or well over the threshold of moving: under it the gait goes on with a clock that is not observed.
+# Either zero or well over the threshold of moving: under it the gait continues with a clock that is not observed.
 CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2), "forward_velocity": (0.1, 0.6)}
 HARD_PUSHES = {"push_velocity": 4.0, "push_interval": (0.1, 0.2)}
 EPISODES = {

@@ -220,7 +220,7 @@ class TestSalvage:
         ("kind", "checked"),
         [("bare.mcap", True), ("bare.db3", False), ("mcap zstd", True), ("None", False), ("BZ2", True), ("LZ4", False)],
     )
-    def test_convert_marks_what_was_salvaged_without_a_checksum(self, tmp_path, kind, checked):
+    def test_convert_marks_messages_that_were_salvaged_without_a_checksum(self, tmp_path, kind, checked):
         trajectory = random_trajectory(rows=60)
         ros1 = kind in {"None", "BZ2", "LZ4"}
         path = (
@@ -249,7 +249,7 @@ class TestSalvage:
         assert_same(loaded, trajectory)
         assert loaded.source.notes == (f"{UNCHECKED}: 60 of 60 messages (message 0 to 59)",)
 
-    def test_convert_with_a_change_counts_what_was_salvaged_without_a_checksum(self, tmp_path):
+    def test_convert_with_a_change_counts_messages_that_were_salvaged_without_a_checksum(self, tmp_path):
         path = save(random_trajectory(rows=60), tmp_path, "bare.db3")
         options, half = ReadOptions(salvage=True), lambda trajectory: trajectory.rows(np.s_[:30])
         account = convert(path, tmp_path / "a.csv", options, WriteOptions(), half)

@@ -250,7 +250,7 @@ class TestCsv:
             ([HEADER, "-1" + ROW[1:]], r"line 2, stamp_ns: -1 is negative"),
         ],
     )
-    def test_damage_is_named_with_file_line_field_and_cure(self, tmp_path, lines, message):
+    def test_damage_is_named_with_file_line_field_and_fix(self, tmp_path, lines, message):
         path = write(tmp_path / "a.csv", *lines)
         with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: .*{message}"):
             JointTrajectory.load(path)

@@ -238,7 +238,7 @@ NONSENSE = {
 
 
 @pytest.mark.parametrize("nonsense", NONSENSE.values(), ids=NONSENSE)
-def test_a_client_that_sends_nonsense_is_closed_with_one_line_and_others_go_on(
+def test_client_that_sends_nonsense_is_closed_with_one_line_and_others_continue(
     show, refusals, capfd, recwarn, nonsense
 ):
     with connected_browser(show) as other, client(show) as socket:

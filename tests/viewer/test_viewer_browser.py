@@ -96,7 +96,7 @@ def shot(page):
     return browser.pixels(page, clip=MIDDLE)
 
 
-# --- what is seen
+# --- the scene
 
 
 def test_robot_is_shown_moves_and_stands_still_in_a_pause(stage):
