@@ -1,11 +1,10 @@
-# First, because it chooses the OpenGL, and MuJoCo reads the choice when it is imported.
+# Imported first: it chooses the OpenGL backend, which MuJoCo reads when it is imported.
 import quadruped_env  # noqa: F401  # isort: skip
 
 import browser
 import domains
 import live_nodes
 import mujoco
-import numpy as np
 import pytest
 import ros2_peers
 
@@ -27,7 +26,7 @@ def urdf():
 
 @pytest.fixture(scope="session")
 def urdf_model():
-    """The URDF as MuJoCo reads it; unfused, or the base would vanish into the world."""
+    """The URDF compiled by MuJoCo, without fusing static bodies, which would merge the base into the world."""
     spec = mujoco.MjSpec.from_file(str(asset_path("mini_quadruped.urdf")))
     spec.compiler.fusestatic = False
     return spec.compile()
@@ -35,13 +34,13 @@ def urdf_model():
 
 @pytest.fixture(scope="session")
 def mjcf():
-    """The robot alone, without its ground."""
+    """The robot's MJCF without the ground."""
     return mujoco.MjModel.from_xml_path(str(asset_path("mini_quadruped.xml")))
 
 
 @pytest.fixture
 def domain_id(monkeypatch):
-    """A DDS domain of the test's own, which its processes join too."""
+    """A DDS domain that only this test uses; processes that it starts join it too."""
     with domains.claimed() as number:
         monkeypatch.setenv("ROS_DOMAIN_ID", str(number))
         yield number
@@ -49,7 +48,7 @@ def domain_id(monkeypatch):
 
 @pytest.fixture
 def nodes(domain_id):
-    """Makes nodes on the test's domain, and closes them."""
+    """Factory of nodes on the test's domain; closes them after the test."""
     from quadruped_env.live import Node
 
     made = []
@@ -65,7 +64,7 @@ def nodes(domain_id):
 
 @pytest.fixture
 def control(tmp_path):
-    """Makes controllers that are closed in the end."""
+    """Factory of view controllers; closes them after the test."""
     from quadruped_env.policies import find_controllers
     from quadruped_env.viewer import ViewController
 
@@ -83,9 +82,19 @@ def control(tmp_path):
 
 @pytest.fixture
 def start(domain_id, tmp_path):
-    """Starts live nodes on the test's domain: `start("sim", "--seed", "1")`."""
+    """Function that starts live nodes on the test's domain: `start("sim", "--seed", "1")`."""
     with live_nodes.launcher(tmp_path) as start:
         yield start
+
+
+@pytest.fixture(scope="module")
+def comparison():
+    """A small comparison of a random policy with the scripted controllers."""
+    from comparisons import TINY, random_policy
+
+    from quadruped_env.evaluation.comparison import compare
+
+    return compare(random_policy("residual"), num_seeds=2, seconds=3.0, commands=TINY)
 
 
 @pytest.fixture(params=ros2_peers.DISTRIBUTIONS)
@@ -94,36 +103,24 @@ def ros2(request, domain_id):
     return ros2_peers.Ros2(request.param)
 
 
-# Not for the whole session: while it lives, Playwright's event loop is the thread's, and no test could run its own.
+# Not session-scoped: while it runs, Playwright's event loop occupies the thread, and no test could run its own.
 @pytest.fixture(scope="module")
 def chromium():
-    """A running Chromium; the test skips where there is none."""
+    """A running Chromium; skips the test if none is installed."""
     with browser.launched() as running:
         yield running
 
 
 @pytest.fixture
 def page(chromium):
-    """A new page of it, which keeps errors and requests in `page.watched`."""
+    """A new page of it, with its errors and requests in `page.watched`."""
     with browser.opened(chromium) as page:
         yield page
 
 
-def mirrored(qpos, qvel, ctrl):
-    """The reflection in the plane y = 0: left legs become right legs, rotations about x and z change sign."""
-    swap = np.array([2, 3, 0, 1, 6, 7, 4, 5])
-    base_pose = qpos[:7] * [1, -1, 1, 1, -1, 1, -1]
-    base_velocity = qvel[:6] * [1, -1, 1, -1, 1, -1]
-    return (
-        np.concatenate([base_pose, qpos[7:][swap]]),
-        np.concatenate([base_velocity, qvel[6:][swap]]),
-        ctrl[swap],
-    )
-
-
 @pytest.fixture
 def opengl(model):
-    """Skips where nothing can be rendered."""
+    """Skips the test if OpenGL cannot render here."""
     try:
         mujoco.Renderer(model, 8, 8).close()
     except Exception as error:  # every backend fails in its own way

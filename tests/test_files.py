@@ -1,4 +1,4 @@
-"""Files that appear under their name only when they are whole, whatever keeps them from being written."""
+"""Atomic writes: a file appears under its name only when it is complete, whatever interrupts its writing."""
 
 import errno
 import json
@@ -16,7 +16,7 @@ from paths import importing
 from waiting import DEADLINE, output_of
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.files import PART, whole, write_json, write_whole
+from quadruped_env.files import PART, free_path, whole, write_json, write_whole
 from quadruped_env.policies import load_policy
 from quadruped_env.reporting.films.video import save_video
 
@@ -43,7 +43,7 @@ def test_whole_file_appears_at_the_end_with_its_parents(tmp_path):
 
 @pytest.mark.parametrize("before", [None, "old"])
 @pytest.mark.parametrize("error", [OSError(errno.ENOSPC, "full"), RuntimeError(), KeyboardInterrupt()])
-def test_whole_file_after_an_error_is_what_was_there_before(tmp_path, before, error):
+def test_whole_file_after_an_error_keeps_the_old_file(tmp_path, before, error):
     path = tmp_path / "file"
     if before:
         path.write_text(before)
@@ -60,7 +60,7 @@ def test_whole_file_after_an_error_is_what_was_there_before(tmp_path, before, er
 
 
 @pytest.mark.parametrize("mask", [0o022, 0o077, 0o002])
-def test_whole_file_has_the_rights_that_the_umask_gives(tmp_path, mask):
+def test_whole_file_has_the_permissions_of_the_umask(tmp_path, mask):
     old = os.umask(mask)
     try:
         write_whole({tmp_path / "file": b"1"})
@@ -111,7 +111,7 @@ def test_whole_file_behind_a_symbolic_link_is_replaced_and_the_link_stays(tmp_pa
     assert names(tmp_path / "real") == ["file"]
 
 
-def test_whole_file_in_a_pipe_is_its_bytes(tmp_path):
+def test_whole_file_to_a_pipe_writes_its_bytes(tmp_path):
     path = tmp_path / "pipe"
     os.mkfifo(path)
     reader = subprocess.Popen(["cat", path], stdout=subprocess.PIPE)
@@ -146,8 +146,8 @@ def test_a_refusal_names_the_path_the_cause_and_the_fix(tmp_path, number, fix):
     assert str(caught.value) == f"{path}: cannot be written ({os.strerror(number)}); {fix}"
 
 
-def test_a_directory_without_rights_is_refused_and_kept(tmp_path, monkeypatch):
-    # Tests run as root, whom rights do not stop.
+def test_directory_without_permission_is_refused_and_kept(tmp_path, monkeypatch):
+    # Tests may run as root, which ignores permissions.
     def mkdtemp(*_, **__):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
@@ -158,11 +158,21 @@ def test_a_directory_without_rights_is_refused_and_kept(tmp_path, monkeypatch):
     assert (tmp_path / "file").read_text() == "old"
 
 
-def test_a_file_in_the_place_of_a_directory_is_refused(tmp_path):
+def test_file_in_place_of_a_directory_is_refused(tmp_path):
     (tmp_path / "there").mkdir()
     with pytest.raises(QuadrupedError, match=r"there: cannot be written \(Is a directory\)"):
         write_whole({tmp_path / "there": b"1"})
     assert names(tmp_path) == ["there"]
+
+
+def test_free_path_counts_up(tmp_path):
+    path = tmp_path / "a.csv"
+    assert free_path(path) == path
+    path.touch()
+    (tmp_path / "a-2.csv").touch()
+    assert free_path(path) == tmp_path / "a-3.csv"
+    with pytest.raises(QuadrupedError, match="cannot be written"):
+        write_json(path / "b.json", {})
 
 
 def test_a_full_device_is_refused():
@@ -174,7 +184,7 @@ def test_a_full_device_is_refused():
 
 
 @pytest.mark.parametrize("at", range(3))
-def test_of_files_that_belong_together_none_changes_when_one_cannot_be_written(tmp_path, monkeypatch, at):
+def test_files_that_belong_together_stay_unchanged_when_one_cannot_be_written(tmp_path, monkeypatch, at):
     files = {tmp_path / name: b"new" for name in "abc"}
     write_whole(dict.fromkeys(files, b"old"))
     calls = []
@@ -209,7 +219,7 @@ def recording(seed):
 
 
 def save_policy(directory, seed):
-    """As training does it with a checkpoint: a new directory in one step."""
+    """Save as training saves a checkpoint: a new directory in one step."""
     files = load_policy("flat").with_card({"seed": seed}).files()
     with whole(directory) as part:
         part.mkdir()
@@ -236,12 +246,12 @@ WRITERS = {
     "a.png": draw,
     "policy": save_policy,
 }
-"""Name -> what writes something of that name and of more than `LIMIT` bytes, over an older one."""
+"""Name -> function that writes a file or directory of that name, of over `LIMIT` bytes, in place of an older one."""
 LIMIT = 9000
 
 
 def seed_of(path):
-    """The seed that something was written with; an error if it is not whole."""
+    """The seed that a file or directory was written with; raises an error if it is not complete."""
     if path.name == "policy":
         return load_policy(path).card["seed"]
     if path.suffix == ".json":
@@ -267,7 +277,7 @@ def small_files():
 
 @pytest.mark.parametrize("name", WRITERS)
 @pytest.mark.parametrize("before", [False, True])
-def test_on_a_full_disk_there_is_one_clear_error_and_what_exists_is_kept(tmp_path, small_files, name, before):
+def test_writer_on_a_full_disk_raises_one_clear_error_and_keeps_the_old_file(tmp_path, small_files, name, before):
     pytest.importorskip("rosbags")
     path = tmp_path / name
     if before:
@@ -282,7 +292,7 @@ def test_on_a_full_disk_there_is_one_clear_error_and_what_exists_is_kept(tmp_pat
 
 
 @pytest.mark.slow
-def test_whatever_a_killed_process_leaves_under_its_name_is_whole(tmp_path):
+def test_writer_in_a_killed_process_leaves_complete_files_only(tmp_path):
     code = """
 import sys
 from pathlib import Path
@@ -300,14 +310,14 @@ while True:
         process = subprocess.Popen(
             [sys.executable, "-c", code, str(tmp_path)], env=importing(), stdout=subprocess.PIPE, text=True
         )
-        # Any moment will do: some file or other is being written.
+        # Any moment will do: some file is being written.
         for _ in range(len(WRITERS) + int(rng.integers(2 * len(WRITERS)))):
             assert process.stdout.readline()
         time.sleep(rng.uniform(0.0, 0.05))
         process.kill()
         process.communicate(timeout=DEADLINE)
         for name in WRITERS:
-            # A directory that is replaced is away for a moment, and whole under a hidden name.
+            # A directory that is being replaced is missing for a moment, and complete under a hidden name.
             if (tmp_path / name).exists() or name not in ("bag", "bag2", "policy"):
                 assert seed_of(tmp_path / name) >= 1
     assert {path.name for path in tmp_path.iterdir() if not path.name.startswith(".")} <= set(WRITERS)

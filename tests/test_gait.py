@@ -1,4 +1,4 @@
-"""The scripted gait: the article's formula, the presets within the robot's limits, and the tuned gait by command."""
+"""The scripted gait: the tutorial's formula, the presets within the robot's limits, and the tuned gait by command."""
 
 import dataclasses
 import math
@@ -28,7 +28,7 @@ def gait(**changes):
 
 
 def draw_commands(count):
-    """Commands (N, 2) over the task's ranges and a little beyond, the corners included."""
+    """Commands (N, 2) over slightly more than the task's ranges, the corners included."""
     config = TaskConfig().command
     low, high = np.array([config.forward_velocity, config.yaw_rate]).T
     rng = np.random.default_rng(0)
@@ -39,7 +39,7 @@ def draw_commands(count):
 # --- plain gaits ---
 
 
-def test_article_preset_is_the_articles_formula():
+def test_article_preset_is_the_tutorials_formula():
     phases = [0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21]
     article = SinusoidalGait.preset("article")
     for t in (0.0, 0.05, 1.0, 123.45):
@@ -87,7 +87,7 @@ def test_times_of_any_shape_give_that_many_positions():
 
 
 @pytest.mark.parametrize("name", LEG_PHASES)
-def test_fore_and_hind_legs_of_a_preset_move_alike_at_their_turns(name):
+def test_fore_and_hind_legs_of_a_preset_move_identically_up_to_their_phases(name):
     preset = SinusoidalGait.preset(name)
     t = np.linspace(0, preset.period, 30)
     in_phase = [
@@ -119,7 +119,7 @@ def test_fore_and_hind_legs_of_a_preset_move_alike_at_their_turns(name):
         ({"knee_amplitude": 0.5, "knee_offset": -0.5}, []),  # just at both limits
     ],
 )
-def test_violations_name_the_joint_what_it_asks_for_and_the_limit(changes, found):
+def test_violations_name_the_joint_its_value_and_the_limit(changes, found):
     violations = gait(**changes).violations()
     assert len(violations) == len(found)
     for text, (joint, part) in zip(violations, found, strict=True):
@@ -193,7 +193,7 @@ def test_positions_are_the_waves_at_a_phase():
     np.testing.assert_allclose(TUNED.positions(phase, commands), expected, atol=1e-12)
     for row in range(len(commands)):
         one = TUNED.positions(phase[[row]], commands[[row]])[0]
-        np.testing.assert_array_equal(one, TUNED.positions(phase, commands)[row], "whatever rows are beside it")
+        np.testing.assert_array_equal(one, TUNED.positions(phase, commands)[row], "whatever the other commands are")
 
 
 def test_at_a_zero_command_the_tuned_gait_is_the_stance():
@@ -214,7 +214,7 @@ def test_the_tuned_gait_changes_smoothly_with_the_command():
         assert abs(after - before).max() < 0.01
 
 
-def test_turning_the_other_way_swaps_left_and_right():
+def test_tuned_gait_turning_the_other_way_swaps_left_and_right():
     phase = np.linspace(0, math.tau, 30)
     left, right = (TUNED.positions(phase, np.tile([0.1, w], (30, 1))) for w in (0.5, -0.5))
     # The mirror image of a trot's leg is the other side's, half a cycle on.
@@ -225,5 +225,5 @@ def test_turning_the_other_way_swaps_left_and_right():
     assert abs(left - right).max() > 0.01
 
 
-def test_the_clock_of_the_task_is_the_tuned_gaits():
+def test_clock_frequency_of_the_task_is_the_tuned_gaits():
     assert TUNED.angular_frequency == pytest.approx(math.tau * TaskConfig().clock_frequency)

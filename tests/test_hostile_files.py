@@ -1,4 +1,4 @@
-"""Files that end, hang or flood other programs: every reader refuses them with this package's own short error."""
+"""Files that crash, hang or flood a naive reader: every reader refuses them with a short error of this package."""
 
 import json
 import os
@@ -26,7 +26,7 @@ MEGABYTES = "x" * 4_800_000
 
 
 class Reader:
-    """A reader, the file that it reads, and how."""
+    """A reader and the file that it reads."""
 
     def __init__(self, name, read, prepare=None):
         self.name = name
@@ -132,7 +132,7 @@ CONTENTS = {
         "echoed seconds": "9" * 5000 + ",0,,a,0.5,,\n",
         "echoed name": f"1,0,,{MEGABYTES},{MEGABYTES},0.5,0.5,,\n",
         "echoed number": f"1,0,,a,{'9' * 400},,\n",
-        "stamp of 5000 digits": f"stamp_ns,position.a\n{'9' * 5000},1\n",
+        "timestamp of 5000 digits": f"stamp_ns,position.a\n{'9' * 5000},1\n",
         "position of 5000 digits": f"stamp_ns,position.a\n0,{'9' * 5000}\n",
         "column of megabytes": f"stamp_ns,position.{MEGABYTES},position.{MEGABYTES}\n0,1,1\n",
         "unpaired column of megabytes": f"stamp_ns,position.a,effort.{MEGABYTES}\n0,1,1\n",
@@ -144,9 +144,9 @@ CONTENTS = {
     ("table",): {
         "columns of megabytes": ",".join(f"column {i}" for i in range(300_000)) + "\n0\n",
         "megabytes in a cell": f"t,q\n0,{MEGABYTES}\n",
-        "megabytes in a stamp": f"t,q\n{MEGABYTES},0\n",
-        "stamp of 5000 digits": f"t,q\n{'9' * 5000},0\n",
-        "stamp of any size": "t,q\n1e999999999,0\n",
+        "megabytes in a timestamp": f"t,q\n{MEGABYTES},0\n",
+        "timestamp of 5000 digits": f"t,q\n{'9' * 5000},0\n",
+        "timestamp of any size": "t,q\n1e999999999,0\n",
         "position of 400 digits": f"t,q\n0,{'9' * 400}\n",
         "open quotes": 't,q\n"' + "0,\n" * 100_000,
     },
@@ -204,7 +204,7 @@ def test_read_hostile_content_is_a_short_error_that_names_the_file(tmp_path, nam
 
 @pytest.mark.parametrize("name", READERS)
 @pytest.mark.parametrize("kind", ["a pipe", "a directory", "a device", "a loop"])
-def test_read_what_is_no_regular_file_is_refused_without_waiting(tmp_path, name, kind):
+def test_read_path_that_is_not_a_regular_file_is_refused_without_waiting(tmp_path, name, kind):
     reader = READERS[name]
     path = reader.path(tmp_path)
     path.unlink(missing_ok=True)
@@ -220,13 +220,13 @@ def test_read_what_is_no_regular_file_is_refused_without_waiting(tmp_path, name,
 
 
 @pytest.mark.parametrize("name", READERS)
-def test_read_a_name_that_no_file_can_have_is_refused(tmp_path, name):
+def test_read_name_that_no_file_can_have_is_refused(tmp_path, name):
     for bad in ("x" * 5000, "a\0b"):
         refused(READERS[name].read, tmp_path / bad / READERS[name].name)
 
 
 class TestDocuments:
-    def test_read_json_and_toml_give_what_they_hold(self, tmp_path):
+    def test_read_json_and_toml_returns_their_contents(self, tmp_path):
         path = tmp_path / "a"
         path.write_bytes(b'\xef\xbb\xbf{"a": [1, 2.5, null, {"b": "\xc3\xa4"}]}')
         assert read_json(path) == {"a": [1, 2.5, None, {"b": "ä"}]}
@@ -263,7 +263,7 @@ class TestMessages:
     def test_short_values_are_short(self, value):
         assert len(short(value)) < 100
 
-    def test_short_keeps_what_is_short(self):
+    def test_short_values_are_kept_whole(self):
         assert [short(value) for value in ("a", 3, None, [1, "b"], {"a": 1.5})] == [
             "'a'", "3", "None", "[1, 'b']", "{'a': 1.5}",
         ]  # fmt: skip

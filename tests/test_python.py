@@ -1,4 +1,4 @@
-"""Commands that the programs print, and what they say to the wrong Python."""
+"""Commands that the programs print, and their error under a Python without their dependencies."""
 
 import os
 import re
@@ -17,7 +17,7 @@ PROGRAMS = [
     path.relative_to(ROOT) for folder in ("train", "evaluate", "tools") for path in sorted((ROOT / folder).glob("*.py"))
 ]
 BARE = (sys.executable, "-S")
-"""This Python without what is installed for it"""
+"""This Python without its installed packages."""
 
 
 def run(*command, **options):
@@ -28,7 +28,7 @@ def run(*command, **options):
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=str)
-def test_a_program_with_a_wrong_python_says_in_a_line_which_one_to_use(program, tmp_path):
+def test_program_with_a_wrong_python_names_the_right_one_in_one_line(program, tmp_path):
     done = run(*BARE, ROOT / program, "--flag", cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     (line,) = done.stderr.splitlines()
@@ -36,26 +36,26 @@ def test_a_program_with_a_wrong_python_says_in_a_line_which_one_to_use(program, 
     assert line.endswith(f"/.venv/bin/python -S {ROOT / program} --flag")
 
 
-def test_a_live_node_with_a_wrong_python_says_in_a_line_which_one_to_use():
+def test_live_node_with_a_wrong_python_names_the_right_one_in_one_line():
     done = run(*BARE, "-m", "quadruped_env.live", "sim", cwd=ROOT)
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
     assert line.endswith("run it with .venv/bin/python -S -m quadruped_env.live sim")
 
 
-def test_an_import_with_a_wrong_python_is_an_error_with_the_same_words():
+def test_import_with_a_wrong_python_raises_the_same_error():
     done = run(*BARE, "-c", "import quadruped_env", cwd=ROOT)
     assert done.returncode == 1
     assert re.search(r"ModuleNotFoundError: .* has no gymnasium, .*", done.stderr.splitlines()[-1])
 
 
-def test_an_old_python_is_told_its_version(monkeypatch):
+def test_python_that_is_too_old_error_names_its_version(monkeypatch):
     monkeypatch.setattr(_python, "OLDEST", (99, 0))
     with pytest.raises(ModuleNotFoundError, match=r"is Python 3\.\d+, and 99\.0 or later is needed; "):
         _python.check_python()
 
 
-def test_the_cure_is_the_checkouts_own_python_where_there_is_one(tmp_path, monkeypatch):
+def test_fix_for_a_wrong_python_is_the_checkouts_own_python_where_there_is_one(tmp_path, monkeypatch):
     monkeypatch.setattr(_python, "_CHECKOUT", tmp_path)
     monkeypatch.setattr(_python, "_is_program", lambda: True)
     monkeypatch.setattr(_python, "_STARTED", ["python", "evaluate/view.py", "my walk.csv"])
@@ -77,7 +77,7 @@ def test_the_cure_is_the_checkouts_own_python_where_there_is_one(tmp_path, monke
 
 @pytest.fixture
 def python_on_path(tmp_path, monkeypatch):
-    """A `python` on the PATH that is another one than this."""
+    """A `python` on the PATH that is not this one."""
     (tmp_path / "bin").mkdir()
     other = tmp_path / "bin" / "python"
     other.write_text("#!/bin/sh\n")

@@ -1,4 +1,4 @@
-"""The ament_python package as users have it: built by colcon, its node run by a real rclpy."""
+"""The ament_python package as users install it: built by colcon, its node run by a real rclpy."""
 
 import json
 import os
@@ -59,7 +59,7 @@ def sourced(workspace, ros2):
 
 @pytest.fixture
 def run_node(workspace, ros2, sourced):
-    """Starts the built node with ROS arguments; what still runs at the end is ended."""
+    """Starts the built node with ROS arguments; ends it after the test if it still runs."""
     program = workspace / "install" / NAME / "lib" / NAME / "joint_state_publisher_node"
     started = []
 
@@ -81,7 +81,7 @@ def messages_of(ros2, count=COUNT):
 
 
 def ticks_of(messages, period):
-    """How many periods (ns) each message is after the first; the timestamps lie on that grid, and on no coarser one."""
+    """Number of periods (ns) from the first message to each; asserts that the timestamps fill exactly that grid."""
     timestamps = np.array([message["timestamp"] for message in messages])
     assert np.gcd.reduce(np.diff(timestamps)) == period
     assert (np.diff(timestamps) > 0).all()

@@ -1,4 +1,4 @@
-"""The command `mini-quadruped`, and the scripts of the checkout that do the same."""
+"""The command `mini-quadruped`, and the scripts of the checkout with the same options."""
 
 import os
 import runpy
@@ -27,7 +27,7 @@ BAD = {
     "identify": ("nowhere.csv",),
     "baseline": ("--output", "out.txt"),
 }
-"""Command -> arguments that are an error of this package, and not of argparse"""
+"""Command -> arguments that this package refuses, not argparse."""
 
 PRINT_HELP_AND_MODULES = """
 import sys
@@ -80,14 +80,14 @@ def test_module_quadruped_env_is_the_command():
 
 
 @pytest.mark.parametrize("name", SUMMARIES)
-def test_command_help_is_worth_reading(name, capsys):
+def test_command_help_has_a_description_and_describes_every_option(name, capsys):
     text = help_of(lambda: main([name, "--help"]), capsys)
     assert len(text.split("\n\n")[0]) > 30, "a description"
     for option, action in options_of(name).items():
         assert action.help or option == "node", f"{option} has no help"
 
 
-def test_command_unknown_is_an_error_with_the_list(capsys):
+def test_unknown_command_is_an_error_with_the_list(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["walk"])
     assert ended.value.code == 2
@@ -154,7 +154,7 @@ def test_output_earlier_spelling_still_works(arguments, default):
     assert parse(*arguments[:-1]).output == default
 
 
-def test_convert_takes_its_target_once(tmp_path, monkeypatch, capsys):
+def test_convert_without_exactly_one_target_is_refused(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     for arguments in ((), ("b.csv", "-o", "c.csv")):
         assert main(["convert", "a.csv", *arguments]) == 2

@@ -1,4 +1,4 @@
-"""The program that converts, as a user runs it."""
+"""The program `convert.py`, run as a user runs it."""
 
 import subprocess
 import sys
@@ -19,7 +19,7 @@ def run(*arguments):
     return subprocess.run([sys.executable, PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
-def test_there_and_back(tmp_path):
+def test_convert_to_a_bag_and_back_gives_the_same_recording(tmp_path):
     trajectory = random_trajectory(rows=100)
     trajectory.save(tmp_path / "a.csv")
     done = run(tmp_path / "a.csv", tmp_path / "bag", "--storage", "sqlite3", "--tf-rate", "50")
@@ -31,7 +31,7 @@ def test_there_and_back(tmp_path):
     assert (tmp_path / "b.csv").read_bytes() == (tmp_path / "a.csv").read_bytes()
 
 
-def test_gaps_and_what_was_left_out_are_told(tmp_path):
+def test_convert_reports_gaps_and_rows_that_it_left_out(tmp_path):
     stamps = np.delete(np.arange(100) * 20_000_000, np.r_[40:70])
     JointTrajectory(stamps, JOINT_NAMES, np.zeros((70, 8))).save(tmp_path / "a.csv")
     text = (tmp_path / "a.csv").read_text().splitlines(keepends=True)
@@ -49,7 +49,7 @@ def test_gaps_and_what_was_left_out_are_told(tmp_path):
     assert len(JointTrajectory.load(tmp_path / "b.csv")) == 69
 
 
-def test_the_recording_is_changed_on_the_way(tmp_path):
+def test_convert_with_options_changes_the_recording(tmp_path):
     trajectory = random_trajectory(rows=101, velocities=None, efforts=None)
     trajectory.save(tmp_path / "a.mcap")
     options = ["--start", "0.5", "--stop", "1.5", "--rate", "100", "--differentiate", "0.1"]
@@ -59,7 +59,7 @@ def test_the_recording_is_changed_on_the_way(tmp_path):
     assert_same(JointTrajectory.load(tmp_path / "b.csv", degrees=False), expected)
 
 
-def test_nothing_is_overwritten_unasked(tmp_path):
+def test_convert_to_an_existing_file_without_overwrite_is_refused(tmp_path):
     random_trajectory().save(tmp_path / "a.csv")
     random_trajectory(rows=2).save(tmp_path / "b.csv")
     refused = run(tmp_path / "a.csv", tmp_path / "b.csv")

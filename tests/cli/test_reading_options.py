@@ -24,7 +24,7 @@ GIVEN = {
     "drop": True,
     "salvage": True,
 }
-"""Another value than the default, for every option."""
+"""A value other than the default for every option."""
 
 
 def parsed(*arguments):
@@ -96,7 +96,7 @@ def test_arguments_of_both_units_are_refused(capsys):
     assert "not allowed with" in capsys.readouterr().err
 
 
-def test_options_given_a_map_keep_it():
+def test_options_with_a_map_keep_it():
     joint_map = JointMap({"b": JointRule("a")})
     assert ReadOptions.of(joint_map=joint_map).joint_map is joint_map
 

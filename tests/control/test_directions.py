@@ -1,4 +1,4 @@
-"""Where every controller goes: forwards is along the robot's nose, a positive yaw rate turns it to the left."""
+"""Directions of motion under every controller: forwards is +x of the base, a positive yaw rate turns left."""
 
 import gymnasium
 import numpy as np
@@ -22,7 +22,7 @@ from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 SECONDS, WARM_UP, DT = 4.0, 1.0, 0.02
 SEEDS = (0, 1)
 COMMANDS = ((0.4, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5), (-0.2, 0.4), (-0.2, -0.4))
-"""m/s and rad/s."""
+"""Velocity commands, m/s and rad/s."""
 STANDING = (0.0, 0.0)
 JOINT_MIRROR = [2, 3, 0, 1, 6, 7, 4, 5]
 
@@ -37,7 +37,7 @@ def velocities(positions, quaternions):
 
 
 def walked(controller, commands, seeds=SEEDS, seconds=SECONDS):
-    """Mean forward velocity and yaw rate (K, 2) under each command, each of the seeds having stayed on its feet."""
+    """Mean forward velocity and yaw rate (K, 2) under each command; asserts that no robot falls."""
     rollout = roll_out(controller, commands, seeds, seconds)
     assert not rollout.fallen.any()
     found = np.stack(velocities(rollout.base_position, rollout.orientation), axis=1)
@@ -50,7 +50,7 @@ def walked_one_by_one(make, commands):
 
 
 def walked_in_env(mode, commands, policy=None):
-    """As `walked`, in the native vector env; without a policy by the zero action."""
+    """As `walked`, in the native vector env; the zero action without a policy."""
     env = gymnasium.make_vec(ENV_ID, num_envs=len(commands), action_mode=mode)
     for i, command in enumerate(commands):
         mask = np.arange(len(commands)) == i
@@ -84,7 +84,7 @@ def test_command_follower_goes_and_turns_as_commanded(name):
     forward, yaw_rate = FOLLOWERS[name]().T
     for i, command in enumerate(COMMANDS):
         for value, wanted in ((forward[i], command[0]), (yaw_rate[i], command[1])):
-            # Open loop on slipping feet the gait reaches a third of some commands; no other direction is near.
+            # The open-loop gait on slipping feet reaches only a third of some commands.
             assert value * np.sign(wanted) >= abs(wanted) / 4, (
                 f"{command}: {forward[i]:.3f} m/s, {yaw_rate[i]:.3f} rad/s"
             )
@@ -95,8 +95,8 @@ def test_command_follower_goes_and_turns_as_commanded(name):
     for v, w in COMMANDS:
         if w > 0:
             left, right = found[v, w], found[v, -w]
-            assert left[0] == pytest.approx(right[0], abs=0.1), "the mirror image is as fast"
-            assert left[1] == pytest.approx(-right[1], abs=0.1), "and turns the other way"
+            assert left[0] == pytest.approx(right[0], abs=0.1), "the mirrored command must be as fast"
+            assert left[1] == pytest.approx(-right[1], abs=0.1), "the mirrored command must turn the other way"
 
 
 @pytest.mark.parametrize(
@@ -113,7 +113,7 @@ def test_controller_at_a_standing_command_stays_where_it_is(make):
     ("preset", "speed"),
     [("article", 0.0), ("trot", 0.4), ("walk", 0.25), ("bound", 0.35), ("pace", 0.3), ("tuned", 0.4)],
 )
-def test_gait_preset_walks_straight_ahead_whatever_the_command(preset, speed):
+def test_gait_preset_walks_straight_ahead_under_any_command(preset, speed):
     assert preset in PRESETS
     gait = SinusoidalGait.preset(preset)
     for command in (STANDING, (-0.2, 0.6)):
@@ -130,7 +130,7 @@ def test_recording_of_a_gait_goes_where_the_gait_goes(command):
     gait = CommandedGait.tuned().at(command)
     times = np.arange(round(SECONDS / DT) + 1) * DT
     stamps = 7_000_000_000 + np.rint(times * 1e9).astype(np.int64)
-    # Names in another order, as a recording has them.
+    # Joint names in another order, as in a recording.
     order = np.roll(np.arange(8), 3)
     recording = JointTrajectory(
         stamps=stamps, names=[JOINT_NAMES[i] for i in order], positions=gait.positions(times)[:, order]

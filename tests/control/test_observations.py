@@ -55,7 +55,7 @@ def test_an_observation_is_the_readings_offset_scaled_and_clipped():
 
 
 @pytest.mark.parametrize(("raw", "bound"), [(1e6, LAYOUT.high), (-1e6, LAYOUT.low)])
-def test_an_observation_far_out_is_clipped_to_its_bounds(raw, bound):
+def test_observation_out_of_bounds_is_clipped(raw, bound):
     task = make_task(2)
     noise = np.full((2, OBSERVATION_WIDTH), raw)
     observation = task.control.observe(task.simulation.readings, noise)
@@ -81,12 +81,12 @@ def test_projected_gravity_is_the_closed_form_of_a_tilted_robot(roll, pitch, yaw
     np.testing.assert_allclose(gravity, expected, atol=1e-6)
 
 
-def test_no_column_is_stuck():
+def test_observation_has_no_constant_column():
     task = make_task(16, termination=NEVER_FALLS)
     rng = np.random.default_rng(0)
     observations = np.array([task.step(rng.uniform(-1, 1, (16, 8))).observation for _ in range(60)])
     assert (observations.std(axis=(0, 1)) > 1e-3).all()
-    # Within one row as well, but for the command, which stays for seconds.
+    # Within one env too, except for the command, which stays for seconds.
     moving = observations.std(axis=0) > 1e-5
     np.testing.assert_array_equal(column("projected_gravity", moving), True)
     np.testing.assert_array_equal(column("joint_position", moving), True)
@@ -114,10 +114,10 @@ def test_joints_are_observed_and_driven_in_the_order_of_their_names():
         assert model.actuator(i).name == name
 
 
-def test_the_clock_turns_at_its_frequency_and_stops_at_a_zero_command():
+def test_clock_runs_at_its_frequency_and_stops_at_a_zero_command():
     task = make_task(3, fixed_command=(0.3, 0.0), clock_frequency=1.7, termination=NEVER_FALLS)
     np.testing.assert_array_equal(task.phase, np.clip(task.phase, 0, math.tau))
-    assert len(np.unique(task.phase)) == 3, "each row starts at a phase of its own"
+    assert len(np.unique(task.phase)) == 3, "each env starts at a phase of its own"
     start = task.phase.copy()
     for step in range(1, 60):
         clock = column("gait_clock", task.step(np.zeros((3, 8))).observation)

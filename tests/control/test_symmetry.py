@@ -1,11 +1,11 @@
-"""Left/right symmetry: of the task, and of a policy that is built for it."""
+"""Left/right symmetry of the task, and of a policy that is built to be symmetric."""
 
 import math
 
 import gymnasium
 import numpy as np
 import pytest
-from conftest import mirrored
+from mirroring import mirrored
 from tasks import ACTION_WIDTH, LAYOUT, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
@@ -48,7 +48,7 @@ def test_mirroring_twice_changes_nothing():
     assert (MIRROR.action(action) != action).any()
 
 
-def test_a_symmetric_policy_acts_and_values_alike_on_both_sides():
+def test_symmetric_policy_gives_mirrored_actions_and_equal_values_on_both_sides():
     import torch
 
     from quadruped_env.envs import make_sb3_vec_env

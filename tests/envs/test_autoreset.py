@@ -1,4 +1,4 @@
-"""The native vector environment is Gymnasium's SyncVectorEnv in every autoreset mode, and works in its wrappers."""
+"""The native vector environment equals Gymnasium's SyncVectorEnv in every autoreset mode, and works in its wrappers."""
 
 import gymnasium
 import numpy as np
@@ -11,12 +11,12 @@ from gymnasium.wrappers import vector as wrappers
 from quadruped_env import QuadrupedError
 
 MODES = list(AutoresetMode)
-# Rough play, and episodes short enough to end by the limit too.
+# Rough motions, and episodes short enough to be truncated too.
 KWARGS = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
 
 
-def played(env, mode, steps, seed=0):
-    """All that the calls returned in random play in which episodes end by falls and by the time limit."""
+def results_of(env, mode, steps, seed=0):
+    """Results of every call under random actions, in episodes that end by falls and by the time limit."""
     if mode is not AutoresetMode.DISABLED:
         return episodes(env, steps, seed)
     rng = np.random.default_rng(seed)
@@ -24,7 +24,7 @@ def played(env, mode, steps, seed=0):
     for step in range(steps):
         log.append(env.step(rng.uniform(-1.3, 1.3, env.action_space.shape).astype(np.float32)))
         done = log[-1][2] | log[-1][3]
-        # More than what has ended, now and then.
+        # Now and then, also envs whose episode has not ended.
         if step % 41 == 40:
             done |= rng.random(env.num_envs) < 0.5
         if done.any():
@@ -36,9 +36,9 @@ def played(env, mode, steps, seed=0):
 @pytest.mark.parametrize("action_mode", ["position", "residual"])
 def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(mode, action_mode):
     kwargs = {"action_mode": action_mode, **KWARGS}
-    expected = played(make_sync(autoreset_mode=mode, **kwargs), mode, 300)
+    expected = results_of(make_sync(autoreset_mode=mode, **kwargs), mode, 300)
     for threads in (1, 2):
-        assert_same(played(make_native(autoreset_mode=mode, num_threads=threads, **kwargs), mode, 300), expected)
+        assert_same(results_of(make_native(autoreset_mode=mode, num_threads=threads, **kwargs), mode, 300), expected)
     steps = [entry for entry in expected if len(entry) == 5]
     falls = sum(terminated.sum() for _, _, terminated, _, _ in steps)
     time_outs = sum(truncated.sum() for _, _, _, truncated, _ in steps)
@@ -51,8 +51,8 @@ def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(m
 @pytest.mark.parametrize("num_envs", [1, 3])
 def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_where_all_end_at_once(mode, num_envs):
     kwargs = {"config": SAFE, "max_episode_steps": 7}
-    expected = played(make_sync(num_envs, autoreset_mode=mode, **kwargs), mode, 40)
-    assert_same(played(make_native(num_envs, autoreset_mode=mode, **kwargs), mode, 40), expected)
+    expected = results_of(make_sync(num_envs, autoreset_mode=mode, **kwargs), mode, 40)
+    assert_same(results_of(make_native(num_envs, autoreset_mode=mode, **kwargs), mode, 40), expected)
     assert any(len(entry) == 5 and entry[3].all() for entry in expected)
 
 
@@ -80,8 +80,8 @@ def test_next_step_mode_does_not_move_an_env_that_restarts_with_other_draws():
         "randomization": ROUGH["randomization"] | {"push_interval": [0.02, 0.02]},
     }
     kwargs = {"config": config, "max_episode_steps": 5, "autoreset_mode": AutoresetMode.NEXT_STEP}
-    expected = played(make_sync(**kwargs), AutoresetMode.NEXT_STEP, 60)
-    assert_same(played(make_native(**kwargs), AutoresetMode.NEXT_STEP, 60), expected)
+    expected = results_of(make_sync(**kwargs), AutoresetMode.NEXT_STEP, 60)
+    assert_same(results_of(make_native(**kwargs), AutoresetMode.NEXT_STEP, 60), expected)
 
 
 def test_disabled_mode_refuses_to_step_an_ended_episode_and_nothing_moves():
@@ -146,13 +146,13 @@ WRAPPERS = {
     "record_episode_statistics": wrappers.RecordEpisodeStatistics,
     "dict_info_to_list": wrappers.DictInfoToList,
 }
-# Gymnasium's own rule: they have no way to change `final_obs`.
+# Gymnasium's own rule: these wrappers cannot change `final_obs`.
 REFUSED = (ValueError, AssertionError)
 NOT_SAME_STEP = {name for name in WRAPPERS if name.endswith("_observation")}
 
 
 def without_times(value):
-    """The same without how long an episode took."""
+    """The same value without the durations of episodes."""
     if isinstance(value, dict):
         return {key: without_times(entry) for key, entry in value.items() if key not in ("t", "_t")}
     if isinstance(value, (list, tuple)):
@@ -162,7 +162,7 @@ def without_times(value):
 
 @pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP], ids=lambda mode: mode.value)
 @pytest.mark.parametrize("name", WRAPPERS)
-# What the wrappers say of their own spaces.
+# Warnings of the wrappers about their own spaces.
 @pytest.mark.filterwarnings("ignore:.*Box (low|high)'s precision:UserWarning", "ignore:overflow:RuntimeWarning")
 def test_gymnasiums_vector_wrapper_over_the_native_env_equals_it_over_sync_vector_env(name, mode):
     kwargs = {"autoreset_mode": mode, "config": ROUGH, "max_episode_steps": 10}
@@ -182,7 +182,7 @@ def test_gymnasiums_vector_wrapper_over_the_native_env_equals_it_over_sync_vecto
     assert ended > 3
 
 
-# --- one of many ---
+# --- attributes and calls ---
 
 
 def test_call_and_get_attr_give_what_sync_vector_env_gives():

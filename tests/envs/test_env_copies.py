@@ -1,4 +1,4 @@
-"""Environments remade from a spec, copied, and restored go on identically."""
+"""Environments remade from a spec, copied, and restored continue identically."""
 
 import copy
 import pickle
@@ -9,8 +9,8 @@ import pytest
 from environments import (
     ACTION_MODES,
     EPISODE_STEPS,
+    NUM_ENVS,
     ROUGH,
-    ROWS,
     assert_same,
     episodes,
     make,
@@ -61,7 +61,7 @@ def test_spec_of_an_env_made_with_objects_and_numpy_values_goes_through_json(mak
         assert made.unwrapped.task.config == env.unwrapped.task.config
 
 
-def test_a_config_object_is_taken_as_well_as_plain_values():
+def test_config_object_is_accepted_like_plain_values():
     config = TaskConfig.from_dict(ROUGH)
     env, again = make(config=config), make(config=ROUGH)
     assert env.unwrapped.task.config == again.unwrapped.task.config == config
@@ -72,57 +72,57 @@ def test_a_config_object_is_taken_as_well_as_plain_values():
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_a_copy_taken_within_an_episode_goes_on_identically(mode, duplicate):
+def test_a_copy_taken_within_an_episode_continues_identically(mode, duplicate):
     env = make(action_mode=mode, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     env.reset(seed=4)
     play(env, 17)
     copied = duplicate(env)
     expected = play(env, 120, seed=9)
     assert_same(play(copied, 120, seed=9), expected)
-    assert sum(len(entry) == 2 for entry in expected) > 2, "the play must go on into new episodes"
+    assert sum(len(entry) == 2 for entry in expected) > 2, "the rollout must continue into new episodes"
 
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
-def test_a_restored_single_environment_goes_on_identically(mode):
-    # Falls are called early, so that there are some.
+def test_a_restored_single_environment_continues_identically(mode):
+    # A small tilt limit, so that some episodes end by a fall.
     config = ROUGH | {"termination": {"max_tilt": 0.2}}
     env, fresh = (make(action_mode=mode, config=config, disable_env_checker=True).unwrapped for _ in range(2))
     env.reset(seed=4)
     play(env, 33)
     state = through_pickle(env.get_state())
     expected = play(env, 300, seed=9)
-    assert sum(len(entry) == 2 for entry in expected) > 1, "the play must go on into new episodes"
+    assert sum(len(entry) == 2 for entry in expected) > 1, "the rollout must continue into new episodes"
     for other in (env, fresh):
         other.set_state(state)
         assert_same(play(other, 300, seed=9), expected)
 
 
-def test_a_restored_vector_environment_goes_on_identically():
+def test_a_restored_vector_environment_continues_identically():
     kwargs = {"action_mode": "residual", "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     env, fresh = make_native(**kwargs), make_native(**kwargs)
     episodes(env, 50)
     state = env.get_state()
 
-    def go_on(e):
+    def continue_(e):
         rng = np.random.default_rng(1)
         return [e.step(rng.uniform(-1, 1, e.action_space.shape).astype(np.float32)) for _ in range(100)]
 
-    expected = go_on(env)
+    expected = continue_(env)
     assert any("final_info" in info for *_, info in expected)
     for other in (env, fresh):
         other.set_state(state)
-        assert_same(go_on(other), expected)
+        assert_same(continue_(other), expected)
 
 
 @pytest.mark.parametrize("mode", AutoresetMode, ids=lambda mode: mode.value)
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_copy_of_a_vector_environment_taken_within_episodes_goes_on_identically(duplicate, mode):
+def test_copy_of_a_vector_environment_taken_within_episodes_continues_identically(duplicate, mode):
     env = make_native(
         action_mode="residual", config=ROUGH, max_episode_steps=EPISODE_STEPS, autoreset_mode=mode, num_threads=2
     )
     rng = np.random.default_rng(1)
 
-    def go_on(e, actions):
+    def continue_(e, actions):
         log = []
         for action in actions:
             log.append(e.step(action))
@@ -132,14 +132,14 @@ def test_copy_of_a_vector_environment_taken_within_episodes_goes_on_identically(
         return log
 
     env.reset(seed=3)
-    go_on(env, rng.uniform(-1, 1, (33, *env.action_space.shape)))
+    continue_(env, rng.uniform(-1, 1, (33, *env.action_space.shape)))
     copied = duplicate(env)
     assert copied.spec == env.spec
     assert copied.np_random_seed == env.np_random_seed
     actions = rng.uniform(-1, 1, (100, *env.action_space.shape))
-    expected = go_on(env, actions)
+    expected = continue_(env, actions)
     assert sum((entry[2] | entry[3]).sum() for entry in expected if len(entry) == 5) > 5
-    assert_same(go_on(copied, actions), expected)
+    assert_same(continue_(copied, actions), expected)
     assert_same(copied.get_state(), env.get_state())
     assert_same(copied.reset(), env.reset())
 
@@ -151,39 +151,39 @@ def test_copy_of_a_vector_environment_that_was_never_reset_begins_identically(du
 
 
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_copy_of_the_sb3_environment_taken_within_episodes_goes_on_identically(duplicate):
-    env = make_sb3_vec_env(ROWS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
+def test_copy_of_the_sb3_environment_taken_within_episodes_continues_identically(duplicate):
+    env = make_sb3_vec_env(NUM_ENVS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     env.reset()
     rng = np.random.default_rng(1)
     for _ in range(20):
-        env.step(rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32))
+        env.step(rng.uniform(-1, 1, (NUM_ENVS, 8)).astype(np.float32))
     copied = duplicate(env)
     assert copied.task is copied.env.task
     assert copied.task is not env.task
 
-    def go_on(e, actions):
+    def continue_(e, actions):
         log = [e.step(action) for action in actions]
         for *_, infos in log:
             for info in infos:
-                info.get("episode", {}).pop("t", None)  # the clock's
+                info.get("episode", {}).pop("t", None)  # wall-clock time
         return log
 
-    actions = rng.uniform(-1, 1, (60, ROWS, 8)).astype(np.float32)
-    expected = go_on(env, actions)
+    actions = rng.uniform(-1, 1, (60, NUM_ENVS, 8)).astype(np.float32)
+    expected = continue_(env, actions)
     assert sum(done.sum() for _, _, done, _ in expected) > 5
-    assert_same(go_on(copied, actions), expected)
+    assert_same(continue_(copied, actions), expected)
     assert_same(copied.reset(), env.reset())
 
 
-def test_a_row_can_go_on_in_a_single_environment():
+def test_env_of_a_vector_environment_continues_in_a_single_environment():
     vector, single = make_native(config=ROUGH), make(config=ROUGH, disable_env_checker=True).unwrapped
     vector.reset(seed=0)
     rng = np.random.default_rng(0)
     for _ in range(5):
-        vector.step(rng.uniform(-1, 1, (ROWS, 8)))
+        vector.step(rng.uniform(-1, 1, (NUM_ENVS, 8)))
     single.set_state(vector.get_state()[2])
     for _ in range(10):
-        action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
+        action = rng.uniform(-1, 1, (NUM_ENVS, 8)).astype(np.float32)
         observation, reward, terminated, *_ = vector.step(action)
         one, one_reward, one_terminated, *_ = single.step(action[2])
         assert one_terminated == terminated[2]

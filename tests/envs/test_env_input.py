@@ -1,4 +1,4 @@
-"""What the environments refuse, and that nothing is lost by it."""
+"""Invalid input to the environments is refused, and leaves their state unchanged."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ from quadruped_env.envs import make_sb3_vec_env
         ([0, 0, 0, np.inf, 0, -np.inf, 0, 0], r"action: value inf for RF_knee_joint"),
     ],
 )
-def test_a_bad_action_is_refused_and_nothing_moves(action, message):
+def test_bad_action_is_refused_and_nothing_moves(action, message):
     env = make(disable_env_checker=True)
     env.reset(seed=0)
     before = env.unwrapped.get_state()
@@ -28,7 +28,7 @@ def test_a_bad_action_is_refused_and_nothing_moves(action, message):
     assert_same(env.unwrapped.get_state(), before)
 
 
-def test_a_bad_action_of_one_row_is_refused_and_no_row_moves():
+def test_bad_action_of_one_env_is_refused_and_no_env_moves():
     env = make_native(3)
     env.reset(seed=0)
     before = env.get_state()
@@ -87,7 +87,7 @@ def test_an_unknown_argument_is_refused(maker):
     ],
 )
 @pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(3, **kwargs)], ids=["single", "native"])
-def test_bad_reset_options_are_refused_and_the_episode_goes_on(maker, options, message):
+def test_bad_reset_options_are_refused_and_the_episode_continues(maker, options, message):
     env, untouched = maker(), maker()
     env.reset(seed=0), untouched.reset(seed=0)
     before = env.unwrapped.get_state()
@@ -97,7 +97,7 @@ def test_bad_reset_options_are_refused_and_the_episode_goes_on(maker, options, m
     assert_same(env.unwrapped.reset(), untouched.unwrapped.reset())
 
 
-def test_a_wider_command_range_lets_a_command_through_that_was_refused():
+def test_wider_command_range_accepts_a_command_that_was_refused():
     env = make(config={"command": {"forward_velocity": [-1.0, 10.0]}})
     _, info = env.reset(options={"command": (9.0, 0.0)})
     assert info["command"][0] == 9.0
@@ -115,7 +115,7 @@ def test_a_bad_reset_mask_is_refused(mask):
         env.reset(options={"reset_mask": mask})
 
 
-def test_a_list_of_seeds_must_have_one_a_row():
+def test_list_of_seeds_without_one_per_env_is_refused():
     with pytest.raises(QuadrupedError, match="seed: expected one number, or 3, one per env; found 2"):
         make_native(3).reset(seed=[1, 2])
 
@@ -149,7 +149,7 @@ def test_vector_environment_with_invalid_argument_names_the_valid_ones(maker, kw
 @pytest.mark.parametrize("maker", [make, make_native])
 @pytest.mark.parametrize("name", ["width", "height"])
 @pytest.mark.parametrize("value", [0, -5, 64.0, "64", None])
-def test_picture_size_that_is_no_positive_whole_number_is_refused(maker, name, value):
+def test_picture_size_that_is_not_a_positive_whole_number_is_refused(maker, name, value):
     with pytest.raises(QuadrupedError, match=f"{name}: expected a whole number, 1 or more; found {value!r}"):
         maker(render_mode="rgb_array", **{name: value})
 
@@ -173,7 +173,7 @@ def test_make_sb3_vec_env_with_invalid_seed_is_refused():
 
 
 @pytest.mark.parametrize("maker", [make, make_native])
-def test_reset_options_that_are_no_dict_are_refused(maker):
+def test_reset_options_that_are_not_a_dict_are_refused(maker):
     with pytest.raises(QuadrupedError, match=r"options: expected a dict with 'command'.*, or None; found 5"):
         maker().unwrapped.reset(options=5)
 

@@ -11,8 +11,8 @@ import pytest
 from environments import (
     ACTION_MODES,
     EPISODE_STEPS,
+    NUM_ENVS,
     ROUGH,
-    ROWS,
     SAFE,
     assert_same,
     episodes,
@@ -44,17 +44,17 @@ def test_stable_baselines3s_checker_finds_nothing_to_warn_about(mode):
 
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
-def test_observations_stay_in_their_space_whatever_happens(mode):
+def test_observations_stay_in_their_space_under_extreme_actions(mode):
     env = make_native(64, action_mode=mode, config=ROUGH | {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}})
     observation, _ = env.reset(seed=0)
     rng = np.random.default_rng(0)
     for _ in range(200):
         assert observation in env.observation_space
-        # Full swings from one end to the other: harder than any policy.
+        # Actions that jump from one bound to the other: rougher than any policy.
         observation, *_ = env.step(rng.choice([-1.0, 1.0], (64, 8)).astype(np.float32))
 
 
-def test_a_native_vector_environment_says_what_it_is():
+def test_native_vector_environment_describes_itself():
     env = make_native(3)
     assert isinstance(env, MiniQuadrupedVectorEnv)
     assert env.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
@@ -79,7 +79,7 @@ def test_metadata_belongs_to_the_instance():
 
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
-def test_the_native_vector_environment_is_many_single_ones_to_the_last_bit(mode):
+def test_native_vector_environment_equals_single_environments_to_the_last_bit(mode):
     kwargs = {"action_mode": mode, "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     expected = episodes(make_sync(**kwargs), 500)
     for threads in (1, 2, 3):
@@ -96,7 +96,7 @@ def test_the_native_vector_environment_is_many_single_ones_to_the_last_bit(mode)
 
 
 @pytest.mark.slow
-def test_the_asynchronous_vector_environment_is_the_native_one_too():
+def test_asynchronous_vector_environment_equals_the_native_one():
     kwargs = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     vector_kwargs = {"autoreset_mode": AutoresetMode.SAME_STEP, "context": "spawn"}
     env = gymnasium.make_vec(ENV_ID, num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, **kwargs)
@@ -107,19 +107,19 @@ def test_the_asynchronous_vector_environment_is_the_native_one_too():
 
 
 @pytest.mark.parametrize("config", [{}, {"randomization": {"observation_noise": 0.5}}], ids=["default", "noise"])
-def test_rows_that_all_time_out_at_once_are_many_single_environments_too(config):
+def test_envs_that_all_time_out_at_once_equal_single_environments(config):
     kwargs = {"config": SAFE | config, "max_episode_steps": 7}
     expected = episodes(make_sync(3, **kwargs), 30)
     assert_same(episodes(make_native(3, **kwargs), 30), expected)
     assert any(len(entry) == 5 and entry[3].all() for entry in expected)
 
 
-def test_one_row_is_the_single_environment():
+def test_vector_environment_of_one_env_equals_the_single_environment():
     kwargs = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     assert_same(episodes(make_native(1, **kwargs), 100), episodes(make_sync(1, **kwargs), 100))
 
 
-def test_a_rows_numbers_do_not_depend_on_the_number_of_rows():
+def test_numbers_of_an_env_do_not_depend_on_the_number_of_envs():
     few, many = (make_native(n, config=ROUGH, max_episode_steps=EPISODE_STEPS) for n in (2, 9))
     first_few, first_many = few.reset(seed=5)[0], many.reset(seed=5)[0]
     assert_same(first_many[:2], first_few)
@@ -130,7 +130,7 @@ def test_a_rows_numbers_do_not_depend_on_the_number_of_rows():
             assert_same(other[:2], one)
 
 
-def test_a_masked_reset_leaves_the_other_rows_alone():
+def test_masked_reset_leaves_the_other_envs_unchanged():
     env, untouched = (make_native(4, config=SAFE) for _ in range(2))
     rng = np.random.default_rng(0)
     for e in (env, untouched):
@@ -142,7 +142,7 @@ def test_a_masked_reset_leaves_the_other_rows_alone():
         if step == 5:
             options = {"reset_mask": mask, "command": [0.1, 0.2]}
             observation, info = env.reset(options=options)
-            assert set(options) == {"reset_mask", "command"}, "the caller's options are the caller's"
+            assert set(options) == {"reset_mask", "command"}, "the caller's options must not change"
             np.testing.assert_array_equal(info["_command"], mask)
             np.testing.assert_array_equal(info["command"][mask], [[0.1, 0.2]] * 2)
             assert (observation[mask] != expected[mask]).any(axis=1).all()
@@ -153,7 +153,7 @@ def test_a_masked_reset_leaves_the_other_rows_alone():
 # --- seeds ---
 
 
-def test_the_seed_decides_everything_the_commands_included():
+def test_seed_determines_everything_including_the_commands():
     def trace(seed):
         env = make_native(config=ROUGH, max_episode_steps=EPISODE_STEPS)
         return episodes(env, 100, seed)
@@ -162,12 +162,12 @@ def test_the_seed_decides_everything_the_commands_included():
     assert_same(again, first)
     commands = np.array([info["command"] for *_, info in first])
     assert len(np.unique(commands.reshape(-1, 2), axis=0)) > 5 * commands.shape[1], (
-        "commands must have been sampled anew"
+        "commands must have been sampled again"
     )
     assert (commands != np.array([info["command"] for *_, info in trace(4)])).any(axis=(1, 2)).all()
 
 
-def test_row_i_gets_the_seed_plus_i():
+def test_env_i_gets_the_seed_plus_i():
     env = make_native(4, config=ROUGH)
     numbered, _ = env.reset(seed=10)
     listed, _ = env.reset(seed=[10, 11, 12, 13])
@@ -181,7 +181,7 @@ def test_the_default_seed_is_not_a_fixed_one(maker):
     assert (maker().reset()[0] != maker().reset()[0]).any()
 
 
-def test_a_reset_without_a_seed_goes_on_with_the_generator():
+def test_reset_without_a_seed_continues_with_the_generator():
     env, other = make(config=ROUGH), make(config=ROUGH)
     first = [env.reset(seed=1)[0], env.reset()[0], env.reset()[0]]
     assert (first[1] != first[0]).any()
@@ -216,15 +216,15 @@ def test_the_reward_terms_in_info_add_up_to_the_reward_exactly(mode):
     assert falls >= 1
 
 
-def test_the_reward_terms_of_a_vector_environment_add_up_exactly_in_the_row_that_fell_too():
+def test_reward_terms_of_a_vector_environment_add_up_exactly_also_in_an_env_that_fell():
     env = make_native(config=ROUGH)
     env.reset(seed=0)
     names = [f"reward_{name}" for name in env.task.term_names]
     rng = np.random.default_rng(0)
     falls = 0
     for _ in range(150):
-        _, reward, terminated, _, info = env.step(rng.uniform(-1, 1, (ROWS, 8)))
-        for row in range(ROWS):
+        _, reward, terminated, _, info = env.step(rng.uniform(-1, 1, (NUM_ENVS, 8)))
+        for row in range(NUM_ENVS):
             source = info["final_info"] if terminated[row] else info
             assert all(source[f"_{name}"][row] for name in names)
             assert sum(float(source[name][row]) for name in names) == reward[row]
@@ -281,13 +281,13 @@ def test_np_random_seed_after_a_seeded_reset_is_the_seed_in_every_environment():
     assert restored.np_random_seed == 7
 
 
-def test_what_a_call_returned_does_not_change_later():
+def test_returned_values_do_not_change_later():
     env = make_native(config=ROUGH, max_episode_steps=EPISODE_STEPS)
     env.reset(seed=0)
     rng = np.random.default_rng(0)
     entries, copies = [], []
     for _ in range(60):
-        entries.append(env.step(rng.uniform(-1, 1, (ROWS, 8))))
+        entries.append(env.step(rng.uniform(-1, 1, (NUM_ENVS, 8))))
         copies.append(copy.deepcopy(entries[-1]))
     assert_same(entries, copies)
 
@@ -296,7 +296,7 @@ def test_what_a_call_returned_does_not_change_later():
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e11])
-def test_a_state_that_blows_up_ends_the_episode_as_diverged(value):
+def test_state_that_diverges_ends_the_episode_as_diverged(value):
     env = make(config=SAFE)
     env.reset(seed=0)
     env.step(np.zeros(8))
@@ -314,7 +314,7 @@ def test_a_state_that_blows_up_ends_the_episode_as_diverged(value):
 
 
 @pytest.mark.parametrize("value", [np.nan, 1e11])
-def test_a_row_that_blows_up_leaves_the_others_bits_untouched(value):
+def test_env_that_diverges_leaves_the_other_envs_identical_to_the_last_bit(value):
     env, healthy = (make_native(4, config=SAFE) for _ in range(2))
     env.reset(seed=0), healthy.reset(seed=0)
     others = np.array([True, True, False, True])

@@ -1,4 +1,4 @@
-"""The environments with the oldest Gymnasium that the package takes; the other tests run with the newest."""
+"""The environments with the oldest Gymnasium that the package supports; the other tests run with the newest."""
 
 import os
 import subprocess
@@ -20,7 +20,7 @@ def run(*command, **kwargs):
     return done.returncode, done.stdout
 
 
-def test_oldest_gymnasium_tested_is_the_oldest_that_the_package_takes():
+def test_oldest_gymnasium_tested_is_the_oldest_that_the_package_supports():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     assert f"gymnasium>={OLDEST.removesuffix('.0')}" in project["dependencies"]
 

@@ -1,4 +1,4 @@
-"""Pictures, and what is imported for them."""
+"""Rendering, and its imports."""
 
 import copy
 import json
@@ -24,7 +24,7 @@ from quadruped_env.envs import rendering
 # --- pictures ---
 
 
-def test_a_window_without_a_display_is_refused_with_the_cure(monkeypatch):
+def test_window_without_a_display_is_refused_with_the_fix(monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     with pytest.raises(QuadrupedError, match="needs a display, and there is none; use 'rgb_array'"):
@@ -36,7 +36,7 @@ def test_a_window_shows_one_robot_only():
         make_native(2, render_mode="human")
 
 
-def test_no_opengl_is_said_with_the_packages_that_bring_it(monkeypatch):
+def test_missing_opengl_error_names_the_packages_to_install(monkeypatch):
     def broken(*args, **kwargs):
         raise AttributeError("'NoneType' object has no attribute 'eglQueryString'")
 
@@ -49,7 +49,7 @@ def test_no_opengl_is_said_with_the_packages_that_bring_it(monkeypatch):
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a display")
-def test_window_on_a_display_that_is_not_there_is_refused_and_the_process_goes_on():
+def test_window_on_a_display_that_is_not_there_is_refused_and_the_process_continues():
     code = """
 import gymnasium, quadruped_env
 try:
@@ -66,7 +66,7 @@ except quadruped_env.QuadrupedError as error:
     assert "refused: render_mode 'human': no window can be opened on the display (DISPLAY=:4711)" in out
 
 
-def test_rendering_that_is_switched_off_is_said(monkeypatch):
+def test_rendering_that_is_switched_off_error_names_the_variable(monkeypatch):
     def broken(*args, **kwargs):
         raise AttributeError("module has no attribute 'GLContext'")
 
@@ -77,7 +77,7 @@ def test_rendering_that_is_switched_off_is_said(monkeypatch):
         env.render()
 
 
-def test_backend_that_needs_a_display_where_there_is_none_is_said(monkeypatch):
+def test_backend_without_the_display_that_it_needs_error_names_the_backend(monkeypatch):
     def broken(*args, **kwargs):
         raise mujoco.FatalError("an OpenGL platform library has not been loaded into this process")
 
@@ -89,7 +89,7 @@ def test_backend_that_needs_a_display_where_there_is_none_is_said(monkeypatch):
         env.render()
 
 
-def test_environment_variable_that_keeps_opengl_from_starting_is_said(monkeypatch):
+def test_environment_variable_that_keeps_opengl_from_starting_is_named(monkeypatch):
     def broken(*args, **kwargs):
         raise RuntimeError("The MUJOCO_EGL_DEVICE_ID environment variable must be an integer between 0 and 0, got 7.")
 
@@ -102,7 +102,7 @@ def test_environment_variable_that_keeps_opengl_from_starting_is_said(monkeypatc
 
 @pytest.mark.usefixtures("opengl")
 @pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(1, **kwargs)], ids=["single", "native"])
-def test_offscreen_buffer_grows_with_the_size_asked_for(maker):
+def test_offscreen_buffer_grows_with_the_requested_size(maker):
     for width, height in ((1281, 16), (16, 961), (1300, 1000)):
         env = maker(render_mode="rgb_array", width=width, height=height)
         env.reset(seed=0)
@@ -114,7 +114,7 @@ def test_offscreen_buffer_grows_with_the_size_asked_for(maker):
 
 
 @pytest.mark.usefixtures("opengl")
-def test_picture_too_large_for_opengl_is_said_and_not_blamed_on_its_absence():
+def test_picture_too_large_for_opengl_error_names_its_size():
     env = make(render_mode="rgb_array", width=10**6, height=8)
     env.reset(seed=0)
     with pytest.raises(QuadrupedError, match="not for images of 1000000 x 8 pixels; use a smaller") as caught:
@@ -130,7 +130,7 @@ def assert_same_picture(picture, expected):
 
 
 @pytest.mark.usefixtures("opengl")
-def test_a_picture_shows_something_of_the_size_asked_for():
+def test_picture_has_the_requested_size_and_is_not_blank():
     env = make(render_mode="rgb_array")
     env.reset(seed=0)
     env_render_passive_checker(env)
@@ -153,7 +153,7 @@ def test_a_picture_shows_something_of_the_size_asked_for():
 
 
 @pytest.mark.usefixtures("opengl")
-def test_a_vector_environment_gives_a_picture_a_row_each_the_single_environments():
+def test_vector_environment_renders_one_picture_per_env_equal_to_the_single_environments():
     kwargs = {"render_mode": "rgb_array", "width": 64, "height": 48, "config": ROUGH}
     vector, sync = make_native(2, **kwargs), make_sync(2, **kwargs)
     for env in (vector, sync):
@@ -177,7 +177,7 @@ def test_stable_baselines3_tiles_the_pictures():
     env.close()
 
 
-def test_rendering_without_a_mode_says_how_to_ask_for_one():
+def test_rendering_without_a_mode_error_says_how_to_set_one():
     env = make(disable_env_checker=True)
     env.reset(seed=0)
     with pytest.warns(UserWarning, match="render_mode='rgb_array'"):
@@ -202,7 +202,7 @@ def test_rendering_without_a_mode_says_how_to_ask_for_one():
     ],
 )
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a display")
-def test_opengl_is_chosen_only_where_nobody_chose(monkeypatch, environment, libraries, chosen):
+def test_opengl_backend_is_chosen_only_where_none_is_set(monkeypatch, environment, libraries, chosen):
     for name in ("MUJOCO_GL", "DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
     for name, value in environment.items():

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import gymnasium
 import numpy as np
 import pytest
-from environments import EPISODE_STEPS, ROUGH, ROWS, assert_same, make_native
+from environments import EPISODE_STEPS, NUM_ENVS, ROUGH, assert_same, make_native
 from stable_baselines3.common.monitor import Monitor
 
 from quadruped_env import QuadrupedError
@@ -13,12 +13,12 @@ from quadruped_env import QuadrupedError
 
 @pytest.fixture
 def sb3(request):
-    """Stable-Baselines3's view and the native environment, alike."""
+    """Stable-Baselines3's view and the native environment, made with the same arguments."""
     from quadruped_env.envs import make_sb3_vec_env
 
     kwargs = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     return SimpleNamespace(
-        env=make_sb3_vec_env(ROWS, seed=3, **kwargs),
+        env=make_sb3_vec_env(NUM_ENVS, seed=3, **kwargs),
         native=make_native(**kwargs),
         make=make_sb3_vec_env,
     )
@@ -28,11 +28,11 @@ def test_stable_baselines3s_view_gives_the_native_numbers(sb3):
     observation = sb3.env.reset()
     assert_same(observation, sb3.native.reset(seed=3)[0])
     rng = np.random.default_rng(0)
-    returns, lengths = np.zeros(ROWS), np.zeros(ROWS, dtype=int)
-    term_sums = np.zeros((ROWS, len(sb3.native.task.term_names)))
+    returns, lengths = np.zeros(NUM_ENVS), np.zeros(NUM_ENVS, dtype=int)
+    term_sums = np.zeros((NUM_ENVS, len(sb3.native.task.term_names)))
     falls = time_outs = 0
     for _ in range(200):
-        action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
+        action = rng.uniform(-1, 1, (NUM_ENVS, 8)).astype(np.float32)
         observation, reward, done, infos = sb3.env.step(action)
         expected, expected_reward, terminated, truncated, native_info = sb3.native.step(action)
         assert_same(observation, expected)
@@ -58,17 +58,17 @@ def test_stable_baselines3s_view_gives_the_native_numbers(sb3):
     assert time_outs > 0
 
 
-def test_the_episodes_that_stable_baselines3_is_told_of_are_those_that_its_monitor_sees(sb3):
+def test_episodes_reported_to_stable_baselines3_equal_those_of_its_monitor(sb3):
     from stable_baselines3.common.vec_env import VecMonitor
 
     with pytest.warns(UserWarning, match="already wrapped with a `Monitor`"):
         monitored = VecMonitor(sb3.env)
-    plain = sb3.make(ROWS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
+    plain = sb3.make(NUM_ENVS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     monitored.reset(), plain.reset()
     rng = np.random.default_rng(0)
     count, times = 0, [0.0]
     for _ in range(100):
-        action = rng.uniform(-1, 1, (ROWS, 8)).astype(np.float32)
+        action = rng.uniform(-1, 1, (NUM_ENVS, 8)).astype(np.float32)
         seen, told = monitored.step(action)[3], plain.step(action)[3]
         for one, other in zip(seen, told, strict=True):
             if other:
@@ -84,14 +84,14 @@ def test_the_episodes_that_stable_baselines3_is_told_of_are_those_that_its_monit
 def test_seeds_and_options_reach_the_environment_at_stable_baselines3s_next_reset(sb3):
     first = sb3.env.reset()
     second = sb3.env.reset()
-    assert (second != first).any(), "the seed counts once"
+    assert (second != first).any(), "the seed must apply to one reset only"
     sb3.env.seed(3)
     assert_same(sb3.env.reset(), first)
     sb3.env.set_options({"command": (0.25, 0.0)})
     sb3.env.reset()
-    np.testing.assert_array_equal(sb3.env.task.command, [[0.25, 0.0]] * ROWS)
+    np.testing.assert_array_equal(sb3.env.task.command, [[0.25, 0.0]] * NUM_ENVS)
     sb3.env.reset()
-    assert (sb3.env.task.command != [0.25, 0.0]).any(), "options count once"
+    assert (sb3.env.task.command != [0.25, 0.0]).any(), "options must apply to one reset only"
 
 
 def test_the_default_seed_of_stable_baselines3s_view_is_not_a_fixed_one(sb3):
@@ -99,13 +99,13 @@ def test_the_default_seed_of_stable_baselines3s_view_is_not_a_fixed_one(sb3):
 
 
 def test_attributes_can_be_read_through_stable_baselines3_and_not_written(sb3):
-    assert sb3.env.num_envs == ROWS
-    assert sb3.env.get_attr("num_envs", indices=[0, 2]) == [ROWS, ROWS]
-    assert len(sb3.env.get_attr("metadata")) == ROWS
+    assert sb3.env.num_envs == NUM_ENVS
+    assert sb3.env.get_attr("num_envs", indices=[0, 2]) == [NUM_ENVS, NUM_ENVS]
+    assert len(sb3.env.get_attr("metadata")) == NUM_ENVS
     assert sb3.env.get_attr("np_random_seed", indices=[0, 2]) == [sb3.env.task.seeds[0], sb3.env.task.seeds[2]]
     assert not sb3.env.has_attr("gravity")
     assert sb3.env.env_is_wrapped(gymnasium.Wrapper, indices=0) == [False]
-    assert sb3.env.env_is_wrapped(Monitor) == [True] * ROWS, "the episodes are reported"
+    assert sb3.env.env_is_wrapped(Monitor) == [True] * NUM_ENVS, "the episodes are reported"
     assert sb3.env.render_mode is None
     with pytest.raises(NotImplementedError, match=r"set_attr.*'gravity'"):
         sb3.env.set_attr("gravity", 0)
@@ -116,7 +116,7 @@ def test_attributes_can_be_read_through_stable_baselines3_and_not_written(sb3):
 
 def test_infos_written_to_by_a_wrapper_do_not_leak_into_the_next_step(sb3):
     sb3.env.reset()
-    action = np.zeros((ROWS, 8), dtype=np.float32)
+    action = np.zeros((NUM_ENVS, 8), dtype=np.float32)
     first = sb3.env.step(action)[3]
     for info in first:
         info["mine"] = 1

@@ -23,7 +23,7 @@ def columns(*series):
     return np.stack(series, axis=1)
 
 
-def test_masked_mean_is_the_mean_of_what_counts_and_nan_of_nothing():
+def test_masked_mean_is_the_mean_of_counted_values_and_nan_without_any():
     values = np.array([[1.0, 5.0], [3.0, 7.0], [100.0, 9.0]])
     mask = np.array([[True, False], [True, False], [False, False]])
     np.testing.assert_equal(metrics.masked_mean(values, mask), [2.0, np.nan])
@@ -43,14 +43,14 @@ def test_tracking_error_is_the_offset_of_the_mean_and_ignores_the_swing_of_a_str
     # Half the time 0.1 too slow, half 0.1 too fast: the windows in between average less.
     errors = metrics.tracking_error(columns(constant, swinging), np.array([0.4, 0.4]), all_counted(rows=2), DT)
     np.testing.assert_allclose(errors, 0.15, atol=1e-12)
-    # Off by 3 in the windows that see only the first half, by 4 in those of the second, none in between counted.
+    # The error is 3 in windows within the first half, and 4 in those within the second; none in between counts.
     step = np.where(np.arange(100) < 50, 3.0, 4.0)[:, None]
     counted = all_counted(100)
     means, _ = metrics.window_means(step, counted, DT)
     assert metrics.tracking_error(step, np.zeros(1), counted, DT) == pytest.approx(math.sqrt((means**2).mean()))
 
 
-def test_nothing_after_a_fall_counts():
+def test_samples_after_a_fall_are_not_counted():
     velocity = np.full((STEPS, 2), 0.5)
     velocity[300:] = 1e9
     counted = all_counted(rows=2)
@@ -78,7 +78,7 @@ def test_lateral_drift_is_measured_across_the_heading_at_the_beginning():
     x = ahead * math.cos(direction) - left * math.sin(direction)
     y = ahead * math.sin(direction) + left * math.cos(direction)
     walking = np.stack([x, y, 0 * t], axis=-1)
-    position = np.stack([walking, 0.01 * walking], axis=1)  # the second travels too slowly to say
+    position = np.stack([walking, 0.01 * walking], axis=1)  # the second walks too slowly for a direction
     drift = metrics.lateral_drift(position, np.full((STEPS, 2), direction), all_counted(rows=2), DT)
     np.testing.assert_allclose(drift, [0.25, np.nan])
 
@@ -143,7 +143,7 @@ def test_standing_has_no_stride_frequency():
     np.testing.assert_equal(metrics.stride_frequency(position[..., 0::2], counted, DT), np.nan)
 
 
-def test_foot_clearance_is_what_a_sole_exceeds_in_a_twentieth_of_the_time():
+def test_foot_clearance_is_the_height_that_a_sole_exceeds_for_5_percent_of_the_time():
     height = np.zeros((200, 2, 4))
     height[:, 0, 1] = np.arange(200) / 1000.0
     height[150:, 1] = 9.0  # after the fall
@@ -172,7 +172,7 @@ def test_stance_slip_counts_feet_on_the_ground_only():
     np.testing.assert_allclose(metrics.stance_slip(speed, contact, all_counted(4)), 1.0 / 6.0)
 
 
-def test_values_are_shown_in_their_own_way():
+def test_values_are_shown_in_the_format_of_their_metric():
     assert METRICS["fall_rate"].show(0.125) == "12 %"
     assert METRICS["distance"].show(9.876) == "9.88"
     assert METRICS["distance"].show(-0.001) == "0.00"
@@ -203,7 +203,7 @@ def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
     np.testing.assert_array_equal(values["foot_clearance"], feet.min(axis=1))
     assert not np.array_equal(rollout.base_position[:, 2], rollout.base_position[:, 3])
 
-    # A row's numbers depend on its own seed and command only, and a selection is the rows themselves.
+    # The numbers of an env depend on its own seed and command only, and a selection has the same numbers.
     again = run([2])
     selected = rollout.select([1, 3])
     np.testing.assert_array_equal(again.base_position, selected.base_position)
@@ -220,7 +220,7 @@ class Collapse:
         return np.tile([1.5, 0.0], (control.num_envs, 4))
 
 
-def test_a_fall_is_counted_once_and_for_good():
+def test_fall_is_counted_once_and_ends_the_valid_samples():
     rollout = roll_out(Collapse(), [(0.0, 0.0)], [0, 1], seconds=2.0)
     assert rollout.fallen.all()
     assert (np.diff(rollout.valid.astype(int), axis=0) <= 0).all()
@@ -237,6 +237,6 @@ def test_a_fall_is_counted_once_and_for_good():
         ([0.0, 0.0], [0], 1.0, r"shape \(K, 2\)"),
     ],
 )
-def test_what_cannot_be_rolled_out_says_why(commands, seeds, seconds, message):
+def test_invalid_rollout_is_refused_with_the_reason(commands, seeds, seconds, message):
     with pytest.raises(QuadrupedError, match=message):
         roll_out(ZeroController(), commands, seeds, seconds)

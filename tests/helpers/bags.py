@@ -1,4 +1,4 @@
-"""Bags for tests: of every kind, and of messages that only others write."""
+"""Bags for tests: of every storage kind, and with messages that this package does not write itself."""
 
 import itertools
 
@@ -17,7 +17,7 @@ KINDS = ("mcap", "sqlite3", "bare.mcap", "bare.db3", "mcap zstd", "sqlite3 zstd"
 
 
 def save(trajectory, directory, kind, **options):
-    """A bag of one of the kinds, and its path."""
+    """Save a bag of one of `KINDS`; returns its path."""
     name, _, compression = kind.partition(" ")
     path = directory / (name if "." in name else "bag")
     trajectory.save(path, storage=None if "." in name else name, compress=bool(compression), **options)
@@ -25,7 +25,7 @@ def save(trajectory, directory, kind, **options):
 
 
 def write_bag(path, messages, storage="mcap", compression=None, topics=("/joint_states",)):
-    """A bag of messages (ns of recording, fields), by rosbags alone."""
+    """Write a bag of messages (time of recording in ns, fields) with rosbags only; returns its path."""
     writer = Writer(path, version=8, storage_plugin=StoragePlugin[storage.upper()])
     if compression:
         writer.set_compression(CompressionMode[compression.upper()], CompressionFormat.ZSTD)

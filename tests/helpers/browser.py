@@ -1,4 +1,4 @@
-"""Debian's Chromium under Playwright, for tests that look at a page as a person would."""
+"""Debian's Chromium under Playwright, for tests that use a page as a person would."""
 
 import os
 import re
@@ -21,15 +21,15 @@ LOCAL_SCHEMES = ("file", "data", "blob", "about")
 WIDTH, HEIGHT = 1020, 640
 """Of a page: enough, and little to draw without a graphics card."""
 TIMEOUT = 1e3 * waiting.DEADLINE
-"""Deadline of what Playwright waits for by itself, ms."""
+"""Timeout of Playwright's own waits, ms."""
 
-# WebGL on the processor, and nothing that the browser would do on its own account.
+# WebGL on the CPU, and no background activity of the browser.
 ARGUMENTS = (
     "--no-sandbox",
     "--disable-gpu",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    # It would take a processor that draws slowly, as on a busy machine, for a GPU that hangs, and end it.
+    # The watchdog would take slow software rendering on a busy machine for a hung GPU, and end the process.
     "--disable-gpu-watchdog",
     "--disable-background-networking",
     "--disable-component-update",
@@ -52,7 +52,7 @@ UNPRIVILEGED = '#!/bin/sh\nexec setpriv --bounding-set=-sys_nice --inh-caps=-sys
 
 @dataclass
 class Watched:
-    """What a page complained about and asked for, since it was opened."""
+    """Console messages, errors and requests of a page since it was opened."""
 
     console: list[str] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
@@ -69,7 +69,7 @@ class Watched:
 
 @contextmanager
 def launched():
-    """A running Chromium; skips where none, or no Playwright, is installed."""
+    """A running Chromium; skips the test if it or Playwright is not installed."""
     playwright = pytest.importorskip("playwright.sync_api", reason="no Playwright to drive a browser with")
     executable = next(filter(None, map(shutil.which, EXECUTABLES)), None)
     if executable is None:
@@ -87,7 +87,7 @@ def launched():
 
 @contextmanager
 def opened(browser, slow_frames=True):
-    """A new page in a session of its own, with a `Watched` as its `watched`."""
+    """A new page in a browser context of its own, with a `Watched` as its `watched`."""
     context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT}, accept_downloads=False)
     context.set_default_timeout(TIMEOUT)
     if slow_frames:
@@ -115,7 +115,7 @@ def draw(page, frames=2):
 
 
 def still(page, picture, frames=10):
-    """Wait until a picture, which `picture()` takes, stays as it is for some frames of the page; the picture."""
+    """Wait until `picture()` stays the same for some frames of the page; returns it."""
     pictures = [picture()]
 
     def stays():
@@ -123,31 +123,31 @@ def still(page, picture, frames=10):
         pictures.append(picture())
         return np.array_equal(*pictures[-2:])
 
-    waiting.wait_until(stays, "a picture that stands still", interval=0.0)
+    waiting.wait_until(stays, "a picture that no longer changes", interval=0.0)
     return pictures[-1]
 
 
 def pixels(target, **options):
-    """A picture (height, width, 3) of a page or of a part of it; options as Playwright's screenshot has them."""
+    """Screenshot (height, width, 3) of a page or of a part of it, with the options of Playwright's `screenshot`."""
     return np.asarray(Image.open(BytesIO(target.screenshot(**options))).convert("RGB"))
 
 
 def field(page, label):
-    """The number beside a slider."""
+    """The number field next to a slider."""
     identity = page.locator("label", has_text=re.compile(f"^{re.escape(label)}$")).get_attribute("for")
     return page.locator(f"[id='{identity}']").locator("xpath=..").locator("input[type=text]")
 
 
 def fill(page, label, value):
-    """Type a number into the field beside a slider."""
+    """Type a number into the field next to a slider."""
 
     def filled():
-        # As a person types: of a whole text at once the field's library drops every second one, and on a busy machine
-        # a key may get lost between two renderings.
+        # Typed key by key: if a text is set at once, the field's library drops every second one. A busy machine may
+        # still lose a key between two renderings, so this is repeated.
         field(page, label).select_text()
         field(page, label).press_sequentially(str(value), delay=20)
         field(page, label).press("Tab")
         draw(page)
         return float(field(page, label).input_value()) == pytest.approx(value)
 
-    waiting.wait_until(filled, f"{value} beside {label}")
+    waiting.wait_until(filled, f"{value} next to {label}")

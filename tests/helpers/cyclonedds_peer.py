@@ -1,8 +1,8 @@
-"""A process on plain `cyclonedds`, which announces the structure of its types: answers each joint state.
+"""A process on plain `cyclonedds`, which announces the structure of its types, and answers each joint state.
 
     python cyclonedds_peer.py COUNT
 
-Subscribes to /to_peer, and publishes what comes on /from_peer with twice the positions, COUNT times.
+Subscribes to /to_peer, and publishes each message on /from_peer with twice the positions, COUNT times.
 """
 
 import contextlib
@@ -46,7 +46,7 @@ class JointState(IdlStruct, typename="sensor_msgs.msg.dds_.JointState_"):
 
 
 def main(count):
-    # Only for the settings of the network: everything else is cyclonedds as it is.
+    # Used for its network settings only; everything else is unmodified cyclonedds.
     participant = open_participant(Network.from_environment(), "cyclonedds peer")
     qos = Qos(Policy.Reliability.Reliable(10**8), Policy.History.KeepLast(count))
     reader = DataReader(participant, Topic(participant, "rt/to_peer", JointState), qos=qos)

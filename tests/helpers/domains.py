@@ -1,4 +1,4 @@
-"""DDS domains for tests: each test has one to itself, on a machine where several suites may run at a time."""
+"""DDS domains for tests: one per test, also where several test suites run on one machine."""
 
 import contextlib
 import fcntl
@@ -7,12 +7,12 @@ import tempfile
 from pathlib import Path
 
 FIRST, LAST = 41, 100
-"""Beyond the domains that people use, and below those whose ports Linux gives to any program (from 32768 on)."""
+"""Domains above those in common use, and below those whose ports Linux gives to any program (from 32768 on)."""
 
 
 @contextlib.contextmanager
 def claimed():
-    """A domain that no other test has now."""
+    """A domain that no other test uses now."""
     numbers = list(range(FIRST, LAST + 1))
     random.shuffle(numbers)
     for number in numbers:

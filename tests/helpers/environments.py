@@ -1,4 +1,4 @@
-"""Environments and random play that the tests of the environments share."""
+"""Environments and random rollouts that the tests of the environments share."""
 
 import gymnasium
 import numpy as np
@@ -6,11 +6,11 @@ from gymnasium.vector import AutoresetMode
 
 from quadruped_env.envs import ENV_ID
 
-ROWS = 6
+NUM_ENVS = 6
 EPISODE_STEPS = 40
 ACTION_MODES = ("position", "residual")
 
-# Rough enough for falls within an episode of EPISODE_STEPS, and everything that is random is on.
+# Rough enough for falls within an episode of EPISODE_STEPS; every randomization is on.
 ROUGH = {
     "command": {"resample_interval": [0.1, 0.5]},
     "termination": {"max_tilt": 0.35},
@@ -23,7 +23,7 @@ ROUGH = {
         "observation_noise": 1.0,
     },
 }
-# Nothing ends an episode but time.
+# Only the time limit ends an episode.
 SAFE = {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}}
 
 
@@ -31,11 +31,11 @@ def make(**kwargs):
     return gymnasium.make(ENV_ID, **kwargs)
 
 
-def make_native(num_envs=ROWS, **kwargs):
+def make_native(num_envs=NUM_ENVS, **kwargs):
     return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **kwargs)
 
 
-def make_sync(num_envs=ROWS, autoreset_mode=AutoresetMode.SAME_STEP, **kwargs):
+def make_sync(num_envs=NUM_ENVS, autoreset_mode=AutoresetMode.SAME_STEP, **kwargs):
     vector_kwargs = {"autoreset_mode": autoreset_mode}
     return gymnasium.make_vec(
         ENV_ID, num_envs=num_envs, vectorization_mode="sync", vector_kwargs=vector_kwargs, **kwargs
@@ -43,7 +43,7 @@ def make_sync(num_envs=ROWS, autoreset_mode=AutoresetMode.SAME_STEP, **kwargs):
 
 
 def assert_same(actual, expected, path="result"):
-    """Equal in type, shape and every bit, NaN and the sign of zero included."""
+    """Assert equality in type, shape and every bit, NaN and the sign of zero included."""
     assert type(actual) is type(expected), path
     if isinstance(expected, dict):
         assert sorted(actual) == sorted(expected), path
@@ -65,7 +65,7 @@ def assert_same(actual, expected, path="result"):
 
 
 def episodes(env, steps, seed=0):
-    """Random play with masked, fixed-command and partly seeded resets in between: all that the calls returned."""
+    """Results of every call: random actions, with masked, fixed-command and partly seeded resets in between."""
     rng = np.random.default_rng(seed)
     log = [env.reset(seed=seed)]
     for step in range(1, steps + 1):
@@ -83,7 +83,7 @@ def episodes(env, steps, seed=0):
 
 
 def play(env, steps, seed=0):
-    """Random play of a single environment from where it is, a new episode after each that ends."""
+    """Results of every call: random actions in a single environment, with a reset after each episode."""
     rng = np.random.default_rng(seed)
     log = []
     for _ in range(steps):

@@ -1,4 +1,4 @@
-"""A guard against readers that hang: no timing, only an end."""
+"""A timeout for readers that hang. It bounds a test; no test measures time with it."""
 
 import signal
 from contextlib import contextmanager
@@ -6,11 +6,11 @@ from contextlib import contextmanager
 from waiting import SCALE
 
 SECONDS = 20.0 * SCALE
-"""A file that takes longer than this to read hangs the reader."""
+"""Timeout for reading one file, s; a longer read counts as a hang."""
 
 
 class HangError(BaseException):
-    """No reader may catch this."""
+    """Error of a read that hangs; a BaseException, so that no reader catches it."""
 
 
 def _interrupt(*_):
@@ -19,7 +19,7 @@ def _interrupt(*_):
 
 @contextmanager
 def bounded(seconds=SECONDS):
-    """Ends what takes too long with a HangError."""
+    """Raise a HangError in a block that takes too long."""
     before = signal.signal(signal.SIGALRM, _interrupt)
     signal.setitimer(signal.ITIMER_REAL, seconds)
     try:

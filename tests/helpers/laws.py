@@ -1,8 +1,8 @@
-"""Statistical tests of random draws: their law, and that no two of them are related.
+"""Statistical tests of random draws: their distribution and their independence.
 
-Draws come as numbers that are uniform in [0, 1) if the law holds: the value's cumulative distribution function at the
-draw. The smallest p-value that passes is fixed here, and shared by all comparisons that one call makes (Bonferroni), so
-that a correct sampler fails one call in ten thousand, whatever the seed.
+Draws are given as numbers that are uniform in [0, 1) if the law holds: the value's cumulative distribution function at
+the draw. The smallest p-value that passes is fixed here, and shared by all comparisons that one call makes
+(Bonferroni), so that a correct sampler fails one call in ten thousand, whatever the seed.
 """
 
 import itertools
@@ -53,7 +53,7 @@ def assert_probability(events, probability, name):
 
 
 def assert_unrelated(one, other):
-    """No draw of one group tells anything about one of another group.
+    """Assert that the draws of two groups are uncorrelated.
 
     Correlation of the draws, which are ranks already, and of their squared distances from the middle of the range.
 
@@ -65,11 +65,11 @@ def assert_unrelated(one, other):
 
 
 def assert_independent(draws, shifts=((0, 0),)):
-    """No draw tells anything about another one, as `assert_unrelated`.
+    """Assert that draws are uncorrelated with one another, as `assert_unrelated` does for two groups.
 
     Args:
         draws: name -> values (A, B) over two axes, such as episodes and envs.
-        shifts: places along both axes between the draws that are compared; (0, 0) compares different draws only.
+        shifts: offsets along both axes between the draws that are compared; (0, 0) compares different draws only.
     """
     pairs = []
     for shift in shifts:

@@ -1,4 +1,4 @@
-"""What tests of the pilot share: a pilot that is told the time and what the robot measures by hand."""
+"""Test bench for the live controller: a manual clock, and measurements that the test sets."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ EPOCH = 1_700_000_000_000_000_000
 
 
 class Recording:
-    """A controller that keeps the commands of its task, and asks for the stance, or for what a test says."""
+    """A controller that records its velocity commands and returns a constant joint target, by default the stance."""
 
     action_mode = "position"
     name = "recording"
@@ -27,12 +27,12 @@ class Recording:
 
 
 class Bench:
-    """A pilot, its clock, and a robot that stays where it is put."""
+    """A live controller, its clock, and a robot that keeps the pose that the test gives it."""
 
     def __init__(self, controller=None, **safety):
         self.controller = controller or Recording()
         self.said = []
-        self.pilot = LiveController(self.controller, safety=Safety(**safety), say=self.said.append)
+        self.live_controller = LiveController(self.controller, safety=Safety(**safety), say=self.said.append)
         self.now = 50.0
         self.positions = LYING.copy()
         self.orientation = LEVEL
@@ -40,33 +40,33 @@ class Bench:
 
     @property
     def mode(self):
-        return self.pilot.mode
+        return self.live_controller.mode
 
     def feed(self, stamp=None, now=None):
-        """One measurement, of this time unless another one is said."""
+        """One measurement, with the current time as its timestamp unless another one is given."""
         stamp = EPOCH + round(self.now * 1e9) if stamp is None else stamp
         measurement = Measurement(stamp, self.positions.copy(), np.zeros(8), self.orientation, np.zeros(3))
-        answer = self.pilot.measured(measurement, self.now)
+        answer = self.live_controller.measured(measurement, self.now)
         if answer is not None:
             self.answers.append(answer)
         return answer
 
     def pass_time(self, seconds, states=True, command=None):
-        """Time goes by, with or without measurements; returns what was answered."""
+        """Advance the clock, with or without measurements; returns the answers."""
         before = len(self.answers)
         for _ in range(round(seconds / PERIOD)):
             self.now += PERIOD
             if command is not None:
-                self.pilot.command(*command, self.now)
+                self.live_controller.command(*command, self.now)
             if states:
                 self.feed()
-            answer = self.pilot.silent(self.now)
+            answer = self.live_controller.silent(self.now)
             if answer is not None:
                 self.answers.append(answer)
         return self.answers[before:]
 
     def walk(self, command=(0.3, 0.1)):
-        """On to walking."""
+        """Advance until the robot walks."""
         self.pass_time(3.0, command=command)
         assert self.mode is Mode.WALKING
         return self

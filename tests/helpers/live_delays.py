@@ -1,4 +1,4 @@
-"""Delays between a robot and the pilot, in lock step, without a network or a clock: what can go wrong on the way."""
+"""Delays between a robot and the live controller, in lock step, without a network or a real clock."""
 
 import contextlib
 from collections import deque
@@ -9,21 +9,22 @@ from live_loop import EPOCH
 from quadruped_env import QuadrupedError
 
 PERIOD = 0.01
-"""s between states, and between turns of the controller's loop"""
+"""Period of the states and of the controller's loop, s."""
 KEPT = 5
-"""States that wait for a process that does not take them: sensor-data quality"""
+"""Number of states that are kept for a process that does not take them, as with sensor-data quality of service."""
 COMMAND_PERIOD = 0.1
-"""s between messages of /cmd_vel"""
+"""Period of the messages of /cmd_vel, s."""
 
 
 @dataclass(frozen=True)
 class Disturbance:
-    """One thing that goes wrong.
+    """One disturbance of the link.
 
-    Its kinds: the process is held up (`pause`); states are lost (`loss`); the network holds them and then delivers all
-    (`burst`); from then on each comes later (`lag`); the robot's clock is set back or ahead (`clock back`,
-    `clock ahead`); the process is held up between reading its clock and taking a state, or the other way round, and so
-    times it wrong (`timed early`, `timed late`); the robot lies (`fall`).
+    Its kinds: the process is suspended (`pause`); states are lost (`loss`); the network holds states back and then
+    delivers all of them (`burst`); every state arrives later from then on (`lag`); the robot's clock is set back or
+    ahead (`clock back`, `clock ahead`); the process is suspended between reading its clock and taking a state, or
+    between taking a state and reading its clock, and so assigns it a wrong time (`timed early`, `timed late`); the
+    robot lies on its side (`fall`).
     """
 
     kind: str
@@ -33,7 +34,7 @@ class Disturbance:
 
     @property
     def end(self):
-        """When states come as they will from then on, s."""
+        """Time after which the arrival of states no longer changes, s."""
         return self.start if self.kind.startswith("clock") else self.start + self.seconds
 
     def holds(self, kind, time):
@@ -43,61 +44,61 @@ class Disturbance:
         return self.kind == kind and time >= self.start
 
 
-HOLD_UP = ("pause", "timed early", "timed late")
+SUSPENSIONS = ("pause", "timed early", "timed late")
 KINDS = ("pause", "loss", "burst", "lag", "clock back", "clock ahead", "timed early", "timed late")
 
 
 class Link:
-    """Brings a robot's states to a pilot, as disturbances allow.
+    """Carries a robot's states to a live controller, subject to disturbances.
 
     Args:
-        pilot: that is driven.
-        measure: makes the measurement of a stamp in ns.
-        obey: is called with every answer's target.
-        velocity: of /cmd_vel.
+        live_controller: receives the states.
+        measure: returns the measurement of a timestamp in ns.
+        apply_target: called with the joint target of every answer.
+        velocity: velocity command on /cmd_vel, m/s and rad/s.
     """
 
-    def __init__(self, pilot, measure, obey=lambda target: None, velocity=(0.3, 0.0)):
-        self.pilot = pilot
-        self.turns = 0
+    def __init__(self, live_controller, measure, apply_target=lambda target: None, velocity=(0.3, 0.0)):
+        self.live_controller = live_controller
+        self.steps = 0
         self.disturbances = []
-        self.let_go = []
-        """Times at which the robot was let go limp"""
+        self.limp_times = []
+        """Times at which the robot was commanded to go limp, s."""
         self._measure = measure
-        self._obey = obey
+        self._apply_target = apply_target
         self._velocity = velocity
-        self._on_the_way = deque()
+        self._in_transit = deque()
         self._waiting = deque(maxlen=KEPT)
         self._early = 0.0
-        """s by which the clock was read before the next state is taken"""
+        """Time by which the clock was read before the next state is taken, s."""
         self._commanded = -COMMAND_PERIOD
 
     @property
     def time(self):
-        return self.turns * PERIOD
+        return self.steps * PERIOD
 
-    def turn(self):
-        """One period: a state is sent, and the controller's loop runs once, unless it is held up."""
-        self.turns += 1
+    def step(self):
+        """One period: a state is sent, and the controller's loop runs once, unless its process is suspended."""
+        self.steps += 1
         now = self.time
         self._send(now)
         burst = any(one.kind == "burst" for one in self.disturbances)
-        while self._on_the_way and self._on_the_way[0][0] <= now + 1e-9:
-            self._waiting.append(self._on_the_way.popleft()[1])
-            if burst and not self._held(now):
-                # Each by itself, as they come one after the other.
+        while self._in_transit and self._in_transit[0][0] <= now + 1e-9:
+            self._waiting.append(self._in_transit.popleft()[1])
+            if burst and not self._suspended(now):
+                # One loop per state, as they arrive one after the other.
                 self._loop(now)
-        if not self._held(now):
+        if not self._suspended(now):
             self._loop(now)
 
-    def _held(self, now):
-        """Whether the process is held up; what it will do wrong then is prepared."""
-        holding = [one for one in self.disturbances if one.kind in HOLD_UP and one.holds(one.kind, now)]
+    def _suspended(self, now):
+        """True if the process is suspended; also prepares the wrong timing that follows from it."""
+        holding = [one for one in self.disturbances if one.kind in SUSPENSIONS and one.holds(one.kind, now)]
         for one in holding:
             if one.kind == "timed early":
                 self._early = max(self._early, now - one.start)
             elif one.kind == "timed late" and len(self._waiting) > 1:
-                # It has taken this one, and looks at its clock when it goes on.
+                # It has taken this state, and reads its clock when it resumes.
                 self._waiting = deque([self._waiting[0]], maxlen=KEPT)
         return bool(holding)
 
@@ -110,23 +111,23 @@ class Link:
         for one in self.disturbances:
             if one.holds("burst", now):
                 arrival = max(arrival, one.end)
-        if self._on_the_way:
-            arrival = max(arrival, self._on_the_way[-1][0])
-        self._on_the_way.append((arrival, self._measure(EPOCH + round((now + shift) * 1e9))))
+        if self._in_transit:
+            arrival = max(arrival, self._in_transit[-1][0])
+        self._in_transit.append((arrival, self._measure(EPOCH + round((now + shift) * 1e9))))
 
     def _loop(self, now):
         if now - self._commanded >= COMMAND_PERIOD:
             self._commanded = now
-            self.pilot.command(*self._velocity, now)
+            self.live_controller.command(*self._velocity, now)
         answer = None
         if self._waiting:
             newest = max(self._waiting, key=lambda measurement: measurement.stamp)
             self._waiting.clear()
             with contextlib.suppress(QuadrupedError):
-                answer = self.pilot.measured(newest, now - self._early)
+                answer = self.live_controller.measured(newest, now - self._early)
             self._early = 0.0
-        answer = answer or self.pilot.silent(now)
+        answer = answer or self.live_controller.silent(now)
         if answer is not None:
             if answer.target is None:
-                self.let_go.append(now)
-            self._obey(answer.target)
+                self.limp_times.append(now)
+            self._apply_target(answer.target)

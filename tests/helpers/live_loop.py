@@ -1,4 +1,4 @@
-"""What tests of the live robot share: robot and pilot in lock step, without a network."""
+"""The simulated robot and the live controller in lock step, without a network."""
 
 import numpy as np
 
@@ -9,38 +9,38 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain
 
 EPOCH = 10**18
-"""ns; when their time begins"""
+"""Start of their time, ns."""
 
 
 class Loop:
-    """Robot and pilot in lock step: states at 100 Hz, commands obeyed from the next physics step on."""
+    """Robot and live controller in lock step: states at 100 Hz, commands applied from the next physics step on."""
 
     def __init__(self, controller="flat", seed=0, terrain="flat", robot=MINI_QUADRUPED):
         self.robot = SimulatedRobot(seed, find_terrain(terrain).variant(seed), robot)
         self.steps = 0
         self._make = controller if callable(controller) else find_controller(controller, robot=robot).make
-        self.restart_pilot()
+        self.restart_live_controller()
 
-    def restart_pilot(self):
-        """The controller ended, and another one begins."""
-        self.pilot = LiveController(self._make(), robot=self.robot.robot)
+    def restart_live_controller(self):
+        """Replace the live controller by a new one, as if its process had been restarted."""
+        self.live_controller = LiveController(self._make(), robot=self.robot.robot)
 
     @property
     def time(self):
         return self.steps * TIMESTEP
 
     def run(self, seconds, velocity=(0.0, 0.0), states=True, commands=True):
-        """Time goes by; returns forward velocities (T,) in m/s and the cosine of the tilt (T,)."""
+        """Advance the time; returns forward velocities (T,) in m/s and the cosine of the tilt (T,)."""
         speeds, upright = [], []
         for _ in range(round(seconds / TIMESTEP)):
             self.robot.step()
             self.steps += 1
-            self.pilot.command(*velocity, self.time)
+            self.live_controller.command(*velocity, self.time)
             answers = []
             if self.steps % 2 == 0:
                 if states:
-                    answers.append(self.pilot.measured(self.measurement(), self.time))
-                answers.append(self.pilot.silent(self.time))
+                    answers.append(self.live_controller.measured(self.measurement(), self.time))
+                answers.append(self.live_controller.silent(self.time))
             for answer in answers:
                 if answer is not None and commands:
                     self.robot.command(answer.target)

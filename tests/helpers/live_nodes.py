@@ -1,4 +1,4 @@
-"""What tests of live nodes share: nodes as processes of their own, and messages for them."""
+"""Live nodes as processes of their own, and messages for them."""
 
 import contextlib
 import signal
@@ -19,7 +19,7 @@ STAMP = 1_700_000_000_123_456_789
 
 
 class Running:
-    """One node: its process, and what it says."""
+    """One node: its process and its output."""
 
     def __init__(self, log, *arguments):
         self._log = log
@@ -30,27 +30,27 @@ class Running:
 
     @property
     def said(self):
-        """All that it has said so far."""
+        """Output of the process so far."""
         return self._log.read_text()
 
     def kill(self):
-        """End it as a crash would."""
+        """Kill it, as a crash would."""
         self.process.kill()
         self.process.wait()
 
     def interrupt(self):
-        """End it as Ctrl-C does; its exit status."""
+        """Interrupt it, as Ctrl-C does; returns its exit status."""
         self.process.send_signal(signal.SIGINT)
         return self.status()
 
     def status(self):
-        """Wait for its end; its exit status."""
+        """Wait for its end; returns its exit status."""
         return waiting.status_of(self.process)
 
 
 @contextlib.contextmanager
 def launcher(directory):
-    """A function that starts nodes; what still runs at the end is ended, and none may have left a traceback."""
+    """A function that starts nodes; at the end, stops those that still run and checks that none printed a traceback."""
     started = []
 
     def start(*arguments):
@@ -80,7 +80,7 @@ def joint_state(stamp=STAMP, names=JOINT_NAMES, position=(0.1, -0.2) * 4, veloci
 
 
 def received_from(subscription, count, alive=None):
-    """Wait for so many messages of a subscription; those that have come, `count` or more."""
+    """Wait for `count` messages of a subscription; returns all that arrived, `count` or more."""
     received = []
     waiting.wait_until(
         lambda: received.extend(subscription.take()) or len(received) >= count, f"{count} messages", alive
@@ -89,7 +89,7 @@ def received_from(subscription, count, alive=None):
 
 
 def usable(topic):
-    """The bytes of a message that the node can use, of now."""
+    """Bytes of a valid message with the current time."""
     now = time.time_ns()
     if topic.type_name == JOINT_STATES.type_name:
         return cdr.serialize(joint_state(now, JOINT_NAMES, STANCE, np.zeros(8), np.zeros(8)))
@@ -102,7 +102,7 @@ def usable(topic):
 
 
 def started(*arguments, **settings):
-    """A node that runs as a program of its own: a context."""
+    """Context manager of a node that runs as a process of its own."""
     process = subprocess.Popen(
         [sys.executable, "-m", "quadruped_env.live", *arguments],
         **({"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True} | settings),

@@ -1,4 +1,4 @@
-"""The repository's Markdown pages, and what their text holds: commands, inline code, links, anchors."""
+"""The repository's Markdown pages, and their commands, inline code, links and anchors."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Where the repository is, and data that lies outside it."""
+"""Paths of the repository and of data outside it."""
 
 import os
 import sys

@@ -1,7 +1,7 @@
 """The prose of a file: its text in its own shape, with everything else blanked out.
 
 Prose is what a person reads: Markdown without code, Python's comments, docstrings and messages, the comments of other
-files. Line numbers stay.
+files. Line numbers stay. In tests, string literals that are data do not count as prose.
 """
 
 import ast
@@ -13,11 +13,13 @@ from pathlib import Path
 from pages import FENCED
 
 CODE = "\x00"
-"""Stands for what is not prose, so that no phrase goes over it."""
+"""Replacement of everything that is not prose, so that no phrase matches across it."""
+EXAMPLES = "tests/project/test_language.py"
+"""File whose string literals are examples of wrong phrases."""
 
 
 def blank(match):
-    """As many blanks, line ends kept."""
+    """The match with `CODE` for every character that is not white space."""
     return re.sub(r"\S", CODE, match[0])
 
 
@@ -27,7 +29,7 @@ def without_code(text):
 
 
 def without_directives(text):
-    """Comments without what linters and type checkers read."""
+    """Comments without the directives for linters and type checkers."""
     return re.sub(r"# (noqa|type:|fmt:|pragma:).*", blank, text)
 
 
@@ -41,12 +43,29 @@ def markdown_prose(text):
     return without_code(text)
 
 
-def python_prose(text):
+def _is_data(path, quote):
+    """True for a string literal in a test that is data: text in triple quotes (YAML, programs), or an example."""
+    return path == EXAMPLES or (path.startswith("tests/") and len(quote) == 3)
+
+
+def python_prose(text, path=""):
     """Comments, and strings of more than one word; regular expressions are written as raw strings."""
     lines = [re.sub(r"\S", CODE, line) for line in text.splitlines(keepends=True)]
-    kept = (tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING))
+    fstring_start, fstring_middle, fstring_end = (
+        getattr(tokenize, f"FSTRING_{part}", None) for part in ("START", "MIDDLE", "END")
+    )
+    starts_statement, fstring_quotes = True, []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type not in kept:
+        is_docstring = starts_statement and token.type == tokenize.STRING
+        if token.type not in (tokenize.NL, tokenize.COMMENT):
+            starts_statement = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
+        if token.type == fstring_start:
+            fstring_quotes.append(token.string.lstrip("fFrR"))
+        elif token.type == fstring_end:
+            fstring_quotes.pop()
+        if token.type not in (tokenize.COMMENT, tokenize.STRING, fstring_middle):
+            continue
+        if token.type == fstring_middle and _is_data(path, fstring_quotes[-1]):
             continue
         content = token.string
         if token.type == tokenize.COMMENT:
@@ -54,6 +73,8 @@ def python_prose(text):
         elif token.type == tokenize.STRING:
             prefix, quote = re.match(r"(\w*)(\"{3}|'{3}|\"|')", content).groups()
             if set(prefix.lower()) & set("rb") or not re.search(r"\s", content):
+                continue
+            if not is_docstring and _is_data(path, quote):
                 continue
             content = " " * len(prefix + quote) + content[len(prefix + quote) : -len(quote)] + " " * len(quote)
             if "f" in prefix.lower():
@@ -96,7 +117,8 @@ def has_prose(path):
 def prose(path, text):
     """A file's prose in lower case, every run of other characters of a line as one `CODE`."""
     kind = _PROSE.get(Path(path).name) or _PROSE[Path(path).suffix]
-    return re.sub(rf"{CODE}[ \t{CODE}]*", CODE, kind(text).lower())
+    readable = python_prose(text, path) if kind is python_prose else kind(text)
+    return re.sub(rf"{CODE}[ \t{CODE}]*", CODE, readable.lower())
 
 
 def docstrings(text):

@@ -1,4 +1,4 @@
-"""Messages of any type with something in every field, and joint states with every kind of number."""
+"""Messages of any type with every field filled, and joint states with every kind of number."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from quadruped_env.ros import MESSAGE_TYPES, cdr
 
 
 def filled(type_name, rng):
-    """A message of a type with something in every field."""
+    """A message of a type with every field filled."""
     kind = MESSAGE_TYPES[type_name]
 
     def value(field):

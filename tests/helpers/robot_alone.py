@@ -5,9 +5,9 @@ import numpy as np
 
 LEGS = ("LF", "RF", "LH", "RH")
 FOOT = np.array([0.0, 0.0, -0.14])
-"""m; centre of the foot's ball in the frame of its leg."""
+"""Centre of the foot's ball in the frame of its leg, m."""
 FOOT_SITE = 0.025
-"""m; contacts this close to that centre press on the foot's sensor."""
+"""Distance from that centre within which contacts press on the foot's sensor, m."""
 
 
 class RobotAlone:
@@ -24,7 +24,7 @@ class RobotAlone:
         mujoco.mj_copyData(data, self.model, before)
         data.ctrl = target
         mujoco.mj_step(self.model, data, 4)
-        # Of the last physics step; the next line replaces them.
+        # Of the last physics step: read before the calls below update the kinematics.
         self.torque = data.actuator_force.copy()
         self._forces = self._normal_forces()
         mujoco.mj_kinematics(self.model, data)
@@ -36,7 +36,7 @@ class RobotAlone:
         self.position, self.joints, self.speeds = data.qpos[:3].copy(), data.qpos[7:].copy(), data.qvel[6:].copy()
 
     def _normal_forces(self):
-        """Geom -> N that presses it on the ground; of a leg, those near its foot."""
+        """Geom -> normal force on the ground, N; of a leg, from contacts near its foot only."""
         forces, wrench = {}, np.zeros(6)
         ground = self._geoms["ground"]
         for i, contact in enumerate(self.data.contact):

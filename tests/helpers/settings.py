@@ -1,10 +1,10 @@
-"""Settings of the task for tests of its behaviour: the one place that knows the names of the config's fields."""
+"""Settings of the task for tests of its behaviour: the helper that knows the names of the config's fields."""
 
 import math
 from typing import Final
 
 PHYSICS_TIMESTEP: Final = 0.005
-"""s, the task's default."""
+"""Default of the task, s."""
 
 
 def settings(

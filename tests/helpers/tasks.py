@@ -27,7 +27,7 @@ OBSERVATION_WIDTH = LAYOUT.width
 ACTION_WIDTH = MINI_QUADRUPED.num_joints
 
 NEVER_FALLS = TerminationConfig(max_tilt=math.pi, max_trunk_force=1e9)
-# Long enough that nothing is drawn anew within a test.
+# Long enough that nothing is drawn again within a test.
 ONE_COMMAND = CommandConfig(resample_interval=(1e3, 1e3))
 STILL_START = RandomizationConfig(
     start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
@@ -35,7 +35,7 @@ STILL_START = RandomizationConfig(
 
 
 def make_task(rows=3, max_episode_steps=None, fixed_command=None, **config):
-    """A task on the batch, reset in every row."""
+    """A task on the batch simulation, with every env reset."""
     task_config = TaskConfig(**config)
     simulation = BatchSimulation(build_model(task_config.physics_timestep), rows, 1)
     task = Task(simulation, task_config, max_episode_steps)
@@ -44,7 +44,7 @@ def make_task(rows=3, max_episode_steps=None, fixed_command=None, **config):
 
 
 def make_env(fixed_command=None, **config):
-    """The single environment, whose MuJoCo data is open, reset."""
+    """The single environment after a reset, unwrapped for access to its MuJoCo data."""
     env = gymnasium.make(ENV_ID, config=TaskConfig(**config), disable_env_checker=True).unwrapped
     env.reset(seed=0, options=None if fixed_command is None else {"command": fixed_command})
     return env
@@ -79,7 +79,7 @@ def random_readings(rng, num_envs):
 
 
 class Terms:
-    """The built-in reward terms on readings and commands of a test's own, unweighted."""
+    """The built-in reward terms, unweighted, on readings and commands that the test sets."""
 
     def __init__(self, readings, config=None):
         self.config = config or TaskConfig()
@@ -95,7 +95,7 @@ class Terms:
         self.function.command_changed(everywhere, command)
 
     def randomize(self, rng):
-        """Actions, commands, velocities, clocks and falls at random."""
+        """Set random actions, commands, velocities, clocks and falls."""
         n = self.control.num_envs
         command = rng.uniform(-0.5, 0.5, (n, 2))
         command[::5] = 0.0

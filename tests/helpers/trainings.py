@@ -1,4 +1,4 @@
-"""Tiny trainings by the program, and what they leave."""
+"""Tiny trainings run by the program, and the files that they write."""
 
 import contextlib
 import csv
@@ -25,7 +25,7 @@ def command(runs, *arguments):
 
 
 def train(runs, *arguments):
-    """Run the program to its end; the run directory."""
+    """Run the program to its end; returns the run directory."""
     done = subprocess.run(command(runs, *arguments), capture_output=True, text=True, check=False, timeout=DEADLINE)
     assert done.returncode == 0, done.stderr
     return (runs / "latest").resolve()

@@ -3,9 +3,10 @@
 import numpy as np
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
+from quadruped_env.robot import STANCE
 
 STAMPS = [1_763_500_000_000_000_001, 1_763_500_000_020_000_003, 1_763_500_000_050_000_000, 1_763_500_001_000_000_000]
-"""ns: later than 2^53, where a float no longer holds every whole number, and unevenly spaced"""
+"""Timestamps, ns: over 2^53, where a float no longer holds every whole number, and unevenly spaced."""
 
 
 def random_trajectory(rows=4, names=JOINT_NAMES, **changes):
@@ -23,9 +24,21 @@ def random_trajectory(rows=4, names=JOINT_NAMES, **changes):
 
 
 def assert_same(a, b):
-    """Equal to the last bit."""
+    """Assert equality to the last bit."""
     assert a.names == b.names
     for name in ("stamps", "positions", "velocities", "efforts"):
         x, y = getattr(a, name), getattr(b, name)
         assert (x is None) == (y is None), name
         assert x is None or (x.dtype == y.dtype and x.shape == y.shape and x.tobytes() == y.tobytes()), name
+
+
+def assert_same_numbers(a, b):
+    """Assert that two trajectories have the same timestamps, positions, velocities and efforts."""
+    for name in ("stamps", "positions", "velocities", "efforts"):
+        np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
+
+
+def standing(seconds=1.0, **changes):
+    """A recording of a robot that stands in its stance."""
+    stamps = np.array([0, round(seconds * 1e9)])
+    return JointTrajectory(**({"stamps": stamps, "names": JOINT_NAMES, "positions": np.tile(STANCE, (2, 1))} | changes))

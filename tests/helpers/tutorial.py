@@ -1,6 +1,6 @@
-"""The tutorial's robot, for tests of the files and the package that have to repeat it."""
+"""The tutorial's robot: the reference for tests of the robot's files and of the package."""
 
-# Written out here, not imported: these are the facts.
+# Written out here, not imported: these are the reference values.
 LEGS = {"LF": (0.15, 0.10), "RF": (0.15, -0.10), "LH": (-0.15, 0.10), "RH": (-0.15, -0.10)}
 JOINTS = (
     "LF_hip_joint",
@@ -30,7 +30,7 @@ def kind(name):
 
 
 def geoms(model, link, group):
-    """Ids of a body's geoms in a group: 2 is for the eye, 3 for collision."""
+    """Ids of a body's geoms in a group: 2 is visual, 3 is collision."""
     body = model.body(link).id
     return [i for i in range(model.ngeom) if model.geom_bodyid[i] == body and model.geom_group[i] == group]
 

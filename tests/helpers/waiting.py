@@ -20,7 +20,7 @@ def wait_until(condition, what="the condition that the test waits for", alive=No
     Args:
         condition: called again and again.
         what: the condition's name in the error, or a function that returns it.
-        alive: a process without which the condition can no longer come about.
+        alive: a process without which the condition can no longer become true.
         interval: seconds between calls.
     """
     end = time.monotonic() + DEADLINE
@@ -34,7 +34,7 @@ def wait_until(condition, what="the condition that the test waits for", alive=No
 
 
 def output_of(process):
-    """Wait until a process ends; its standard output and error, as it was started with."""
+    """Wait until a process ends; returns its standard output and error, as far as they are pipes."""
     try:
         return process.communicate(timeout=DEADLINE)
     except subprocess.TimeoutExpired:
@@ -44,7 +44,7 @@ def output_of(process):
 
 
 def status_of(process):
-    """Wait until a process ends; its exit status."""
+    """Wait until a process ends; returns its exit status."""
     try:
         return process.wait(DEADLINE)
     except subprocess.TimeoutExpired:

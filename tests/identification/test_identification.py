@@ -1,4 +1,4 @@
-"""Motors from recordings: what is known goes in, and has to come out again."""
+"""Identification of motors: simulated recordings with known motors must give these motors."""
 
 import json
 import subprocess
@@ -40,7 +40,7 @@ NOISE = (0.002, 0.05, 0.1)
 
 
 def commanded(seconds, rate=50.0, steps=0.35, seed=1):
-    """Waves and steps on every joint: fast, to and fro, and up to the motors' limits."""
+    """Waves and steps on every joint: fast, back and forth, and up to the motors' limits."""
     rng = np.random.default_rng(seed)
     t = np.arange(round(seconds * rate) + 1) / rate
     low, high = MINI_QUADRUPED.joint_position_low, MINI_QUADRUPED.joint_position_high
@@ -57,7 +57,7 @@ def commanded(seconds, rate=50.0, steps=0.35, seed=1):
 
 
 def measured(commands, motors, noise=NOISE, every=2, seed=0):
-    """What a robot on a stand does with the commands, from MuJoCo alone: 5 ms steps, every second one measured."""
+    """Recording of a robot on a stand under the commands, by MuJoCo alone: 5 ms steps, every second one measured."""
     spec = joint_spec(MINI_QUADRUPED, "fixed", 0.005)
     motors.write(spec)
     model = spec.compile()
@@ -94,14 +94,14 @@ def without(trajectory, *kinds):
 
 @pytest.fixture(scope="module")
 def short():
-    """Commands over 3 s, and what a robot made of them."""
+    """Commands over 3 s, and the recording of a robot on a stand under them."""
     commands = commanded(3.0)
     return commands, measured(commands, TRUTH)
 
 
 @pytest.fixture(scope="module")
 def walked():
-    """Commands of a walk over 3 s, and what a robot on the ground made of them."""
+    """Commands of a gait over 3 s, and the recording of a robot on the ground under them."""
     commands = publish(SinusoidalGait.preset("tuned"), 3.0, 50.0)
     return commands, noisy(play(commands, motors=TRUTH).joints)
 
@@ -113,18 +113,18 @@ class TestRecorded:
         # By hand: before the first command it holds too; from 0.01 to 0.025, two thirds of 1 and one third of 3.
         np.testing.assert_allclose(means[:, 0], [1.0, 1.0, 1.0 * 2 / 3 + 3.0 / 3, 3.0, -1.0], atol=1e-12)
 
-    def test_commands_and_measurements_meet_on_the_clock_of_the_physics(self):
+    def test_commands_and_measurements_are_aligned_on_the_physics_steps(self):
         commands = commanded(4.0)
         late = JointTrajectory(commands.stamps[10:] + 3, JOINT_NAMES, commands.positions[10:])
         recorded = align(MINI_QUADRUPED, late, commands, 0.5, 0.005)
         assert recorded.times[0] == 0.0
-        assert len(recorded.times) == len(late) - 1  # the last stamp is after the last command
+        assert len(recorded.times) == len(late) - 1  # the last timestamp is after the last command
         # The control is the command before; 3 ns later it is already the next one's for nearly the whole step.
         np.testing.assert_allclose(recorded.control[0], commands.positions[10], atol=1e-5)
         assert recorded.train.sum() == pytest.approx(len(recorded.times) / 2, abs=1)
         assert recorded.signals == ("position",)
 
-    def test_what_cannot_be_fitted_is_an_error(self):
+    def test_recordings_and_settings_that_cannot_be_fitted_are_refused(self):
         commands = commanded(4.0)
         still = JointTrajectory([0, 10**10], JOINT_NAMES, np.tile(STANCE, (2, 1)))
         stamps = np.arange(4001) * 100_000_000
@@ -149,7 +149,7 @@ class TestRecorded:
             with pytest.raises(QuadrupedError, match=message):
                 identify(commands, commands, **arguments)
 
-    def test_commands_beside_the_measurements(self, tmp_path):
+    def test_commands_are_found_next_to_the_measurements(self, tmp_path):
         with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv next to it; name the file \(--comm"):
             find_commands(tmp_path / "walk.csv")
         (tmp_path / "walk-commands.csv").touch()
@@ -157,13 +157,13 @@ class TestRecorded:
 
 
 class TestCoordinates:
-    def test_there_and_back(self):
+    def test_conversion_there_and_back_gives_the_same_values(self):
         values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
         again = from_coordinates(to_coordinates(values))
         assert again == pytest.approx(values)
         assert with_values(MotorConfig(), values) == TRUTH
 
-    def test_derivatives(self):
+    def test_derivatives_are_those_of_the_values(self):
         values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
         base = np.array(list(to_coordinates(values).values()))
         found = coordinate_derivatives(values)
@@ -174,7 +174,7 @@ class TestCoordinates:
 
 
 class TestPrediction:
-    def test_the_true_motors_leave_nothing_but_noise(self, short):
+    def test_true_motors_leave_only_noise(self, short):
         commands, _ = short
         exact = measured(commands, TRUTH, noise=(0.0, 0.0, 0.0))
         fit = MotorFit(align(MINI_QUADRUPED, exact, commands, 0.7, 0.005), "fixed", MotorConfig(), ["kp"])
@@ -182,7 +182,7 @@ class TestPrediction:
         signals = np.concatenate([exact.positions, exact.velocities, exact.efforts], axis=1)
         np.testing.assert_allclose(predicted[1:], signals[1:], rtol=0, atol=1e-9)
 
-    def test_on_the_ground_it_is_the_task(self):
+    def test_free_base_on_the_ground_equals_the_task(self):
         """The free robot of the fit does what the task's does with the same targets."""
         commands = publish(SinusoidalGait.preset("tuned"), 2.0, 50.0)
         walked = play(commands).joints
@@ -193,7 +193,7 @@ class TestPrediction:
 
 
 class TestIdentify:
-    def test_two_gains_come_back(self, short, tmp_path):
+    def test_two_known_gains_are_recovered(self, short, tmp_path):
         commands, recording = short
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
         shares = []
@@ -217,7 +217,7 @@ class TestIdentify:
         with pytest.raises(QuadrupedError, match=r"motors\.json: exists already"):
             save(found, tmp_path / "fit", "")
 
-    def test_what_a_recording_does_not_determine_stays_and_is_named(self):
+    def test_parameter_that_the_recording_does_not_determine_stays_and_is_named(self):
         """A motor that never comes to its limit has unknown strength."""
         commands = commanded(3.0, steps=0.0)
         gentle = JointTrajectory(commands.stamps, JOINT_NAMES, STANCE + 0.1 * (commands.positions - STANCE))
@@ -230,7 +230,7 @@ class TestIdentify:
         assert found.after.hip.kp == pytest.approx(32.0, rel=0.05)
         assert "not determined: stays" in found.table()
 
-    def test_a_joint_that_does_not_obey_is_named_and_can_be_left_out(self, short):
+    def test_joint_that_does_not_follow_its_commands_is_named_and_can_be_left_out(self, short):
         commands, recording = short
         positions = recording.positions.copy()
         positions[:, 2] = positions[0, 2]
@@ -244,11 +244,11 @@ class TestIdentify:
         assert np.isnan(part.errors(after=True)["position"][2])
         assert "RF_hip" not in part.table()
 
-    def test_identify_a_walk_on_the_ground_with_a_fixed_base_says_so_and_gives_no_interval(self, walked, tmp_path):
+    def test_identify_a_walk_on_the_ground_with_a_fixed_base_warns_and_gives_no_interval(self, walked, tmp_path):
         commands, recording = walked
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
         found = identify(recording, commands, start=start, fitted=["kp"])
-        # Without a word this would be taken for the truth.
+        # Without a warning the result would be trusted.
         assert abs(found.after.knee.kp / TRUTH.knee.kp - 1.0) > 0.1
         assert not found.base_fits
         assert found.verdict().startswith("Do not trust these motors: --base fixed does not fit.")
@@ -289,7 +289,7 @@ class TestIdentify:
         assert right < 0.8 * wrong
 
     @pytest.mark.slow
-    def test_intervals_hold_the_truth(self):
+    def test_intervals_contain_the_true_values(self):
         """Over two recordings, of all signals and of positions alone; of the intervals of 95 %, one of ten may miss."""
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0, "hip.kd": 1.0, "knee.kd": 1.0, "delay": 0.0})
         missed = []
@@ -305,8 +305,8 @@ class TestIdentify:
 
     @pytest.mark.slow
     @pytest.mark.parametrize(("seconds", "missing"), [(10.0, ()), (20.0, ("efforts",))])
-    def test_known_motors_come_back_within_a_tenth(self, seconds, missing):
-        """All of them at once, from the model file's motors, out of noise."""
+    def test_known_motors_are_recovered_within_a_tenth(self, seconds, missing):
+        """All of them at once, starting from the model file's motors, from noisy recordings."""
         commands = commanded(seconds)
         found = identify(without(measured(commands, TRUTH), *missing), commands)
         for estimate in found.estimates:
@@ -318,8 +318,8 @@ class TestIdentify:
 
     @pytest.mark.slow
     @pytest.mark.skipif(not DYNA1.is_dir(), reason="needs the recording of Dyna1 in ../shared/data/dyna1")
-    def test_a_real_robots_legs(self):
-        """Dyna1 lifts and lowers itself; two of its hips do not move, whatever they are told."""
+    def test_legs_of_a_real_robot_are_fitted(self):
+        """Dyna1 lifts and lowers itself; two of its hips do not move, whatever their commands."""
         layout = asset_path("dyna1.toml")
         recording, commands = (
             JointTrajectory.load(DYNA1 / name, columns=layout, joint_map=layout)
@@ -350,7 +350,7 @@ class TestMotorsFile:
             ('{"motor": {"hip": {"kq": 1}}}', "unknown field 'kq'"),
         ],
     )
-    def test_what_is_not_one(self, tmp_path, text, message):
+    def test_invalid_motors_file_is_refused(self, tmp_path, text, message):
         path = tmp_path / "motors.json"
         path.write_text(text)
         with pytest.raises(QuadrupedError, match=message):
@@ -365,7 +365,7 @@ def run(directory, *arguments):
 
 
 class TestProgram:
-    def test_from_files_to_motors(self, short, tmp_path):
+    def test_program_fits_motors_to_files(self, short, tmp_path):
         commands, recording = short
         recording.save(tmp_path / "walk.csv")
         done = run(tmp_path, "walk.csv", "--fit", "kp", "delay")

@@ -55,7 +55,7 @@ class TestSearch:
 
 class TestDerivatives:
     @pytest.mark.parametrize("at", [1.1995, 1.2005, 1.21])
-    def test_derivatives_beside_a_jump_are_those_of_the_smooth_part(self, at):
+    def test_derivatives_next_to_a_jump_are_those_of_the_smooth_part(self, at):
         jacobian, left = derivatives(with_jump(at, size=5.0), TRUTH, LOW, HIGH)
         np.testing.assert_allclose(jacobian, design(), atol=1e-9)
         assert np.count_nonzero(left) == (10 if at < TRUTH[0] else 0)
@@ -102,14 +102,14 @@ class TestHalfWidths:
         matrix[:, JOINTS:] = 0.0
         np.testing.assert_allclose(half_widths(matrix, left, TIMES, JOINTS, JOINT_KINDS), measured_only)
 
-    def test_half_widths_of_an_estimate_beside_the_optimum_reach_to_it(self):
+    def test_half_widths_of_an_estimate_next_to_the_optimum_reach_to_it(self):
         matrix = design()
         left = noise(np.random.default_rng(1), 0.0) + matrix @ np.array([0.3, 0.0])
         white, widths = half_widths(matrix, left, TIMES, JOINTS, JOINT_KINDS)
         assert widths[0] > 0.25
         assert white[0] < 0.1
 
-    def test_half_widths_of_what_does_not_show_are_infinite(self):
+    def test_half_widths_of_an_undetermined_number_are_infinite(self):
         matrix = design()
         matrix[..., 1] = 0.0
         for widths in half_widths(matrix, noise(np.random.default_rng(0), 0.0), TIMES, JOINTS, JOINT_KINDS):

@@ -1,4 +1,4 @@
-"""Live topics: what goes over them is what ROS 2 would send, and what cannot work is said in words."""
+"""Live topics: messages are those of ROS 2, and connections that cannot work are reported in words."""
 
 import os
 import signal
@@ -11,6 +11,7 @@ import numpy as np
 import psutil
 import pytest
 from live_nodes import STAMP, joint_state, received_from
+from manual_clock import ManualClock
 from random_messages import filled
 from waiting import DEADLINE, killed_on_failure, status_of, wait_until
 
@@ -36,7 +37,7 @@ def test_every_type_arrives_as_it_was_sent(nodes):
             publisher.send_bytes(data)
     for _, subscription in ends:
         received = received_from(subscription, 5)
-        # DDS fills the last word up.
+        # DDS pads the last word.
         assert [one.data[: len(data)] for one, data in zip(received, sent[subscription.topic.name], strict=True)] == (
             sent[subscription.topic.name]
         )
@@ -100,7 +101,7 @@ def test_names_types_and_hashes_are_those_of_ros(nodes):
     wait_until(lambda: [one.topic for one in other.graph.endpoints()] == ["/clock"])
 
 
-def test_a_latched_topic_reaches_who_comes_late(nodes):
+def test_latched_topic_reaches_a_late_subscriber(nodes):
     node = nodes()
     node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data="<robot/>"))
     late = nodes().subscribe(ROBOT_DESCRIPTION)
@@ -115,7 +116,7 @@ def test_a_latched_topic_reaches_who_comes_late(nodes):
         (Qos(1), Qos(1, transient_local=True), "requests transient local (latched), the writer offers volatile"),
     ],
 )
-def test_incompatible_qualities_are_said_in_words(nodes, offered, requested, words):
+def test_incompatible_qos_is_reported_in_words(nodes, offered, requested, words):
     writer, reader = nodes("writer"), nodes("reader")
     publisher, subscription = writer.publish(JOINT_STATES, offered), reader.subscribe(JOINT_STATES, requested)
     for node, us in ((writer, "from this node to reader (process"), (reader, "to this node")):
@@ -127,7 +128,7 @@ def test_incompatible_qualities_are_said_in_words(nodes, offered, requested, wor
     assert publisher.readers == subscription.writers == 0
 
 
-def test_a_compatible_pair_is_no_problem(nodes):
+def test_compatible_pair_is_not_a_problem(nodes):
     writer, reader = nodes(), nodes()
     writer.publish(JOINT_STATES)
     subscription = reader.subscribe(JOINT_STATES, Qos(5, reliable=False))
@@ -135,7 +136,7 @@ def test_a_compatible_pair_is_no_problem(nodes):
     assert writer.graph.problems() == reader.graph.problems() == []
 
 
-def test_different_types_on_a_topic_are_said_in_words(nodes):
+def test_different_types_on_a_topic_are_reported_in_words(nodes):
     writer, reader = nodes(), nodes()
     writer.publish(Topic("/joint_states", "std_msgs/msg/String", Qos(10)))
     subscription = reader.subscribe(JOINT_STATES)
@@ -156,10 +157,10 @@ def test_damaged_bytes_are_not_sent(nodes):
         nodes().publish(TF).send_bytes(b"\x00\x01\x00\x00\xff\xff\xff\x7f")
 
 
-def test_nothing_listens_beyond_this_machine(nodes, domain_id):
+def test_sockets_are_bound_to_this_machine_only(nodes, domain_id):
     """Every socket of the domain is bound to the loopback interface, or to its address."""
     if not sys.platform.startswith("linux"):
-        pytest.skip("how sockets are bound is asked of Linux")
+        pytest.skip("the device of a socket can be read on Linux only")
     nodes().publish(JOINT_STATES)
     ports = range(7400 + 250 * domain_id, 7400 + 250 * (domain_id + 1))
     found = 0
@@ -180,25 +181,25 @@ def test_joining_domains_leaves_no_files_open(nodes):
 
 
 @pytest.mark.parametrize(("value", "expected"), [("", 0), ("42", 42), (" 7 ", 7)])
-def test_the_domain_is_the_one_that_ros_would_take(value, expected):
+def test_domain_is_the_one_that_ros_uses(value, expected):
     assert Network.from_environment(environment={"ROS_DOMAIN_ID": value}).domain_id == expected
     assert Network.from_environment(domain_id=3, environment={"ROS_DOMAIN_ID": value}).domain_id == 3
     assert not Network.from_environment(environment={}).subnet
 
 
 @pytest.mark.parametrize("value", ["x", "-1", "233", "1.5"])
-def test_a_domain_that_is_none_is_refused(value):
+def test_invalid_domain_is_refused(value):
     with pytest.raises(QuadrupedError, match=f"ROS_DOMAIN_ID: expected .*0 to 232; found '?{value}"):
         Network.from_environment(environment={"ROS_DOMAIN_ID": value})
 
 
-def test_without_the_extra_it_is_named(monkeypatch):
+def test_missing_extra_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "cyclonedds.core", None)
     with pytest.raises(MissingExtraError, match=r"'dds' extra: .*pip install 'mini-quadruped\[dds\]'"):
         Node("test", Network(1))
 
 
-def test_joints_come_in_any_order_of_names():
+def test_joints_are_read_in_any_order_of_names():
     order = np.random.default_rng(1).permutation(8)
     positions, velocities = np.linspace(-1.0, 1.0, 8), np.arange(8.0)
     message = joint_state(names=[JOINT_NAMES[i] for i in order], position=positions[order], velocity=velocities[order])
@@ -228,18 +229,9 @@ def test_joints_that_are_not_this_robots_are_refused(changes, words):
     assert words in str(raised.value)
 
 
-class Hands:
-    """A clock that a test turns."""
-
-    now = 100.0
-
-    def __call__(self):
-        return self.now
-
-
-def test_lateness_does_not_add_up():
+def test_pace_with_late_ticks_does_not_accumulate_lateness():
     """Each tick is met 3 ms late, and the hundredth is still due one second after the start."""
-    clock = Hands()
+    clock = ManualClock()
     pace = Pace(0.01, clock)
     for i in range(100):
         assert pace.due == pytest.approx(100.0 + 0.01 * i)
@@ -252,8 +244,8 @@ def test_lateness_does_not_add_up():
     assert pace.latest == pytest.approx(0.003, abs=1e-5)
 
 
-def test_what_is_too_late_is_lost_and_the_grid_stays():
-    clock = Hands()
+def test_pace_drops_ticks_that_are_too_late_and_keeps_its_grid():
+    clock = ManualClock()
     pace = Pace(0.01, clock, max_lag=0.1)
     clock.now = 100.05
     assert sum(pace.tick() for _ in range(20)) == 6  # caught up with
@@ -263,7 +255,7 @@ def test_what_is_too_late_is_lost_and_the_grid_stays():
     assert pace.due == pytest.approx(105.01)
 
 
-def test_realtime_is_claimed_or_the_reason_told():
+def test_realtime_priority_is_set_or_the_reason_returned():
     program = """
 import os
 from quadruped_env.live.pace import request_realtime_priority
@@ -274,7 +266,7 @@ print(request_realtime_priority() or os.sched_getscheduler(0))
 
 
 def test_rate_is_growth_per_second():
-    clock = Hands()
+    clock = ManualClock()
     rate = Rate(clock)
     clock.now += 2.0
     assert rate.per_second(50) == pytest.approx(25.0)
@@ -282,8 +274,8 @@ def test_rate_is_growth_per_second():
     assert rate.per_second(60) == pytest.approx(10.0)
 
 
-def test_state_does_what_robot_state_publisher_does(nodes, start):
-    """Its transforms, put together, are the forward kinematics; and Ctrl-C ends it without a traceback."""
+def test_state_node_does_what_robot_state_publisher_does(nodes, start):
+    """Its transforms, chained, are the forward kinematics; Ctrl-C ends it without a traceback."""
     node = nodes()
     publisher = node.publish(JOINT_STATES)
     transforms, fixed, description = (node.subscribe(topic) for topic in (TF, TF_STATIC, ROBOT_DESCRIPTION))
@@ -293,7 +285,7 @@ def test_state_does_what_robot_state_publisher_does(nodes, start):
     received = []
 
     def answered():
-        # Again and again: the node may know of this publisher only after the publisher knows of it.
+        # Repeated: the node may discover this publisher later than the publisher discovers the node.
         publisher.send(joint_state(position=(0.0,) * 5))
         publisher.send(joint_state(names=reversed(JOINT_NAMES), position=positions[::-1]))
         return received.extend(transforms.take()) or received
@@ -317,15 +309,15 @@ def test_state_does_what_robot_state_publisher_does(nodes, start):
     assert poses.keys() == expected.keys()
 
 
-def test_state_sends_the_urdf(nodes, start):
+def test_state_node_publishes_the_urdf(nodes, start):
     description = nodes().subscribe(ROBOT_DESCRIPTION)
     start("state")
     (received,) = wait_until(description.take)
     assert description.decode(received).data == asset_path("mini_quadruped.urdf").read_text()
 
 
-def test_waiting_for_readers_ends_in_time(nodes, start):
-    """A reader that was stopped has not got everything; once it goes on it has."""
+def test_waiting_for_readers_ends_at_its_timeout(nodes, start):
+    """A suspended reader has not received everything; once it is resumed, it has."""
     publisher = nodes().publish(JOINT_STATES)
     reader = start("hz", "/joint_states")
     wait_until(lambda: publisher.readers)
@@ -338,7 +330,7 @@ def test_waiting_for_readers_ends_in_time(nodes, start):
     assert publisher.wait_until_read(DEADLINE)
 
 
-def test_help_tells_what_each_node_does():
+def test_help_describes_each_node():
     from quadruped_env.live.__main__ import make_parser
     from quadruped_env.live.nodes import SUMMARIES, node_module
 
@@ -348,13 +340,13 @@ def test_help_tells_what_each_node_does():
         assert node_module(name).__doc__.count("\n") >= 3
 
 
-def test_a_node_without_subscriptions_waits_too(nodes):
+def test_node_without_subscriptions_waits_too(nodes):
     start = time.monotonic()
     assert not nodes().wait(0.05)
     assert time.monotonic() - start >= 0.05
 
 
-def test_a_publisher_that_went_is_no_message(nodes):
+def test_publisher_that_closed_sends_no_message(nodes):
     gone, node = nodes(), nodes()
     subscription = node.subscribe(JOINT_STATES)
     publisher = gone.publish(JOINT_STATES)

@@ -1,4 +1,4 @@
-"""Whatever is late, lost or held up, and whenever: the robot soon walks again."""
+"""Late states, lost states, clock steps and suspended processes, at any time: the robot walks again within seconds."""
 
 import math
 import signal
@@ -26,18 +26,18 @@ pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
 
 WALKS_WITHIN = 3.0
-"""s after the end of a disturbance. It is time in the simulation, and so no matter of the machine's speed."""
+"""Maximum time from the end of a disturbance to walking, s. Simulated time: the machine's speed does not matter."""
 GETS_UP = 6.5
-"""s, of which 5 are the longest way to the stance"""
+"""Maximum time of getting up, s; up to 5 s of it are the stand-up trajectory."""
 PHYSICAL = tuple(kind for kind in KINDS if kind != "lag")
-"""Delays that a robot can stand: no policy walks on states that are old for good, if that is what a lag is"""
+"""Delays that are tested in physics: with a lag, states may be late permanently, and no policy walks on such states."""
 TILTED = np.array([np.cos(0.6), np.sin(0.6), 0.0, 0.0])
 BACKGROUND = (Disturbance("loss", 4.0, 0.6), Disturbance("loss", 6.5, 1.6), Disturbance("fall", 10.5, 0.7))
-"""What brings the pilot through all its modes: it holds at 4.2 s, ramps, waits limp from 7.5 to 8.3 s, and lies"""
+"""Brings the live controller through all modes: holding at 4.2 s, ramping, waiting limp from 7.5 to 8.3 s, lying."""
 
 
-class Asks:
-    """A controller that asks for the stance."""
+class StanceController:
+    """A controller whose joint target is the stance."""
 
     action_mode = "position"
     name = "stance"
@@ -46,63 +46,63 @@ class Asks:
         return STANCE[None].copy()
 
 
-class Still(Link):
-    """A robot that stays in its stance, and is laid on its side and put up again once."""
+class StandingLink(Link):
+    """A link to a robot that stays in its stance, and is laid on its side and put up again once."""
 
     def __init__(self):
-        super().__init__(LiveController(Asks()), self._still)
+        super().__init__(LiveController(StanceController()), self._still)
 
     def _still(self, stamp):
         fallen = any(one.holds("fall", self.time) for one in self.disturbances)
         return Measurement(stamp, STANCE.copy(), np.zeros(8), TILTED if fallen else LEVEL, np.zeros(3))
 
     def follows(self):
-        return self.pilot.mode is Mode.WALKING and self.pilot.moving(self.time)
+        return self.live_controller.mode is Mode.WALKING and self.live_controller.moving(self.time)
 
 
 def follows_after(*disturbances):
-    """s from the last disturbance until it follows the command for good; the mode that it is in, if it does not."""
-    link = Still()
+    """Time from the last disturbance until it follows the command for good, s; its mode, if it does not."""
+    link = StandingLink()
     last = max(one.end for one in disturbances)
     link.disturbances = [*disturbances, *(one for one in BACKGROUND if one.start <= last)]
     lag = sum(one.seconds for one in disturbances if one.kind == "lag")
-    # What happens is seen that much later.
+    # Every event is seen later by the lag.
     last = max(one.end + lag - (one.seconds if one.kind == "lag" else 0.0) for one in link.disturbances)
     since = None
     while link.time < last + WALKS_WITHIN + 0.3:
-        link.turn()
+        link.step()
         if not link.follows():
             since = None
         elif since is None:
             since = link.time
-    return link.pilot.mode.value if since is None else max(0.0, since - last)
+    return link.live_controller.mode.value if since is None else max(0.0, since - last)
 
 
 def test_background_goes_through_all_modes():
-    link = Still()
+    link = StandingLink()
     link.disturbances = list(BACKGROUND)
     seen = {}
     while link.time < 15.0:
-        link.turn()
-        seen.setdefault(link.pilot.mode, link.time)
+        link.step()
+        seen.setdefault(link.live_controller.mode, link.time)
     assert set(seen) == set(Mode)
     assert link.follows()
 
 
 def random_delay(kind, rng):
-    """At any moment of the background, in any mode."""
+    """A delay at any moment of the background, and so in any mode."""
     return Disturbance(str(kind), float(rng.uniform(0.0, 12.0)), float(rng.uniform(0.1, 2.0)))
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_pilot_delayed_at_any_moment_follows_the_command_within_3_s(kind):
+def test_live_controller_delayed_at_any_moment_follows_the_command_within_3_s(kind):
     rng = np.random.default_rng(KINDS.index(kind))
     for delay in [random_delay(kind, rng) for _ in range(5)]:
         assert follows_after(delay) <= WALKS_WITHIN, delay
 
 
 @pytest.mark.slow
-def test_pilot_delayed_in_many_ways_follows_the_command_within_3_s():
+def test_live_controller_delayed_in_many_ways_follows_the_command_within_3_s():
     """Ten delays of each kind, and twenty times up to four of any kind."""
     rng = np.random.default_rng(0)
     trials = [[random_delay(kind, rng)] for kind in KINDS for _ in range(10)]
@@ -111,11 +111,11 @@ def test_pilot_delayed_in_many_ways_follows_the_command_within_3_s():
         assert follows_after(*delays) <= WALKS_WITHIN, delays
 
 
-# --- by hand
+# --- single cases
 
 
-def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_measure():
-    """The stream goes on, 0.3 s late: as good as silence at first. Limp, the robot may be moved on what there is."""
+def test_stale_states_are_refused_until_the_robot_is_limp_and_then_accepted():
+    """The stream continues 0.3 s late, which counts as silence at first; once the robot is limp, it is accepted."""
     bench = Bench().walk()
     begin, late, refused = bench.now, 0.3, []
     bench.now += late
@@ -126,7 +126,7 @@ def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_me
             bench.feed(EPOCH + round((bench.now - late) * 1e9))
         except QuadrupedError as error:
             refused.append(str(error))
-        answer = bench.pilot.silent(bench.now)
+        answer = bench.live_controller.silent(bench.now)
         if answer is not None:
             bench.answers.append(answer)
     assert len(refused) == pytest.approx(70, abs=2)
@@ -135,17 +135,17 @@ def test_stale_states_are_refused_until_the_robot_is_limp_and_then_become_the_me
     assert "all states arrive 0.30 s later than before; this lag is now taken as normal" in bench.said
 
 
-def test_stale_states_among_fresh_ones_never_become_the_measure():
-    """Every other state is 0.5 s late, for long, and while nothing moves: the fresh ones stay the measure."""
-    gate = TimestampFilter("/test")
+def test_stale_states_among_fresh_ones_are_never_accepted():
+    """Every other state is 0.5 s late for a long time, without motion: the fresh ones remain the reference."""
+    timestamps = TimestampFilter("/test")
     for i in range(1000):
         now = 10.0 + i * PERIOD
         late = i % 2
-        refusal = gate.refusal(round((now - 0.5 * late) * 1e9) + i, now, moving=False)
+        refusal = timestamps.refusal(round((now - 0.5 * late) * 1e9) + i, now, moving=False)
         assert bool(refusal) == bool(late)
 
 
-def test_ramp_from_joints_far_beyond_their_range_has_its_bounded_time():
+def test_ramp_from_joints_far_beyond_their_range_takes_a_bounded_time():
     bench = Bench()
     bench.positions = np.full(8, 500.0)
     bench.pass_time(0.5)
@@ -154,8 +154,8 @@ def test_ramp_from_joints_far_beyond_their_range_has_its_bounded_time():
     assert bench.mode is Mode.WALKING
 
 
-def test_ramp_is_not_hurried_by_a_delay():
-    """States come again after 0.9 s in which the process was held up: the ramp goes on where it was."""
+def test_ramp_after_a_delay_continues_where_it_was():
+    """States come again after 0.9 s in which the process was suspended: the ramp continues where it was."""
     bench = Bench()
     bench.pass_time(0.7)
     before = bench.answers[-1].target
@@ -166,8 +166,8 @@ def test_ramp_is_not_hurried_by_a_delay():
     assert np.abs(after - before).max() <= 1.5 * Safety().ramp_speed * 0.05 + 1e-9
 
 
-def test_process_held_up_for_longer_than_the_watchdog_begins_anew():
-    """Nobody asked for a command meanwhile: the robot's own watchdog has let its motors go."""
+def test_process_suspended_for_longer_than_the_watchdog_starts_again():
+    """No joint command was sent meanwhile: the robot's own watchdog has made it limp."""
     bench = Bench().walk()
     bench.now += 1.5
     answer = bench.feed()
@@ -176,8 +176,8 @@ def test_process_held_up_for_longer_than_the_watchdog_begins_anew():
     assert bench.mode is Mode.RAMPING
 
 
-def test_sinking_robot_is_moved_after_a_while_and_one_that_is_put_up_is_not():
-    """Let go, its joints move slowly for long; a robot that fell is in somebody's hands."""
+def test_limp_robot_that_sinks_is_moved_after_a_while_and_one_that_is_put_up_is_not():
+    """The joints of a limp robot move slowly for a long time; those of a robot that fell move because it is lifted."""
     for fell, mode in ((False, Mode.RAMPING), (True, Mode.LIMP)):
         bench = Bench().walk()
         if fell:
@@ -195,8 +195,8 @@ def test_sinking_robot_is_moved_after_a_while_and_one_that_is_put_up_is_not():
 # --- in physics
 
 
-class Walking(Link):
-    """The simulated robot, at 0.5 m/s."""
+class SimulatedLink(Link):
+    """A link to the simulated robot, commanded to walk at 0.5 m/s."""
 
     def __init__(self, seed):
         self.robot = SimulatedRobot(seed)
@@ -212,35 +212,35 @@ class Walking(Link):
             state.angular_velocity_b[0].copy(),
         )
 
-    def turn(self):
+    def step(self):
         for _ in range(round(PERIOD / TIMESTEP)):
             self.robot.step()
-        super().turn()
+        super().step()
 
     def until(self, modes, deadline):
-        """Run until it is in one of the modes; s."""
-        while self.pilot.mode not in modes:
-            assert self.time < deadline, self.pilot.mode
-            self.turn()
+        """Run until the live controller is in one of the modes; returns the time, s."""
+        while self.live_controller.mode not in modes:
+            assert self.time < deadline, self.live_controller.mode
+            self.step()
         return self.time
 
 
 def assert_walks_again(delay):
-    """Within 3 s; where the robot was let go, it begins to get up within 3 s, which takes it up to 6.5 s."""
-    link = Walking(seed=0)
+    """Assert that it walks within 3 s, or, if it went limp, begins to get up within 3 s, which takes up to 6.5 s."""
+    link = SimulatedLink(seed=0)
     link.disturbances = [delay]
     # A jump of the clock is noticed after 1 s only.
     while link.time < delay.end + (1.1 if delay.kind.startswith("clock") else 0.0):
-        link.turn()
-    let_go = bool(link.let_go)
+        link.step()
+    went_limp = bool(link.limp_times)
     link.until((Mode.RAMPING, Mode.WALKING), delay.end + WALKS_WITHIN)
-    link.until((Mode.WALKING,), delay.end + WALKS_WITHIN + (GETS_UP if let_go else 0.0))
+    link.until((Mode.WALKING,), delay.end + WALKS_WITHIN + (GETS_UP if went_limp else 0.0))
     began = link.time
     speeds = []
     while link.time < began + 2.0:
-        link.turn()
+        link.step()
         speeds.append(link.robot.state.linear_velocity_b[0, 0])
-    assert link.pilot.mode is Mode.WALKING
+    assert link.live_controller.mode is Mode.WALKING
     assert np.mean(speeds[100:]) > 0.4
 
 
@@ -259,8 +259,8 @@ def test_robot_walks_again_after_many_delays(kind):
 
 
 @pytest.mark.slow
-def test_processes_held_up_and_started_again_walk_again(start, domain_id):
-    """The controller is stopped and goes on, and is ended and started, while /cmd_vel comes all the time."""
+def test_processes_suspended_and_restarted_walk_again(start, domain_id):
+    """The controller is suspended and resumed, and ended and started, while /cmd_vel is published all the time."""
     node = Node("watcher")
     velocities, odometry = node.publish(CMD_VEL), node.subscribe(ODOMETRY, Qos(1000))
     twist = cdr.message(CMD_VEL.type_name, linear={"x": 0.5})

@@ -1,4 +1,4 @@
-"""Both ways between these nodes and an independent DDS: Debian's Fast DDS, in a C++ program that is built here."""
+"""Messages in both directions with an independent DDS: Debian's Fast DDS, in a C++ program that is built here."""
 
 import os
 import shutil
@@ -30,12 +30,12 @@ FROM_PEER, TO_PEER = (Topic(name, JOINT_STATES.type_name, DEEP) for name in ("/f
 discoveries = pytest.mark.parametrize(
     "discovery", ["localhost", *(pytest.param(way, marks=pytest.mark.slow) for way in ("loopback", "subnet"))]
 )
-"""Ways in which a ROS 2 installation may be told to look for others"""
+"""Discovery settings of a ROS 2 installation."""
 
 
 @pytest.fixture(scope="module")
 def peer(tmp_path_factory):
-    """Starts the peer, which is built first; skips where that cannot be."""
+    """Starts the peer, which is built first; skips the test if it cannot be built."""
     program = tmp_path_factory.mktemp("peer") / "peer"
     compiler = shutil.which("g++")
     if compiler is None:

@@ -26,7 +26,7 @@ pytest.importorskip("rosbags")
 
 
 def damaged(rng, topic):
-    """Bytes of any content and size: random, or of a message that is cut, longer, changed, full of extreme values."""
+    """Bytes of any content and size: random, or a message truncated, extended, changed, or full of extreme values."""
     example = usable(topic)
     kind = rng.integers(6)
     if kind == 0:
@@ -54,8 +54,8 @@ def damaged(rng, topic):
     return bytes(data)
 
 
-class Swamped(Session):
-    """A session whose node gets what a test puts into its subscriptions, in place of what others send."""
+class FloodedSession(Session):
+    """A session whose subscriptions deliver damaged messages in place of those of other nodes."""
 
     def __init__(self, arguments, log, rng, turns, size=3):
         super().__init__(arguments.node, arguments, log)
@@ -101,22 +101,22 @@ NODES = {
 
 
 @pytest.mark.parametrize("name", NODES)
-def test_node_swamped_with_damaged_messages_goes_on(name, nodes, capsys):
-    run_swamped(NODES[name], nodes, turns=100)
+def test_node_flooded_with_damaged_messages_continues(name, nodes, capsys):
+    run_flooded(NODES[name], nodes, turns=100)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NODES)
-def test_node_swamped_with_many_damaged_messages_goes_on(name, nodes, capsys):
-    run_swamped(NODES[name], nodes, turns=1000, seed=1)
+def test_node_flooded_with_many_damaged_messages_continues(name, nodes, capsys):
+    run_flooded(NODES[name], nodes, turns=1000, seed=1)
 
 
-def run_swamped(arguments, nodes, turns, seed=0):
+def run_flooded(arguments, nodes, turns, seed=0):
     if arguments[0] == "echo":
-        # It subscribes to what is published.
+        # It subscribes to the topics that are published.
         nodes().publish(JOINT_STATES)
     args, log = make_parser().parse_args(arguments), io.StringIO()
-    with Swamped(args, log, np.random.default_rng(seed), turns) as session:
+    with FloodedSession(args, log, np.random.default_rng(seed), turns) as session:
         assert node_module(arguments[0]).run(session, args) == 0
     assert session.turns_left <= 0
     assert session.refuse.count > 0
@@ -127,8 +127,8 @@ def run_swamped(arguments, nodes, turns, seed=0):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_viewer_swamped_with_damaged_messages_goes_on(nodes, tmp_path, seed):
-    """And what it then draws is finite, whatever came before."""
+def test_viewer_flooded_with_damaged_messages_continues(nodes, tmp_path, seed):
+    """Its scene is finite afterwards."""
     node, rng, refused = nodes(), np.random.default_rng(seed), []
     live = LiveRobot(node, MINI_QUADRUPED, refused.append)
     for subscription in node.subscriptions:
@@ -145,10 +145,10 @@ def test_viewer_swamped_with_damaged_messages_goes_on(nodes, tmp_path, seed):
     assert len(refused) > 200
 
 
-def test_controller_swamped_with_damaged_messages_sends_only_finite_targets(nodes):
-    """Among the good ones there are damaged ones that look well: what it commands stays within the joints' range."""
+def test_controller_flooded_with_damaged_messages_sends_only_finite_targets(nodes):
+    """Some of the damaged messages look valid: its joint targets stay within the joints' range."""
     commands = nodes().subscribe(JOINT_COMMANDS, Qos(5000), read=JointReader(JOINT_COMMANDS.name, MINI_QUADRUPED))
-    run_swamped(NODES["controller"], nodes, turns=400, seed=5)
+    run_flooded(NODES["controller"], nodes, turns=400, seed=5)
     targets = [one.positions for _, one in commands.messages(pytest.fail) if one.positions is not None]
     assert np.all(np.array(targets) <= JOINT_POSITION_HIGH)
     assert np.all(np.array(targets) >= JOINT_POSITION_LOW)
@@ -156,12 +156,12 @@ def test_controller_swamped_with_damaged_messages_sends_only_finite_targets(node
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["sim", "controller", "state", "view", "gait", "hz", "record"])
-def test_process_that_is_sent_damaged_messages_goes_on(name, start, nodes, tmp_path):
-    """Over the wire, on every topic that it listens to."""
+def test_process_flooded_with_damaged_messages_continues(name, start, nodes, tmp_path):
+    """Over the wire, on every topic that it subscribes to."""
     options = {"gait": ["--commands"], "view": ["--port", "0"], "record": ["-o", str(tmp_path / "bag")]}
     rng = np.random.default_rng(3)
     sender = nodes("sender")
-    # Beside another robot a simulator would refuse to run.
+    # Next to another robot, a simulator would refuse to run.
     publishers = [
         sender.publish(topic, Qos(100)) for topic in TOPICS.values() if topic is not JOINT_STATES or name != "sim"
     ]
@@ -169,12 +169,12 @@ def test_process_that_is_sent_damaged_messages_goes_on(name, start, nodes, tmp_p
     reads = name not in ("hz", "record")
     sent = 0
 
-    def swamp():
+    def flood():
         nonlocal sent
         for publisher in publishers:
             if publisher.readers:
                 data = damaged(rng, publisher.topic)
-                # With another beginning or length DDS takes the whole packet for damaged, and the node gets nothing.
+                # With another header or length, DDS drops the whole packet as damaged, and the node receives nothing.
                 data = b"\x00\x01\x00\x00" + data[4 : 4 * (len(data) // 4)]
                 with contextlib.suppress(QuadrupedError):
                     publisher.send_bytes(data)
@@ -182,7 +182,7 @@ def test_process_that_is_sent_damaged_messages_goes_on(name, start, nodes, tmp_p
                 sent += 1
         return sent > 300 and ("refused" in node.said or not reads)
 
-    wait_until(swamp, lambda: node.said, alive=node.process)
+    wait_until(flood, lambda: node.said, alive=node.process)
     for publisher in publishers:
         wait_until(lambda publisher=publisher: publisher.wait_until_read(1.0), alive=node.process)
     assert node.interrupt() == 0

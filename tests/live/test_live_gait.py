@@ -29,7 +29,7 @@ def test_adjustable_gait_unchanged_is_the_preset():
         np.testing.assert_array_equal(gait.velocities(t), preset.velocities(t))
 
 
-def test_adjustable_gait_with_another_frequency_goes_on_where_it_is():
+def test_adjustable_gait_with_another_frequency_keeps_its_phase():
     gait = AdjustableGait("walk", MINI_QUADRUPED)
     for t, frequency in ((3.3, 2.0), (4.7, 0.3), (5.1, 1.0)):
         before = gait.positions(t)
@@ -54,36 +54,36 @@ def test_settings_are_read_as_they_are_written():
         ([1.0, 1.0, np.inf, 0.0, 0.0, 0.0], "phases must be 4 finite numbers"),
     ],
 )
-def test_settings_that_are_none_are_refused(data, words):
+def test_invalid_settings_are_refused(data, words):
     with pytest.raises(QuadrupedError, match=words):
         read_settings(cdr.message(GAIT.type_name, data=data), MINI_QUADRUPED)
 
 
-def test_gait_takes_settings_and_says_which_it_has(start, nodes):
+def test_gait_node_applies_settings_and_publishes_them(start, nodes):
     node = nodes()
     states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
     actual, wanted = node.subscribe(GAIT_SETTINGS, read=lambda data: data), node.publish(GAIT)
     gait = start("gait")
     found = []
 
-    def says():
+    def published():
         found.extend(read_settings(cdr.deserialize(one.data, GAIT.type_name), MINI_QUADRUPED) for one in actual.take())
         return found
 
-    wait_until(says, alive=gait.process)
+    wait_until(published, alive=gait.process)
     assert found == [GaitSettings.of(SinusoidalGait.preset("article"))]
     wait_until(lambda: wanted.readers, alive=gait.process)
     wanted.send(cdr.message(GAIT.type_name, data=[1.0]))
     wait_until(lambda: "refused: /gait: holds 1 numbers; send 6" in gait.said, lambda: gait.said, alive=gait.process)
     wanted.send(settings_message(CHANGED))
-    wait_until(lambda: says()[-1] == CHANGED, alive=gait.process)
+    wait_until(lambda: published()[-1] == CHANGED, alive=gait.process)
     states.take()
     received = []
     wait_until(lambda: received.extend(states.messages(pytest.fail)) or len(received) > 25, alive=gait.process)
     assert gait.interrupt() == 0
-    # The first ones may have been on their way before.
+    # The first ones may have been sent before the change.
     received = received[5:]
-    # At which phase it was changed is not known here: it is that of the first state.
+    # The phase of the change is not known here: it is fitted to the first state.
     changed = edited(SinusoidalGait.preset("article"), CHANGED)
     times = 1e-9 * (np.array([one.stamp for _, one in received]) - received[0][1].stamp)
     candidates = np.linspace(0.0, 1.0 / CHANGED.frequency, 8001)
@@ -93,7 +93,7 @@ def test_gait_takes_settings_and_says_which_it_has(start, nodes):
     np.testing.assert_allclose(positions, changed.positions(at + times), atol=2e-3)
 
 
-def test_viewer_offers_what_has_a_node_that_takes_it(nodes, tmp_path):
+def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
     show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
     assert live.offered() == Offered(command=False, push=False, clock=False, sources=False)
@@ -135,7 +135,7 @@ def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, 
         assert not page.get_by_role("button", name=button, exact=True).filter(visible=True).count(), button
 
     def amplitude():
-        """Of the first hip over the last states, rad."""
+        """Amplitude of the first hip over the last states, rad."""
         found = [one.positions[0] for _, one in states.messages(pytest.fail)]
         swing.extend(found)
         return np.ptp(swing[-40:]) / 2 if len(swing) >= 40 else None

@@ -1,4 +1,4 @@
-"""What nodes receive: nothing is lost, nothing is late by being read, what is refused is logged, once a second."""
+"""Messages that nodes receive: none is lost, reading makes none late, refusals are logged once per second."""
 
 import io
 import re
@@ -7,6 +7,7 @@ import time
 
 import pytest
 from live_nodes import joint_state, usable
+from manual_clock import ManualClock
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
@@ -23,11 +24,11 @@ pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
 
 SENT = 12
-"""Messages that arrive between a node's last taking and the signal"""
+"""Number of messages that arrive between a node's last `take` and the signal."""
 
 
 class InterruptedSession(Session):
-    """Ends at the one moment at which messages could be lost: they are there, and the node has just taken others."""
+    """Ends at the only moment at which messages could be lost: they have arrived since the node last took messages."""
 
     publisher = None
 
@@ -60,7 +61,7 @@ def test_hz_interrupted_counts_what_was_received(nodes, capsys):
 
 
 def test_hz_interrupted_after_a_line_prints_what_came_since(nodes, capsys, monkeypatch):
-    """The line of the first second says 0 messages; what came after it is printed all the same."""
+    """The line of the first second says 0 messages; those that came after it are printed nevertheless."""
     monkeypatch.setattr("quadruped_env.live.nodes.hz.PERIOD", 1e-3)
     assert run_interrupted(nodes(), "hz", "/joint_states") == 0
     assert capsys.readouterr().out.splitlines()[-1].endswith(f"{SENT} messages")
@@ -83,8 +84,8 @@ def test_state_interrupted_answers_what_was_received(nodes):
 
 
 @pytest.mark.parametrize("topic", TOPICS.values(), ids=str)
-def test_subscribe_has_read_a_message_before_the_first_comes(topic, nodes, monkeypatch):
-    """What the first reading costs, it costs before the subscription exists."""
+def test_subscribe_reads_an_example_before_the_first_message(topic, nodes, monkeypatch):
+    """The cost of the first reading is paid before the subscription exists."""
     order = []
     monkeypatch.setattr("quadruped_env.live.node.Subscription", lambda *_, **__: order.append("subscribed") or Made())
 
@@ -98,7 +99,7 @@ def test_subscribe_has_read_a_message_before_the_first_comes(topic, nodes, monke
     node.subscriptions.clear()
 
 
-def test_a_message_is_timed_when_it_is_taken_not_when_it_was_read(nodes):
+def test_message_gets_the_time_when_it_is_taken_not_when_it_was_read(nodes):
     node = nodes()
     publisher = node.publish(CMD_VEL)
     taken = []
@@ -123,7 +124,7 @@ def test_reader_that_fails_in_any_way_refuses_the_message(nodes):
     node = nodes()
     publisher = node.publish(CMD_VEL, Qos(100))
 
-    # The example that subscribing reads is let pass.
+    # The example that subscribing reads must pass.
     subscription = node.subscribe(CMD_VEL, Qos(100), read=lambda data: 1 // 0 if publisher.count else None)
     wait_until(lambda: publisher.readers)
     for _ in range(3):
@@ -133,7 +134,7 @@ def test_reader_that_fails_in_any_way_refuses_the_message(nodes):
     assert refused == ["/cmd_vel: 52 bytes cannot be read: ZeroDivisionError: integer division or modulo by zero"] * 3
 
 
-def test_check_field_knows_a_types_fields():
+def test_check_field_accepts_only_fields_of_the_type():
     check_field(JOINT_STATES.type_name, "position.7")
     check_field(JOINT_STATES.type_name, "header.stamp.sec")
     check_field("tf2_msgs/msg/TFMessage", "transforms.3.transform.rotation.w")
@@ -146,15 +147,8 @@ def test_check_field_knows_a_types_fields():
 # --- the log of refusals
 
 
-class Hands:
-    now = 100.0
-
-    def __call__(self):
-        return self.now
-
-
 def test_refusals_are_logged_once_a_second_with_a_count():
-    said, clock = [], Hands()
+    said, clock = [], ManualClock()
     refuse = Refusals(said.append, clock)
     for _ in range(1000):
         refuse("/push: too hard")
@@ -172,8 +166,8 @@ def test_refusals_are_logged_once_a_second_with_a_count():
     assert said[-1] == "refused: /push: too hard"
 
 
-def test_refusals_of_endless_different_reasons_stay_few_and_short():
-    said, clock = [], Hands()
+def test_refusals_with_ever_different_reasons_stay_few_and_short():
+    said, clock = [], ManualClock()
     refuse = Refusals(said.append, clock)
     for i in range(10_000):
         refuse(f"{i}: \x1b[2J\n" + "x" * 10_000)
@@ -186,7 +180,7 @@ def test_refusals_of_endless_different_reasons_stay_few_and_short():
 
 
 def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, monkeypatch):
-    """The states that come meanwhile are timed when they are taken, and so none of the later ones is late."""
+    """The states that come meanwhile get the time when they are taken, so none of the later ones is late."""
     read, twists = cdr.deserialize, []
 
     def slow(data, type_name):
@@ -244,7 +238,7 @@ class Terminal(io.StringIO):
 
 
 def test_line_of_one_node_does_not_follow_the_status_line_of_another(domain_id):
-    """As of `display`, whose nodes share a terminal: the address stands in a line of its own."""
+    """As with `display`, whose nodes share a terminal: the address is printed on a line of its own."""
     terminal = Terminal()
     args = make_parser().parse_args(["list"])
     gait, view = Session("gait", args, terminal), Session("view", args, terminal)

@@ -1,4 +1,4 @@
-"""The nodes as processes: they walk together, and survive each other's ends, silences and noise."""
+"""The nodes as processes: simulator and controller walk, also after one of them is killed, silent or sends noise."""
 
 import json
 import signal
@@ -24,21 +24,21 @@ pytest.importorskip("cyclonedds")
 
 
 class Watcher:
-    """Asks for a velocity, and sees where the robot is."""
+    """A node that publishes a velocity command and watches the robot's odometry."""
 
     def __init__(self, velocity=0.5):
         self.node = Node("watcher")
         self.velocity = velocity
-        self._ask = self.node.publish(CMD_VEL)
+        self._velocities = self.node.publish(CMD_VEL)
         self._odometry = self.node.subscribe(ODOMETRY, Qos(1000))
         self._twist = cdr.message(CMD_VEL.type_name, linear={"x": velocity})
 
     def watch(self, seconds):
-        """Forward speeds (T,) and heights (T,) of the base over a time of the robot's, which has states at 100 Hz."""
+        """Forward speeds (T,) and heights (T,) of the base over a period of the robot's time, with states at 100 Hz."""
         found = []
 
         def watched():
-            self._ask.send(self._twist)
+            self._velocities.send(self._twist)
             found.extend(self._odometry.decode(one) for one in self._odometry.take())
             return len(found) >= round(100.0 * seconds)
 
@@ -49,11 +49,11 @@ class Watcher:
         )
 
     def until_it_walks(self):
-        """Wait until a second's mean speed is what was asked for."""
+        """Wait until the mean speed over a second is the commanded one."""
         wait_until(lambda: abs(np.mean(self.watch(1.0)[0]) - self.velocity) < 0.1, "walking")
 
     def until_it_lies(self):
-        """Wait until the robot has sunk down; from legs that balance, against their brakes, that takes over 10 s."""
+        """Wait until the robot has sunk to the ground, which takes over 10 s if its legs balance it."""
         wait_until(lambda: self.watch(0.3)[1][-1] < 0.12, "lying")
 
 
@@ -82,7 +82,7 @@ def test_two_processes_walk_and_a_second_simulator_is_refused(start, watcher):
 
 
 @pytest.mark.slow
-def test_a_killed_controller_lets_the_robot_down_and_the_next_one_walks(start, watcher):
+def test_robot_after_its_controller_is_killed_goes_limp_and_walks_with_the_next_one(start, watcher):
     sim, controller = start("sim"), start("controller")
     watcher.until_it_walks()
     controller.kill()
@@ -93,7 +93,7 @@ def test_a_killed_controller_lets_the_robot_down_and_the_next_one_walks(start, w
 
 
 @pytest.mark.slow
-def test_a_killed_simulator_is_missed_and_the_next_one_walks(start, watcher):
+def test_controller_after_its_simulator_is_killed_goes_limp_and_walks_with_the_next_one(start, watcher):
     sim, controller = start("sim"), start("controller")
     watcher.until_it_walks()
     sim.kill()
@@ -106,8 +106,8 @@ def test_a_killed_simulator_is_missed_and_the_next_one_walks(start, watcher):
 
 
 @pytest.mark.slow
-def test_they_walk_on_commands_of_ros2_control_too(start, watcher, nodes):
-    """And the robot lies down when the controller ends: it falls silent."""
+def test_nodes_with_commands_of_ros2_control_walk(start, watcher, nodes):
+    """The robot lies down when the controller ends, since it publishes nothing more."""
     arrays = nodes("listener").subscribe(JOINT_POSITIONS)
     start("sim")
     controller = start("controller", "--arrays")
@@ -118,23 +118,23 @@ def test_they_walk_on_commands_of_ros2_control_too(start, watcher, nodes):
 
 
 @pytest.mark.slow
-def test_five_seconds_of_silence(start, watcher):
+def test_nodes_after_five_seconds_of_silence_walk_again(start, watcher):
     sim, controller = start("sim"), start("controller")
     watcher.until_it_walks()
     sim.process.send_signal(signal.SIGSTOP)
     wait_until(lambda: "limp (no state for 1 s)" in controller.said)
-    # Not a wait: 5 s of silence is what the two are to survive.
+    # Not a wait: this is the silence.
     time.sleep(5.0 - Safety.limp_after)
     sim.process.send_signal(signal.SIGCONT)
     watcher.until_it_walks()
 
 
 @pytest.mark.slow
-def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
-    """Somebody repeats every state, attitude and command ten times, in disorder; nobody minds."""
+def test_nodes_with_samples_repeated_tenfold_and_reordered_walk_on(start, watcher):
+    """Another node repeats every state, attitude and command ten times, in disorder, without effect on the walk."""
     sim, controller = start("sim"), start("controller")
     watcher.until_it_walks()
-    # Until then it would take the noise for a simulator that began with it.
+    # Until then the simulator would take the noise for another simulator that started at the same time.
     watcher.watch(CONTEST)
     noise = Node("noise")
     rng = np.random.default_rng(5)
@@ -168,7 +168,7 @@ def test_duplicated_and_reordered_samples_ten_times_over(start, watcher):
 
 
 @pytest.mark.slow
-def test_a_push_moves_the_robot(start, watcher):
+def test_push_moves_the_robot(start, watcher):
     sim = start("sim")
     push = watcher.node.publish(PUSH)
     wait_until(lambda: push.readers)
@@ -191,11 +191,11 @@ def test_gait_publishes_the_tutorials_joint_states(start, domain_id):
     read = JointReader(JOINT_STATES.name, MINI_QUADRUPED)
     joints = [read(one.data) for one in received]
     stamps = np.array([one.stamp for one in joints])
-    # A busy machine may make it pass over a tick.
+    # On a busy machine it may skip a tick.
     assert set(np.diff(stamps) % 50_000_000) == {0}
     assert min(np.diff(stamps)) == 50_000_000
     preset = SinusoidalGait.preset("article")
-    # The publisher may have begun before it was heard: its time is that of its first stamp.
+    # The publisher may have started before it was discovered: the first received state gives its phase.
     first = joints[0].positions
     offset = next(k for k in count() if np.allclose(preset.positions(0.05 * k), first, rtol=0.0, atol=1e-12))
     times = (stamps - stamps[0]) / 1e9 + 0.05 * offset
@@ -227,8 +227,8 @@ def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
     assert np.abs(np.diff(targets, axis=0)).max() <= 0.1 + 1e-12
 
 
-def test_the_controller_refuses_what_it_cannot_use(start, nodes):
-    """Bad messages of every kind move nothing and are said; good ones after them do move the robot."""
+def test_controller_refuses_invalid_messages(start, nodes):
+    """Invalid messages of every kind are logged and give no command; valid ones after them do."""
     robot = nodes("robot")
     states, attitudes = robot.publish(JOINT_STATES), robot.publish(IMU)
     commands = robot.subscribe(JOINT_COMMANDS)
@@ -258,7 +258,7 @@ def test_the_controller_refuses_what_it_cannot_use(start, nodes):
     wait_until(lambda: send() or commands.take())
 
 
-def test_a_driver_of_best_effort_is_heard_and_is_the_only_robot(start, nodes):
+def test_best_effort_driver_is_received_and_a_second_robot_is_refused(start, nodes):
     driver = nodes("driver")
     states, attitudes = driver.publish(JOINT_STATES, SENSOR_DATA_QOS), driver.publish(IMU, SENSOR_DATA_QOS)
     commands = driver.subscribe(JOINT_COMMANDS)
@@ -279,7 +279,7 @@ def test_a_driver_of_best_effort_is_heard_and_is_the_only_robot(start, nodes):
 
 
 @pytest.mark.slow
-def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, nodes):
+def test_simulator_refuses_invalid_commands(start, watcher, nodes):
     sim = start("sim")
     commands = nodes("commander").publish(JOINT_COMMANDS)
     wait_until(lambda: commands.readers)
@@ -292,7 +292,7 @@ def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, node
         wait_until(lambda: commands.send(joint_state(0, **fields)) or words in sim.said)  # noqa: B023
     _, heights = watcher.watch(1.5)
     assert heights[-1] == pytest.approx(STANCE_HEIGHT, abs=0.01)
-    # Beyond the range: brought into it.
+    # Out of range: clipped.
     commands.send(joint_state(0, position=np.full(8, 9.0)))
     states = watcher.node.subscribe(JOINT_STATES)
     wait_until(lambda: any(JointReader("test", MINI_QUADRUPED)(one.data).positions[0] > 1.2 for one in states.take()))
@@ -300,7 +300,7 @@ def test_the_simulator_refuses_commands_that_it_cannot_obey(start, watcher, node
 
 
 @pytest.mark.slow
-def test_display_begins_and_ends_its_nodes(start):
+def test_display_starts_and_ends_its_nodes(start):
     display = start("display", "--preset", "walk", "--port", "0")
     for words in ("[view] the live robot: http://127.0.0.1:", "[state] found /joint_states"):
         wait_until(lambda words=words: words in display.said, words, alive=display.process)
@@ -309,14 +309,14 @@ def test_display_begins_and_ends_its_nodes(start):
         assert f"[{name}] ended after" in display.said
 
 
-def test_a_node_that_cannot_do_what_was_asked_says_so(start, tmp_path):
+def test_node_with_an_invalid_argument_reports_it(start, tmp_path):
     node = start("controller", str(tmp_path / "nothing"))
     assert node.status() == 2
     assert f"error: {str(tmp_path / 'nothing')!r} is " in node.said
 
 
 @pytest.mark.slow
-def test_the_benchmark_sees_the_two_walk(domain_id, tmp_path):
+def test_benchmark_measures_the_walk(domain_id, tmp_path):
     lines = []
     walk = benchmark.measure(5.0, realtime=True, progress=lines.append)
     assert walk.ticks > 200

@@ -1,4 +1,4 @@
-"""The simulated robot under the controller's head, step by step and without a network; what it publishes; its looks."""
+"""The simulated robot with the live controller, without a network; its messages; its display in the viewer."""
 
 import itertools
 
@@ -33,17 +33,17 @@ def in_environment():
 
 
 @pytest.mark.parametrize("velocity", [0.5, 0.2])
-def test_it_walks_as_fast_as_in_the_environment(velocity):
+def test_live_controller_walks_as_fast_as_in_the_environment(velocity):
     loop = Loop()
     loop.run(3.0)
     speeds, _ = loop.run(20.0, (velocity, 0.0))
     assert np.mean(speeds[800:]) == pytest.approx(speed_in_environment("flat", velocity), abs=0.02)
 
 
-def test_it_walks_and_turns_and_stands(in_environment):
+def test_live_controller_walks_turns_and_stands(in_environment):
     loop = Loop()
     loop.run(3.0)
-    assert loop.pilot.mode is Mode.WALKING
+    assert loop.live_controller.mode is Mode.WALKING
     speeds, upright = loop.run(6.0, (0.5, 0.0))
     assert np.mean(speeds[400:]) == pytest.approx(in_environment, abs=0.02)
     assert upright.min() > 0.95
@@ -55,18 +55,18 @@ def test_it_walks_and_turns_and_stands(in_environment):
 
 
 @pytest.mark.parametrize(("silence", "at"), [(0.15, 0.07), (0.5, 0.21), (1.5, 0.14), (3.0, 0.28), (5.0, 0.35)])
-def test_it_stands_down_in_a_silence_and_walks_again(silence, at, in_environment):
+def test_live_controller_stops_while_states_are_missing_and_walks_again(silence, at, in_environment):
     loop = Loop()
     loop.run(5.0 + at, (0.5, 0.0))
     _, during = loop.run(silence, (0.5, 0.0), states=False)
     assert loop.robot.limp == (silence > 1.0)
-    assert (loop.pilot.mode is Mode.WALKING) == (silence < 0.2)
+    assert (loop.live_controller.mode is Mode.WALKING) == (silence < 0.2)
     speeds, after = loop.run(12.0, (0.5, 0.0))
     assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=0.02)
     assert min(during.min(), after.min()) > 0.75, "it fell"
 
 
-def test_without_commands_the_watchdog_lets_it_go_limp_and_a_new_controller_gets_it_up(in_environment):
+def test_watchdog_without_commands_makes_the_robot_limp_and_a_new_controller_gets_it_up(in_environment):
     loop = Loop()
     loop.run(5.0, (0.5, 0.0))
     loop.run(WATCHDOG - 0.05, commands=False)
@@ -74,14 +74,14 @@ def test_without_commands_the_watchdog_lets_it_go_limp_and_a_new_controller_gets
     loop.run(3.0, commands=False)
     assert loop.robot.limp
     assert loop.robot.state.base_position[0, 2] < 0.1
-    loop.restart_pilot()
+    loop.restart_live_controller()
     loop.run(8.0)
     assert loop.robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=0.02)
     speeds, _ = loop.run(5.0, (0.5, 0.0))
     assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=0.02)
 
 
-def test_the_scripted_gait_drives_it_too():
+def test_live_controller_with_a_scripted_gait_walks():
     loop = Loop("tuned")
     loop.run(3.0)
     speeds, _ = loop.run(5.0, (0.4, 0.0))
@@ -89,7 +89,7 @@ def test_the_scripted_gait_drives_it_too():
 
 
 @pytest.mark.parametrize("terrain", ["rough", "hills"])
-def test_it_walks_over_other_ground(terrain):
+def test_live_controller_walks_on_other_terrains(terrain):
     loop = Loop(seed=1, terrain=terrain)
     loop.run(3.0)
     speeds, upright = loop.run(15.0, (0.4, 0.0))
@@ -102,7 +102,7 @@ def test_it_walks_over_other_ground(terrain):
     assert ground.at(feet).max() > 0.003
 
 
-def test_a_robot_that_nobody_commands_stands():
+def test_simulated_robot_without_commands_stands():
     robot = SimulatedRobot()
     for _ in range(400):
         assert not robot.step()
@@ -110,7 +110,7 @@ def test_a_robot_that_nobody_commands_stands():
     np.testing.assert_allclose(robot.state.joint_position[0], STANCE, atol=0.05)
 
 
-def test_a_limp_robot_does_not_pull():
+def test_limp_robot_sinks_without_motor_torque():
     """It sinks to the ground and comes to rest there, far from its stance."""
     robot = SimulatedRobot()
     robot.command(LIMP)
@@ -122,7 +122,7 @@ def test_a_limp_robot_does_not_pull():
     assert np.abs(robot.state.joint_torque[0]).max() < 0.2
 
 
-def test_a_push_adds_its_velocity_and_a_pick_up_ends_a_fall():
+def test_push_adds_its_velocity_and_a_pick_up_ends_a_fall():
     robot = SimulatedRobot()
     for _ in range(100):
         robot.step()
@@ -145,7 +145,7 @@ def node(domain_id):
 
 
 def taken(node, *subscriptions):
-    """The next message of each."""
+    """The next message of each subscription."""
     found = {}
 
     def complete():
@@ -164,7 +164,7 @@ def numbers(vector):
     return [vector.x, vector.y, vector.z]
 
 
-def test_the_sensors_say_what_the_robot_does(node):
+def test_sensor_messages_agree_with_the_robots_state(node):
     robot = SimulatedRobot(seed=3)
     robot.push(np.array([0.3, -0.4, 0.1]))
     for _ in range(20):
@@ -193,7 +193,7 @@ def test_the_sensors_say_what_the_robot_does(node):
     np.testing.assert_array_equal([base.transform.rotation.w, *numbers(base.transform.rotation)], [w, x, y, z])
 
 
-def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
+def test_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
         live = LiveRobot(viewer_node, MINI_QUADRUPED)
@@ -204,12 +204,12 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         show.set_command(0.3, -0.2)
         stamps = itertools.count(EPOCH, 5_000_000)
 
-        def goes_on():
+        def sends_a_state():
             robot.step()
             sensors.send(next(stamps), robot.state)
             show.advance(0.02)
 
-        wait_until(lambda: goes_on() or (velocities.writers and live.receives_states), "both to be heard")
+        wait_until(lambda: sends_a_state() or (velocities.writers and live.receives_states), "both directions")
         show.advance(0.02)
         twist = velocities.decode(received_from(velocities, 1)[-1])
         assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
@@ -239,7 +239,7 @@ def test_the_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         viewer_node.close()
 
 
-def test_without_odometry_the_viewer_shows_it_on_its_feet(domain_id, tmp_path):
+def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
         live = LiveRobot(viewer_node, MINI_QUADRUPED)

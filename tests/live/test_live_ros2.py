@@ -1,4 +1,4 @@
-"""Both ways between these nodes and a real ROS 2: rclpy on Fast DDS, as `make ros2` installs it."""
+"""Messages in both directions with a real ROS 2: rclpy on Fast DDS, as `make ros2` installs it."""
 
 import os
 import pty
@@ -30,7 +30,7 @@ FROM_PEER, TO_PEER = (Topic(name, JOINT_STATES.type_name, DEEP) for name in ("/f
 
 
 def known(ros2, topic):
-    """Skip what the distribution has no type of."""
+    """Skip the test if the distribution lacks the type of the topic."""
     if ros2.share(topic.type_name.partition("/")[0]) is None:
         pytest.skip(f"no {topic.type_name} in {ros2.name}")
 
@@ -52,7 +52,7 @@ def test_topic_message_is_equal_in_both_directions(nodes, ros2, name):
         wait_until(lambda: peer.matched(topic) and peer.matched(returned), peer.state, peer.process)
 
         def arrived():
-            # Best effort may lose a message, and both sides have one of their own to send.
+            # Best effort may lose a message, so both sides send theirs until it has arrived.
             if not received:
                 peer.ask(send=returned.name, message=back)
             if not peer.received(topic):
@@ -124,14 +124,14 @@ def test_incompatible_qos_is_reported_on_both_sides(nodes, ros2, offered, reques
         assert any(line.startswith(f"! {topic.name}, ") and words in line for line in output.splitlines()), output
 
 
-def test_list_names_a_peer_whose_type_information_keeps_it_apart(domain_id, ros2):
+def test_list_names_a_peer_whose_type_information_prevents_a_match(domain_id, ros2):
     """Plain cyclonedds, as this package was before, announces the structure of its types."""
     with cyclonedds_peer.started(1) as other, ros2.node() as peer:
         peer.publish(TO_PEER)
         peer.subscribe(FROM_PEER)
 
         def listed():
-            """What is printed once both processes' ends of both topics are in it."""
+            """Output once it lists both processes' endpoints of both topics; empty until then."""
             with started("list", "--verbose") as process:
                 output, _ = output_of(process)
             ends = {topic.name: 0 for topic in (TO_PEER, FROM_PEER)}
@@ -169,7 +169,7 @@ class Track:
     def __init__(self, node):
         self._odometry = node.subscribe(ODOMETRY, Qos(5000))
         self.speeds = []
-        """m/s forward, one per control step of 10 ms."""
+        """Forward velocities, m/s, one per control step of 10 ms."""
 
     def over(self, seconds):
         """Distance in m over the last seconds of the robot's own time; 0 before."""
@@ -186,7 +186,7 @@ def test_rclpy_node_drives_as_far_as_teleop(nodes, start, ros2):
     asked = 0.5 * 10.0
     ours, terminal = pty.openpty()
     with started("teleop", stdin=terminal) as process:
-        # What is typed before it takes the terminal over is dropped.
+        # Keys typed before it controls the terminal are dropped.
         wait_until(commands.take, "a message of teleop", process)
         os.write(ours, 5 * b"w")
         wait_until(lambda: track.over(10.0) > 0.9 * asked, lambda: f"walked {track.over(10.0)} m", process)
@@ -206,7 +206,7 @@ def test_rclpy_node_drives_as_far_as_teleop(nodes, start, ros2):
 
 
 def test_ros_discovery_info_is_read_without_errors(nodes, ros2, capfd):
-    """rclpy reads the graph beside these nodes, which send none of it; these read what rclpy sends."""
+    """rclpy reads the graph with these nodes in it, which send no ros_discovery_info; these nodes read rclpy's."""
     from cyclonedds.core import Policy
     from cyclonedds.core import Qos as DdsQos
     from cyclonedds.idl import annotations, make_idl_struct, types

@@ -1,4 +1,4 @@
-"""The controller's safety, told the time and what the robot measures by hand."""
+"""Safety of the live controller, with a manual clock and measurements that the tests set."""
 
 import math
 
@@ -33,7 +33,7 @@ ROW = np.zeros(1, dtype=np.intp)
 pytest.importorskip("rosbags")
 
 
-def test_it_waits_for_fresh_states():
+def test_live_controller_waits_for_fresh_states():
     bench = Bench()
     assert bench.pass_time(5.0, states=False) == []
     assert bench.mode is Mode.WAITING
@@ -42,7 +42,7 @@ def test_it_waits_for_fresh_states():
     assert bench.mode is Mode.RAMPING
 
 
-def test_it_ramps_from_the_measured_pose_to_the_stance_before_it_walks():
+def test_live_controller_ramps_from_the_measured_pose_to_the_stance_before_it_walks():
     bench = Bench()
     answers = bench.pass_time(0.2 + 2.0)
     targets = np.array([answer.target for answer in answers])
@@ -59,14 +59,14 @@ def test_it_ramps_from_the_measured_pose_to_the_stance_before_it_walks():
     assert len(bench.controller.commands) == pytest.approx((2.0 - 1.5) / 0.02, abs=2)
 
 
-def test_commands_come_at_its_rate_and_bear_the_stamp_that_they_answer():
+def test_joint_commands_have_the_control_rate_and_the_timestamps_of_their_states():
     answers = Bench().walk().pass_time(1.0, command=(0.3, 0.0))
     stamps = np.array([answer.stamp for answer in answers])
     assert len(stamps) == 50
     assert set(np.diff(stamps)) == {20_000_000}
 
 
-def test_a_state_that_was_lost_does_not_move_the_grid():
+def test_lost_state_does_not_shift_the_control_times():
     bench = Bench().walk()
     grid = bench.answers[-1].stamp
     for i in range(1, 101):
@@ -79,7 +79,7 @@ def test_a_state_that_was_lost_does_not_move_the_grid():
 
 
 @pytest.mark.parametrize("mode", [Mode.RAMPING, Mode.WALKING])
-def test_it_holds_after_a_fifth_of_a_second_without_states(mode):
+def test_live_controller_holds_after_a_fifth_of_a_second_without_states(mode):
     bench = Bench()
     if mode is Mode.WALKING:
         bench.walk()
@@ -94,7 +94,7 @@ def test_it_holds_after_a_fifth_of_a_second_without_states(mode):
     assert all(np.array_equal(answer.target, last) for answer in held)
 
 
-def test_it_goes_limp_after_a_second_without_states_and_then_waits():
+def test_live_controller_goes_limp_after_a_second_without_states_and_then_waits():
     bench = Bench().walk()
     bench.pass_time(0.99, states=False)
     assert bench.mode is Mode.HOLDING
@@ -105,7 +105,7 @@ def test_it_goes_limp_after_a_second_without_states_and_then_waits():
     assert "limp (no state for 1 s)" in bench.said
 
 
-def test_it_goes_the_whole_way_again_when_states_come_back():
+def test_live_controller_ramps_from_the_measured_pose_when_states_come_back():
     bench = Bench().walk()
     bench.pass_time(5.0, states=False)
     bench.positions = np.array([-0.4, -1.9] * 4)
@@ -116,7 +116,7 @@ def test_it_goes_the_whole_way_again_when_states_come_back():
     assert bench.mode is Mode.WALKING
 
 
-def test_after_a_short_silence_it_ramps_from_where_the_joints_are():
+def test_live_controller_after_a_short_silence_ramps_from_where_the_joints_are():
     bench = Bench().walk()
     bench.pass_time(0.5, states=False)
     bench.pass_time(0.19)
@@ -125,7 +125,7 @@ def test_after_a_short_silence_it_ramps_from_where_the_joints_are():
     assert bench.mode is Mode.RAMPING
 
 
-def test_it_follows_the_command_and_stands_half_a_second_after_the_last():
+def test_live_controller_follows_the_command_and_stands_half_a_second_after_the_last():
     bench = Bench().walk((0.3, 0.1))
     bench.controller.commands.clear()
     bench.pass_time(0.2, command=(0.3, 0.1))
@@ -140,16 +140,16 @@ def test_it_follows_the_command_and_stands_half_a_second_after_the_last():
     assert bench.mode is Mode.WALKING
 
 
-def test_a_command_beyond_what_it_was_made_for_is_brought_into_it():
+def test_velocity_command_out_of_range_is_clipped():
     bench = Bench().walk((9.0, -9.0))
     assert bench.controller.commands[-1] == [0.6, -0.8]
 
 
 @pytest.mark.parametrize("command", [(math.nan, 0.0), (0.0, math.inf)])
-def test_a_command_that_is_not_finite_is_refused_and_the_one_before_lasts(command):
+def test_velocity_command_that_is_not_finite_is_refused_and_the_last_one_stays(command):
     bench = Bench().walk((0.3, 0.0))
     with pytest.raises(QuadrupedError, match=r"/cmd_vel: .* is not finite"):
-        bench.pilot.command(*command, bench.now)
+        bench.live_controller.command(*command, bench.now)
     bench.pass_time(0.3)
     assert bench.controller.commands[-1] == [0.3, 0.0]
     bench.pass_time(0.4)
@@ -169,7 +169,7 @@ def test_a_fallen_robot_goes_limp_and_stays_so_until_it_is_put_up():
 
 
 @pytest.mark.parametrize("asked", [1e3, -1e3])
-def test_targets_stay_within_range_and_speed_whatever_is_asked(asked):
+def test_joint_targets_of_an_extreme_controller_stay_within_range_and_speed(asked):
     bench = Bench(Recording(np.full(8, asked)))
     bench.walk()
     targets = np.array([answer.target for answer in bench.answers])
@@ -180,7 +180,7 @@ def test_targets_stay_within_range_and_speed_whatever_is_asked(asked):
     np.testing.assert_allclose(targets[-1], JOINT_POSITION_HIGH if asked > 0 else JOINT_POSITION_LOW)
 
 
-def test_random_targets_stay_within_range_and_speed():
+def test_random_joint_targets_are_limited_to_range_and_speed():
     rng = np.random.default_rng(2)
     last = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
     for _ in range(1000):
@@ -190,14 +190,14 @@ def test_random_targets_stay_within_range_and_speed():
         last = target
 
 
-def test_repeated_and_reordered_states_are_refused_and_do_no_harm():
+def test_repeated_and_reordered_states_are_refused_and_change_nothing():
     """Every state ten times, and old ones in between: the answers are those of the clean stream."""
     clean, dirty = Bench(), Bench()
     clean.pass_time(4.0, command=(0.3, 0.0))
     stamps = []
     for _ in range(400):
         dirty.now += PERIOD
-        dirty.pilot.command(0.3, 0.0, dirty.now)
+        dirty.live_controller.command(0.3, 0.0, dirty.now)
         dirty.feed()
         stamps.append(EPOCH + round(dirty.now * 1e9))
         for stamp in [stamps[-1]] * 9 + stamps[-4:-1]:
@@ -209,8 +209,8 @@ def test_repeated_and_reordered_states_are_refused_and_do_no_harm():
         np.testing.assert_array_equal(one.target, other.target)
 
 
-def test_late_states_at_the_beginning_do_not_set_the_measure():
-    """What was held up on its way comes first, then the present: it begins with the present."""
+def test_late_states_at_the_beginning_do_not_become_the_reference():
+    """Delayed states come first, then current ones: it starts with the current ones."""
     bench = Bench()
     for _ in range(5):
         bench.now += PERIOD
@@ -224,7 +224,7 @@ def test_late_states_at_the_beginning_do_not_set_the_measure():
 
 
 def test_clock_that_jumps_ahead_is_rejected_until_the_filter_restarts():
-    """A simulator that was started again may tell quite another time."""
+    """The clock of a restarted simulator may differ widely."""
     bench = Bench().walk()
     shift = -(10**15)
     for _ in range(120):
@@ -232,7 +232,7 @@ def test_clock_that_jumps_ahead_is_rejected_until_the_filter_restarts():
         if bench.mode is Mode.WALKING:
             with pytest.raises(QuadrupedError, match="not later"):
                 bench.feed(EPOCH + shift + round(bench.now * 1e9))
-        bench.pilot.silent(bench.now)
+        bench.live_controller.silent(bench.now)
     assert bench.mode is Mode.WAITING
     for _ in range(300):
         bench.now += PERIOD
@@ -240,11 +240,11 @@ def test_clock_that_jumps_ahead_is_rejected_until_the_filter_restarts():
     assert bench.mode is Mode.WALKING
 
 
-def test_a_gate_allows_for_clocks_that_drift():
-    gate = TimestampFilter("/test")
+def test_timestamp_filter_tolerates_clocks_that_drift():
+    timestamps = TimestampFilter("/test")
     for second in range(0, 3600):
-        assert gate.refusal(round(second * 1e9), second * 1.0005) == ""
-    assert "jumped ahead" in gate.refusal(round(3600.5e9), 3600.5)
+        assert timestamps.refusal(round(second * 1e9), second * 1.0005) == ""
+    assert "jumped ahead" in timestamps.refusal(round(3600.5e9), 3600.5)
 
 
 def joint_state(**changes):
@@ -297,7 +297,7 @@ def test_commands_of_ros2_control_are_read_as_they_are_written():
 
 
 @pytest.mark.parametrize("kind", ["policy", "gait"])
-def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
+def test_readings_of_a_real_robot_give_the_same_joint_targets_as_the_environment(kind):
     """The environment's controller, and one that only receives what a robot measures, give the same joint targets."""
     if kind == "policy":
         controller = PolicyController(load_policy("flat"))
@@ -328,7 +328,7 @@ def test_what_is_measured_makes_the_same_targets_as_the_environment(kind):
         np.testing.assert_allclose(target[0], asked[-1], atol=1e-6)
 
 
-def test_what_is_not_measured_is_not_a_number():
+def test_readings_that_are_not_measured_are_nan():
     readings = Readings.of_a_real_robot(MINI_QUADRUPED)
     for name in ("base_position", "linear_velocity_b", "foot_force", "foot_position", "joint_torque"):
         assert np.isnan(getattr(readings, name)).all(), name

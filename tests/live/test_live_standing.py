@@ -1,4 +1,4 @@
-"""Getting up from wherever the robot was let go, lies or stands, in physics."""
+"""Getting up in physics, from every pose in which the robot went limp, lies or stands."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QU
 pytest.importorskip("cyclonedds")
 
 PERIOD = 0.02
-"""s between commands"""
+"""Period of the joint commands, s."""
 SAFETY = Safety()
 
 
@@ -22,44 +22,44 @@ def plan(start):
     return StandUp.plan(MINI_QUADRUPED, np.asarray(start, dtype=np.float64), SAFETY.ramp_speed, SAFETY.min_ramp_time)
 
 
-def sampled(rise):
-    times = np.linspace(0.0, rise.duration, 2001)
-    return times, np.array([rise.positions(time) for time in times])
+def sampled(stand_up):
+    times = np.linspace(0.0, stand_up.duration, 2001)
+    return times, np.array([stand_up.positions(time) for time in times])
 
 
-def test_from_upright_legs_it_leads_straight_to_the_stance():
+def test_stand_up_from_upright_legs_leads_straight_to_the_stance():
     start = STANCE + np.array([0.3, -0.2] * 4)
-    rise = plan(start)
-    assert rise.duration == pytest.approx(1.0)
-    _, positions = sampled(rise)
+    stand_up = plan(start)
+    assert stand_up.duration == pytest.approx(1.0)
+    _, positions = sampled(stand_up)
     np.testing.assert_array_equal(positions[0], start)
-    np.testing.assert_allclose(rise.positions(0.5), (start + STANCE) / 2)
+    np.testing.assert_allclose(stand_up.positions(0.5), (start + STANCE) / 2)
     np.testing.assert_allclose(positions[-1], STANCE)
     assert np.all(np.diff(positions, axis=0) * (STANCE - start) >= 0.0)
-    np.testing.assert_array_equal(rise.positions(-1.0), start)
-    np.testing.assert_allclose(rise.positions(99.0), STANCE)
+    np.testing.assert_array_equal(stand_up.positions(-1.0), start)
+    np.testing.assert_allclose(stand_up.positions(99.0), STANCE)
 
 
-def test_a_robot_in_its_stance_stays_there():
-    rise = plan(STANCE)
-    np.testing.assert_array_equal([rise.positions(time) for time in (0.0, 0.3, 1.0)], [STANCE] * 3)
+def test_stand_up_in_the_stance_stays_there():
+    stand_up = plan(STANCE)
+    np.testing.assert_array_equal([stand_up.positions(time) for time in (0.0, 0.3, 1.0)], [STANCE] * 3)
 
 
-def test_legs_that_point_inward_go_outward_on_one_side_and_then_on_the_other():
+def test_stand_up_of_legs_that_point_inward_moves_one_side_outward_and_then_the_other():
     """A robot on its nose: the fore legs point back under it; the left hind leg forward."""
-    rise = plan([1.2, -0.1, 1.0, 0.0, 0.3, -1.2, 0.9, -0.1])
-    lean = rise.points.reshape(-1, 4, 2).sum(axis=2)
+    stand_up = plan([1.2, -0.1, 1.0, 0.0, 0.3, -1.2, 0.9, -0.1])
+    lean = stand_up.points.reshape(-1, 4, 2).sum(axis=2)
     along = np.pi / 2
     np.testing.assert_allclose(
         lean[1:-1],
         [[along, along, -along, along], [-along, along, along, along], [-along, -along, along, along]],
         atol=0.1,
     )
-    np.testing.assert_array_equal(rise.points[-1], STANCE)
+    np.testing.assert_array_equal(stand_up.points[-1], STANCE)
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_it_goes_slowly_from_rest_to_rest_and_within_the_range(seed):
+def test_stand_up_is_slow_from_rest_to_rest_and_within_the_range(seed):
     start = np.random.default_rng(seed).uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
     times, positions = sampled(plan(start))
     speeds = np.abs(np.diff(positions, axis=0)).max(axis=1) / times[1]
@@ -68,12 +68,12 @@ def test_it_goes_slowly_from_rest_to_rest_and_within_the_range(seed):
     np.testing.assert_array_equal(positions, np.clip(positions, JOINT_POSITION_LOW, JOINT_POSITION_HIGH))
 
 
-def got_up(robot):
-    """Whether it gets up, from how it is now, without ever leaning by more than the controller allows."""
-    rise = plan(robot.state.joint_position[0])
-    last, upright = rise.points[0], []
-    for elapsed in np.arange(0.0, rise.duration + 1.0, PERIOD):
-        last = limited(MINI_QUADRUPED, rise.positions(elapsed), last, PERIOD)
+def gets_up(robot):
+    """True if it gets up from its current state without ever leaning by more than the controller allows."""
+    stand_up = plan(robot.state.joint_position[0])
+    last, upright = stand_up.points[0], []
+    for elapsed in np.arange(0.0, stand_up.duration + 1.0, PERIOD):
+        last = limited(MINI_QUADRUPED, stand_up.positions(elapsed), last, PERIOD)
         robot.command(last)
         for _ in range(round(PERIOD / TIMESTEP)):
             robot.step()
@@ -82,7 +82,7 @@ def got_up(robot):
     return min(upright) > np.cos(1.0) and upright[-1] > 0.99 and abs(height - STANCE_HEIGHT) < 0.01
 
 
-def test_it_gets_up_from_however_it_was_dropped():
+def test_robot_that_was_dropped_limp_in_any_leg_pose_gets_up():
     """Limp, with any joint positions, leaning by up to 0.5 rad each way; not on its back or flank."""
     rng = np.random.default_rng(0)
     robot, up = SimulatedRobot(), []
@@ -95,18 +95,18 @@ def test_it_gets_up_from_however_it_was_dropped():
         for _ in range(round(2.5 / TIMESTEP)):
             robot.step()
         if not robot.fallen:
-            up.append(got_up(robot))
+            up.append(gets_up(robot))
     assert all(up)
 
 
 @pytest.mark.parametrize("terrain", ["flat", "rough", "hills"])
-def test_a_robot_that_was_let_go_in_any_phase_of_its_step_gets_up(terrain):
-    """Where the legs are when it collapses decides how it lies."""
+def test_robot_that_went_limp_in_any_phase_of_its_step_gets_up(terrain):
+    """The poses of the legs when it goes limp decide how it lies."""
     for phase in np.arange(0.0, 0.44, 0.04 if terrain == "flat" else 0.11):
         loop = Loop(terrain=terrain)
         loop.run(5.0 + phase, (0.5, 0.0))
         loop.run(3.0, commands=False)
-        loop.restart_pilot()
+        loop.restart_live_controller()
         _, upright = loop.run(9.0)
         assert upright.min() > np.cos(1.0), phase
         assert upright[-1] > 0.98, phase

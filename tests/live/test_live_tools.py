@@ -1,4 +1,4 @@
-"""The tools: what they print is what was sent, what they record plays to the same motion, and keys drive the robot."""
+"""The tools: `echo` prints what was sent, recordings replay to the same motion, `teleop` drives the robot by keys."""
 
 import os
 import pty
@@ -51,7 +51,7 @@ def message_of(trajectory, row):
 
 
 def ended(process):
-    """What a node printed until Ctrl-C ended it."""
+    """Output of a node until Ctrl-C ended it."""
     process.send_signal(signal.SIGINT)
     output, _ = output_of(process)
     assert process.returncode == 0, output
@@ -60,7 +60,7 @@ def ended(process):
 
 
 @pytest.mark.parametrize(("write", "suffix"), [(as_yaml, "yaml"), (as_csv, "csv")])
-def test_what_is_printed_can_be_read_back(tmp_path, write, suffix):
+def test_echo_output_can_be_read_back(tmp_path, write, suffix):
     """By the reader of what `ros2 topic echo` prints, to the last bit: NaN, and numbers of any size."""
     trajectory = random_trajectory(40)
     file = tmp_path / f"echo.{suffix}"
@@ -68,7 +68,7 @@ def test_what_is_printed_can_be_read_back(tmp_path, write, suffix):
     assert_same(JointTrajectory.load(file), trajectory)
 
 
-def test_yaml_is_that_of_ros():
+def test_echo_yaml_is_that_of_ros():
     """As `ros2 topic echo` prints it: its own documentation's form, block lists and `''` for an empty text."""
     message = joint_state(STAMP, ["a", "b"], [0.5, -1e-05])
     assert as_yaml(plain(message)) == (
@@ -78,7 +78,7 @@ def test_yaml_is_that_of_ros():
     assert as_csv(plain(message)) == "1700000000,123456789,,a,b,0.5,-1e-05,,\n"
 
 
-def test_a_field_is_chosen_by_its_path():
+def test_echo_field_is_chosen_by_its_path():
     values = plain(cdr.deserialize(TransformWriter(MINI_QUADRUPED)(STAMP, np.zeros(8)), TF.type_name))
     assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
     assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
@@ -120,7 +120,7 @@ def test_echo_prints_messages_of_a_best_effort_topic_whole_and_in_order(nodes, t
     assert printed == sorted(set(printed))
 
 
-def test_echo_ends_when_nobody_reads_on(nodes):
+def test_echo_ends_when_its_output_is_closed(nodes):
     """As with `echo ... | head -1`."""
     publisher = nodes().publish(JOINT_STATES)
     with started("echo", "/joint_states", "--csv", stderr=subprocess.PIPE) as process:
@@ -138,7 +138,7 @@ def test_echo_ends_when_nobody_reads_on(nodes):
     assert process.returncode == 0
 
 
-def test_hz_measures_what_comes(nodes):
+def test_hz_measures_the_received_messages(nodes):
     publisher = nodes().publish(JOINT_STATES)
     with started("hz", stderr=subprocess.DEVNULL) as process:
         wait_until(lambda: publisher.readers)
@@ -150,13 +150,13 @@ def test_hz_measures_what_comes(nodes):
     assert re.search(r"^/joint_states: average rate \d+\.\d\d Hz, period .* ms, 10 messages$", output, re.MULTILINE)
 
 
-def test_list_names_topics_types_owners_and_what_keeps_them_apart(nodes):
+def test_list_names_topics_types_owners_and_incompatibilities(nodes):
     one, other = nodes("one"), nodes("other")
     one.publish(JOINT_STATES, Qos(10, reliable=False))
     other.subscribe(JOINT_STATES)
 
     def listed():
-        """What it prints once it has found both: it listens for a moment only, which a busy machine may let pass."""
+        """Output once it has found both: it listens for a moment only, which a busy machine may miss."""
         with started("list", "--verbose", stderr=subprocess.DEVNULL) as process:
             lines = output_of(process)[0].splitlines()
         return lines if len(lines) >= 4 else None
@@ -170,21 +170,21 @@ def test_list_names_topics_types_owners_and_what_keeps_them_apart(nodes):
     assert "the reader requests reliable delivery, the writer offers best effort" in lines[3]
 
 
-def test_rates_are_those_of_the_arrivals():
+def test_hz_rates_are_those_of_the_arrivals():
     assert rate_text(deque([1.0, 1.01, 1.03, 1.04])) == (
         "average rate 75.00 Hz, period 10.00 to 20.00 ms, standard deviation 4.71 ms, 4 messages"
     )
     assert rate_text(deque([1.0])) == "1 message"
 
 
-def test_a_subscription_asks_for_what_all_offer():
+def test_common_qos_is_what_all_publishers_offer():
     reliable, latched, loose = Qos(5), Qos(1, transient_local=True), Qos(7, reliable=False)
     assert common_qos([reliable, latched], "/other") == Qos(10)
     assert common_qos([latched, latched], "/robot_description") == Qos(1, transient_local=True)
     assert common_qos([reliable, loose], "/tf") == Qos(100, reliable=False)
 
 
-def test_a_recording_replays_to_the_same_motion(nodes, tmp_path):
+def test_recording_of_a_gait_replays_to_the_same_motion(nodes, tmp_path):
     """A gait on /joint_states, recorded by the program: the bag holds it to the last bit, and plays as it does."""
     stamps = STAMP + 20_000_000 * np.arange(100)
     times = (stamps - STAMP) / 1e9
@@ -216,8 +216,8 @@ def test_a_recording_replays_to_the_same_motion(nodes, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_recorded_walk_replays_to_the_same_motion(nodes, tmp_path):
-    """What the controller told the robot, recorded live and given to a simulation of its own: it walks as it did."""
+def test_recording_of_joint_targets_replays_to_the_same_motion(nodes, tmp_path):
+    """Joint targets of the controller, recorded live and replayed in another simulation, give the same walk."""
     node, bag = nodes(), tmp_path / "bag"
     velocities, odometry = node.publish(CMD_VEL), node.subscribe(ODOMETRY, DEEP)
     places = []
@@ -272,7 +272,7 @@ def contents(bag):
     return found
 
 
-def test_a_recording_keeps_what_publishers_offer(tmp_path):
+def test_recording_keeps_the_qos_of_publishers(tmp_path):
     from rosbags.interfaces import QosDurability, QosReliability
     from rosbags.rosbag2 import Reader
 
@@ -286,7 +286,7 @@ def test_a_recording_keeps_what_publishers_offer(tmp_path):
     assert profiles["/joint_states"].reliability == QosReliability.BEST_EFFORT
 
 
-def test_times_of_recording_rise_even_within_a_burst(tmp_path, monkeypatch):
+def test_times_of_recording_increase_even_within_a_burst(tmp_path, monkeypatch):
     from rosbags.rosbag2 import Reader
 
     monkeypatch.setattr(time, "time_ns", lambda: STAMP)
@@ -297,13 +297,13 @@ def test_times_of_recording_rise_even_within_a_burst(tmp_path, monkeypatch):
         assert [time for _, time, _ in reader.messages()] == [STAMP + i for i in range(5)]
 
 
-def test_nothing_is_recorded_over(tmp_path):
+def test_recorder_with_an_existing_bag_is_refused(tmp_path):
     (tmp_path / "bag").mkdir()
     with pytest.raises(QuadrupedError, match="bag: exists already; name another place"):
         Recorder(tmp_path / "bag")
 
 
-def test_record_says_that_nothing_came(domain_id, tmp_path):
+def test_record_without_messages_reports_it(domain_id, tmp_path):
     with started("record", "/joint_states", "--seconds", "1", "-o", str(tmp_path / "bag")) as process:
         output, _ = output_of(process)
     assert process.returncode == 2
@@ -314,7 +314,7 @@ def test_record_says_that_nothing_came(domain_id, tmp_path):
 
 
 def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path):
-    """One that DDS knows and ROS does not."""
+    """A type of DDS that is not one of ROS."""
     from cyclonedds.idl import IdlStruct
     from cyclonedds.pub import DataWriter
     from cyclonedds.topic import Topic as DdsTopic
@@ -341,7 +341,7 @@ def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path):
         (b"\x1b", [], b"\x1b"),
     ],
 )
-def test_keys_are_split_from_what_a_terminal_sends(data, keys, rest):
+def test_keys_are_split_from_the_bytes_of_a_terminal(data, keys, rest):
     assert split_keys(data) == (keys, rest)
 
 
@@ -357,14 +357,14 @@ def test_keys_step_the_command_within_its_range():
     assert after(command, " ") == (0.0, 0.0)
 
 
-def test_teleop_sends_what_the_keys_say_and_stands_when_it_ends(nodes):
-    heard = nodes().subscribe(CMD_VEL, DEEP)
+def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes):
+    velocities = nodes().subscribe(CMD_VEL, DEEP)
     ours, terminal = pty.openpty()
     commands = []
 
     def take():
-        for received in heard.take():
-            twist = heard.decode(received)
+        for received in velocities.take():
+            twist = velocities.decode(received)
             command = (twist.linear.x, twist.angular.z)
             if not commands or commands[-1] != command:
                 commands.append(command)

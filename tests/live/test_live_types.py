@@ -1,4 +1,4 @@
-"""What nodes announce of their types, and peers that announce more."""
+"""Type information that nodes announce, and peers that announce more."""
 
 import pytest
 from live_nodes import STAMP, joint_state
@@ -27,7 +27,7 @@ def test_no_topic_announces_type_information(nodes):
     assert all(one.type_hash for one in watcher.graph.endpoints())
 
 
-def test_a_cyclonedds_peer_that_announces_type_information_hears_and_is_heard(nodes):
+def test_cyclonedds_peer_that_announces_type_information_exchanges_messages(nodes):
     node = nodes()
     publisher, subscription = node.publish(TO_PEER), node.subscribe(FROM_PEER)
     received = []
@@ -47,7 +47,7 @@ def test_a_cyclonedds_peer_that_announces_type_information_hears_and_is_heard(no
 
 @pytest.fixture
 def participant(nodes):
-    """A participant of plain `cyclonedds` beside this package's nodes."""
+    """A participant of plain `cyclonedds` on the domain of this package's nodes."""
     made = open_participant(Network.from_environment(), "plain")
     yield made
     made._delete(made._ref)
@@ -81,11 +81,11 @@ def test_structures_that_differ_are_named_as_an_obstacle(nodes, participant):
     del writer, same, other
 
 
-def test_a_library_that_describes_types_in_another_way_is_left_alone(nodes, participant, monkeypatch):
+def test_library_that_describes_types_in_another_way_is_left_unchanged(nodes, participant, monkeypatch):
     from cyclonedds.internal import DDS
 
     class Other:
-        """A library without what is looked for."""
+        """A library without the expected functions."""
 
     topic = announced(participant, {"data": str})
     monkeypatch.setattr(DDS, "_dll_handle", Other())

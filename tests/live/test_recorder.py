@@ -1,4 +1,4 @@
-"""A bag that grows: it has its name when it is whole, and until then it can be salvaged."""
+"""A bag while it is recorded: it gets its name when it is complete, and can be salvaged until then."""
 
 import errno
 import os
@@ -29,7 +29,7 @@ def names(directory):
 
 
 @pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
-def test_a_recording_has_its_name_when_it_is_whole(tmp_path, storage):
+def test_recording_gets_its_name_when_it_is_complete(tmp_path, storage):
     with Recorder(tmp_path / "bag", storage) as recorder:
         assert names(tmp_path) == []
         recorder.write(JOINT_STATES, joint_state(1))
@@ -99,7 +99,7 @@ def test_a_recording_that_failed_once_never_gets_its_name(tmp_path, monkeypatch)
     def record():
         with recorder:
             recorder.write(JOINT_STATES, joint_state(1))
-            # As a disk that is full for a moment.
+            # Like a disk that is full for a moment.
             with monkeypatch.context() as patched:
                 patched.setattr(recorder._writer, "write", fail)
                 recorder.write(JOINT_STATES, joint_state(2))

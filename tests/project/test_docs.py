@@ -1,4 +1,4 @@
-"""What the pages tell a reader to type exists: nodes, programs, options, make targets, links."""
+"""Everything that the pages name exists: nodes, programs, options, make targets, links."""
 
 import re
 import shlex
@@ -19,7 +19,7 @@ from quadruped_env.live.nodes import SUMMARIES
 
 PYTHON = re.compile(r"^(?:\S*/)?python3? ")
 PLACEHOLDER = re.compile(r"[A-Z]{2,}|\.\.\.|[<>]")
-"""In a command that stands for several: NODE, FILE, IN, <name>"""
+"""Placeholder in a command: NODE, FILE, IN, <name>."""
 
 
 def python_commands(*pages):
@@ -126,7 +126,7 @@ def test_the_exercise_of_the_tutorials_page_runs(capsys):
 
 
 @pytest.mark.slow
-def test_the_nodes_of_the_tutorials_page_meet(domain_id, tmp_path):
+def test_nodes_of_the_tutorials_page_exchange_messages(domain_id, tmp_path):
     talker, listener, _ = snippets(ROOT / "docs" / "from-the-tutorial.md")
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
     with (

@@ -1,8 +1,7 @@
 """Plain technical English: words and habits that this project avoids, in pages, help texts, docstrings and comments.
 
 `RULES` is the list, with what to write instead. A rule that matches a legitimate use gets an entry in `ALLOWED`, with
-the reason. Packages that are not clean yet are in `NOT_YET`, each with the rules that it still breaks; every other
-rule holds there already, and an entry has to go once its last finding is gone.
+the reason.
 """
 
 import re
@@ -10,12 +9,11 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from functools import cache, cached_property
-from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 from paths import ROOT
-from prose import docstrings, has_prose, prose
+from prose import EXAMPLES, docstrings, has_prose, prose
 
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.nodes import SUMMARIES
@@ -127,16 +125,11 @@ NAMES = re.compile(
 
 ALLOWED: dict[tuple[str, str], str] = {
     ("quadruped_env/trajectory/maps.py", "stamp"): "a key of the column maps, in the examples of the docstring",
+    ("tests/cli/test_convert.py", "100 rows"): "rows of a recording, in the program's output",
+    ("tests/trajectory/test_echo.py", "stamp"): "a key of the column maps, in their TOML",
+    ("tests/trajectory/test_trajectory.py", "4 rows"): "rows of a trajectory, in its `repr`",
 }
 """(path, found text) -> why it is right there."""
-
-NOT_YET = {
-    "tests": (
-        "rows told asked far-off stamp none is-no one-a mend somebody who anew alike beside likewise feels "
-        "knows-no article to-and-fro what mid-air"
-    ),
-}
-"""Package -> rules that it does not keep yet. Only entries that are deleted: fix the words, never add a rule here."""
 
 
 class Finding(NamedTuple):
@@ -170,12 +163,6 @@ def findings_in(path, text):
     return found
 
 
-def package_of(path):
-    """The unit of `NOT_YET`: a package, a module at the top of quadruped_env, a folder, or a file at the top."""
-    parts = Path(path).parts
-    return "/".join(parts[:2]) if parts[0] == "quadruped_env" else parts[0]
-
-
 @cache
 def all_findings():
     done = subprocess.run(
@@ -195,19 +182,7 @@ def all_findings():
 
 
 def test_prose_has_no_words_to_avoid():
-    found = [one for one in all_findings() if one.rule not in NOT_YET.get(package_of(one.path), "").split()]
-    assert not found, "\n" + "\n".join(map(str, found))
-
-
-def test_not_yet_lists_only_packages_and_rules_with_findings():
-    left = {(package_of(one.path), one.rule) for one in all_findings()}
-    done = [
-        f"{package}: {rule}"
-        for package, rules in NOT_YET.items()
-        for rule in rules.split()
-        if (package, rule) not in left
-    ]
-    assert not done, f"these are clean; delete them from NOT_YET: {', '.join(done)}"
+    assert not all_findings(), "\n" + "\n".join(map(str, all_findings()))
 
 
 def test_allowed_exceptions_are_still_there():
@@ -257,29 +232,41 @@ def f():
     assert sorted(found) == [(1, "beside"), (2, "anew"), (4, "one-a"), (7, "likewise"), (7, MID_AIR), (9, AS_NOUN)]
 
 
+def test_python_prose_of_tests_leaves_out_data_but_no_docstring():
+    source = '''"""Files beside it."""
+DATA = """
+the line a row
+"""
+TEXT = f"""written {DATA} anew"""
+assert DATA, "somebody reads"
+def f():
+    """Files likewise."""
+'''
+    in_program, in_test, in_examples = (
+        sorted(one.rule for one in findings_in(path, source)) for path in ("evaluate/x.py", "tests/x.py", EXAMPLES)
+    )
+    assert in_program == ["anew", "beside", "likewise", "one-a", "somebody"]
+    assert in_test == ["beside", "likewise", "somebody"]
+    assert in_examples == ["beside", "likewise"]
+
+
 def test_markdown_prose_has_comments_of_commands_but_not_the_commands():
     source = "Text.\n\n    mend beside.csv    # writes anew\n\n```sh\nlikewise  # alike\n```\n[page](docs/beside.md)\n"
     assert [one.rule for one in findings_in("docs/page.md", source)] == ["anew", "alike"]
 
 
 def test_help_texts_have_no_words_to_avoid(capsys):
-    # The texts of options that programs share are in packages that may not be clean yet.
-    shared = set().union(
-        *(NOT_YET.get(f"quadruped_env/{name}", "").split() for name in ("evaluation", "live", "trajectory"))
-    )
     for node in SUMMARIES:
         with pytest.raises(SystemExit):
             make_parser().parse_args([node, "--help"])
         page = re.sub(r"\n {2,}", " ", capsys.readouterr().out)
-        found = [one for one in findings_in(f"{node}.md", page) if one.rule not in shared]
+        found = findings_in(f"{node}.md", page)
         assert not found, "\n".join(map(str, found))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.name)
 def test_help_of_program_has_no_words_to_avoid(program):
-    shared = set().union(*(NOT_YET.get(f"quadruped_env/{name}", "").split() for name in ("evaluation", "trajectory")))
     done = subprocess.run([sys.executable, program, "--help"], cwd=ROOT, capture_output=True, text=True, check=True)
     found = findings_in(f"{program.name} --help.md", re.sub(r"\n {2,}", " ", done.stdout))
-    found = [one for one in found if one.rule not in shared]
     assert not found, "\n".join(map(str, found))

@@ -15,7 +15,7 @@ from paths import ROOT
 README = (ROOT / "README.md").read_text()
 CHINESE = (ROOT / "README.zh-CN.md").read_text()
 TUTORIAL = "The tutorial"
-"""Section of README.md that is one paragraph there and the whole map in Chinese"""
+"""Section that is one paragraph in README.md and the whole map in the Chinese one."""
 FIGURE = re.compile(r"(?<![\w.])[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:\s?(?:m/s|rad/s|rad|N m|kg|Hz|ms|s|%)(?![A-Za-z]))?")
 
 

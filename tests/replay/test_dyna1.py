@@ -1,4 +1,4 @@
-"""A real robot's log, by the map that is kept with the assets: the worked example of a foreign robot."""
+"""A real robot's log, read with the map among the assets: the worked example of a foreign robot."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def measured(data):
     return JointTrajectory.load(data / "measured.csv", columns=MAP, joint_map=MAP)
 
 
-def test_without_its_map_it_is_refused(data):
+def test_log_without_its_map_is_refused(data):
     with pytest.raises(QuadrupedError, match=r"measured\.csv: text that begins with 'time_start,.*\(--columns FILE\)"):
         JointTrajectory.load(data / "measured.csv")
     with pytest.raises(
@@ -40,18 +40,18 @@ def test_numbers_are_those_of_the_file(data, measured):
     np.testing.assert_allclose(measured.positions[:, 7], np.radians(-0.8 * table["brfoot"] + 10.3), rtol=1e-12)
 
 
-def test_it_stays_within_this_robots_limits(measured):
+def test_log_stays_within_this_robots_limits(measured):
     assert (measured.positions >= MINI_QUADRUPED.joint_position_low).all()
     assert (measured.positions <= MINI_QUADRUPED.joint_position_high).all()
 
 
-def test_standing_is_this_robots_stance(measured):
+def test_standing_in_the_log_is_this_robots_stance(measured):
     standing = measured.at([measured.stamps[0] + 6_000_000_000])
     moving = [i for i, name in enumerate(JOINT_NAMES) if name not in {"LF_hip_joint", "LH_hip_joint"}]
     np.testing.assert_allclose(standing.positions[0, moving], MINI_QUADRUPED.stance[moving], atol=0.01)
     poses = forward_kinematics(measured.positions)
     lowest = min(float(poses[f"{leg}_leg"][0][600, 2]) for leg in ("RF", "RH"))
-    assert lowest < -0.02  # the legs are under the body, not folded beside it
+    assert lowest < -0.02  # the legs are under the body, not folded next to it
 
 
 def test_velocities_are_the_rate_of_change_of_the_positions(measured):

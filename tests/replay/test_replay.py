@@ -1,26 +1,15 @@
+"""Replays of recordings, kinematic and dynamic, and their reports."""
+
 import json
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
-from paths import DYNA1, ROOT
+from trajectories import assert_same_numbers, standing
 
-from quadruped_env import (
-    JOINT_NAMES,
-    JointTrajectory,
-    QuadrupedError,
-    SinusoidalGait,
-    asset_path,
-    forward_kinematics,
-)
-from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.evaluation.baseline import check_target, run_baseline
-from quadruped_env.evaluation.episode import MAX_SECONDS, play, publish, record
-from quadruped_env.files import free_path, write_json
+from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, forward_kinematics
+from quadruped_env.evaluation.baseline import run_baseline
+from quadruped_env.evaluation.episode import MAX_SECONDS, play, publish
 from quadruped_env.gait import PRESETS
-from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
@@ -28,89 +17,6 @@ from quadruped_env.replay.signal_comparison import lag
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance
-EVALUATE = ROOT / "evaluate"
-
-
-def assert_same(a, b):
-    """Two trajectories, equal to the last bit."""
-    for name in ("stamps", "positions", "velocities", "efforts"):
-        np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
-
-
-def standing(seconds=1.0, **changes):
-    stamps = np.array([0, round(seconds * 1e9)])
-    return JointTrajectory(**({"stamps": stamps, "names": JOINT_NAMES, "positions": np.tile(STANCE, (2, 1))} | changes))
-
-
-class TestPublish:
-    @pytest.mark.parametrize("seconds", [10.0, 0.99])
-    def test_article_at_20_hz(self, seconds):
-        commands = publish(SinusoidalGait.preset("article"), seconds, 20.0)
-        t = np.arange(int(seconds * 20) + 1) / 20
-        np.testing.assert_array_equal(commands.stamps, np.arange(len(t)) * 50_000_000)
-        expected = SinusoidalGait.preset("article")
-        np.testing.assert_allclose(commands.positions, expected.positions(t), rtol=0, atol=1e-12)
-        np.testing.assert_allclose(commands.positions_at(t), expected.positions(t), rtol=0, atol=1e-12)
-        np.testing.assert_allclose(commands.velocities, expected.velocities(t), rtol=0, atol=1e-12)
-
-    @pytest.mark.parametrize(
-        ("seconds", "rate", "message"),
-        [
-            (0.0, 50.0, "seconds: expected over 0 .*found 0"),
-            (float("nan"), 50.0, "seconds: .*found nan"),
-            (1e9, 50.0, "seconds: .*up to 21600 s; found 1e.09"),
-            (1.0, 0.0, "rate: expected over 0 .*found 0"),
-            (1.0, 1e4, "rate: .*up to 1000 Hz; found 10000"),
-        ],
-    )
-    def test_numbers_that_make_no_sense(self, seconds, rate, message):
-        with pytest.raises(QuadrupedError, match=message):
-            publish(SinusoidalGait.preset("article"), seconds, rate)
-
-
-class TestRecord:
-    def test_begins_with_the_start_and_has_a_row_a_control_step(self):
-        recording = record(ZeroController(), 0.5)
-        np.testing.assert_array_equal(recording.joints.stamps, np.arange(26) * 20_000_000)
-        np.testing.assert_array_equal(recording.joints.positions[0], STANCE)
-        np.testing.assert_array_equal(recording.base_pose[0], [0, 0, MINI_QUADRUPED.stance_height, 1, 0, 0, 0])
-        assert not recording.joints.velocities[0].any()
-        assert recording.joints.efforts[-1].any()
-        assert recording.fell_at is None
-        assert recording.outcome() == (
-            "In 0.5 s the robot stayed on its feet and got 0.00 m ahead and 0.00 m to the left."
-        )
-
-    def test_velocities_are_the_derivative_of_positions(self):
-        joints = record(GaitController(SinusoidalGait.preset("trot"), "trot"), 1.0).joints
-        # Without the start, where the robot jumps into the gait. A landing foot stops its joints within a step.
-        change = np.diff(joints.positions[5:], axis=0)
-        mean_velocity = (joints.velocities[6:] + joints.velocities[5:-1]) / 2
-        np.testing.assert_allclose(change / 0.02, mean_velocity, rtol=0, atol=2.0)
-        assert np.corrcoef(change.ravel(), mean_velocity.ravel())[0, 1] > 0.95
-
-    def test_a_gait_played_from_its_commands_is_the_gait(self):
-        gait = SinusoidalGait.preset("tuned")
-        played, walked = (
-            play(publish(gait, 2.0, 50.0)),
-            record(GaitController(gait, "tuned"), 2.0, start=gait.positions(0.0)),
-        )
-        assert_same(played.joints, walked.joints)
-        np.testing.assert_array_equal(played.base_pose, walked.base_pose)
-
-    def test_says_when_the_robot_fell_and_goes_on(self):
-        # Legs swung back as far as they go: it lands on its belly.
-        flat = np.tile([1.5, 0.0], 4)
-        recording = play(standing(3.0, positions=np.stack([STANCE, flat]), stamps=[0, 1_000_000_000]))
-        assert 0.0 < recording.fell_at <= 1.0
-        assert len(recording.joints) == 51
-        assert f"fell at {recording.fell_at:.2f} s" in recording.outcome()
-
-    def test_progress_reaches_the_end(self):
-        shares = []
-        play(standing(0.2), progress=shares.append)
-        assert shares == sorted(shares)
-        assert (len(shares), shares[-1]) == (10, 1.0)
 
 
 class TestReplay:
@@ -120,7 +26,7 @@ class TestReplay:
         baseline = run_baseline(preset, seconds=1.0, rate=rate, episodes=1)
         baseline.save(tmp_path / "a.csv", commands=True)
         again = replay(JointTrajectory.load(tmp_path / "a.csv"))
-        assert_same(again.played, baseline.recording.joints)
+        assert_same_numbers(again.played, baseline.recording.joints)
         np.testing.assert_array_equal(again.motion.base_pose, baseline.recording.base_pose)
 
     def test_kinematic_is_forward_kinematics(self, tmp_path):
@@ -172,7 +78,7 @@ class TestReplay:
         np.testing.assert_array_equal(played.stamps, expected.stamps + first)
         np.testing.assert_array_equal(played.positions, expected.positions)
 
-    def test_positions_outside_the_limits_are_named_or_clipped_on_purpose(self):
+    def test_positions_outside_the_limits_are_named_or_clipped_on_request(self):
         positions = np.tile(STANCE, (2, 1))
         positions[1, 3], positions[1, 4] = 0.3, -1.7
         bad = standing(positions=positions)
@@ -198,7 +104,7 @@ class TestReplay:
         assert replay(standing(positions=positions), "kinematic").clipped.sum() == 0
 
     def test_it_starts_in_the_first_pose_on_its_feet(self):
-        """Of a gait, three feet or four are on the ground, none is in it, and nothing jumps at the start."""
+        """Of a gait, three or four feet are on the ground, none is below it, and nothing jumps at the start."""
         for preset in PRESETS:
             commands = publish(SinusoidalGait.preset(preset), 0.2, 50.0)
             result = replay(commands)
@@ -209,8 +115,8 @@ class TestReplay:
             assert result.report()["motion"]["feet_on_ground_at_start"] >= 3
             assert np.abs(np.diff(result.motion.base_pose[:3, 2])).max() < 2e-3
 
-    def test_limits_and_saturation(self):
-        """A step of 1 rad asks for more than a motor has: kp times the step is 40 N m."""
+    def test_requests_beyond_the_motors_are_reported_as_saturation(self):
+        """A step of 1 rad requests more torque than a motor has: kp times the step is 40 N m."""
         positions = np.tile(STANCE, (4, 1))
         positions[2:, 6] = STANCE[6] + 0.5
         stamps = np.array([0, 400, 401, 800]) * 1_000_000
@@ -229,7 +135,7 @@ class TestReplay:
             "first_at": None,
         }
 
-    def test_wanted_torque_and_what_is_too_much(self):
+    def test_requested_torque_and_its_excess_by_hand(self):
         """By hand: kp 40, kd 1; at 2 rad/s forwards a motor has 10 - 2 * 2 = 6 N m left, and 10 N m to brake with."""
         stamps = np.array([0, 20, 40, 60]) * 1_000_000
         positions, velocities = np.zeros((2, 4, 8))
@@ -248,7 +154,7 @@ class TestReplay:
         pulled = saturation(JointTrajectory(stamps, JOINT_NAMES, targets), played, MotorConfig())
         assert pulled.excess[2, 0] == pytest.approx(0.3 * 40 - 2.0 - 6.0)
 
-    def test_lag_is_the_delay_that_was_put_in(self):
+    def test_lag_is_the_known_delay(self):
         times = np.arange(0, 4, 0.02)
         target = JointTrajectory(np.rint(times * 1e9).astype(int), JOINT_NAMES, np.sin(3 * times)[:, None] * np.ones(8))
         late = JointTrajectory(target.stamps, JOINT_NAMES, target.positions_at(times - 0.06))
@@ -305,7 +211,7 @@ class TestReplay:
         assert result.played.stamps.tolist() == [7]
         assert result.report()["tracking_error"]["all"] == {"rms": 0.0, "max": 0.0}
 
-    def test_a_stamp_from_another_clock_is_named(self):
+    def test_timestamp_from_another_clock_is_named(self):
         stamps = [0, 1_763_500_000_000_000_000, 1_763_500_000_020_000_000]
         with pytest.raises(QuadrupedError, match=r"lasts 1\.7635e.09 s, over 21600 s; its longest gap.*row 1; cut it"):
             replay(standing(stamps=stamps, positions=np.tile(STANCE, (3, 1))))
@@ -315,7 +221,7 @@ class TestReplay:
         with pytest.raises(QuadrupedError, match="unknown mode 'fast'; valid modes are kinematic, dynamic"):
             replay(standing(), "fast")
 
-    def test_results_are_never_overwritten_unasked(self, tmp_path):
+    def test_existing_results_without_overwrite_are_kept(self, tmp_path):
         replay(standing(0.1)).save(tmp_path / "new")
         assert sorted(p.name for p in (tmp_path / "new").iterdir()) == [
             "joint_states.csv",
@@ -326,184 +232,3 @@ class TestReplay:
             replay(standing(0.1)).save(tmp_path / "new")
         replay(standing(0.2)).save(tmp_path / "new", overwrite=True)
         assert json.loads((tmp_path / "new" / "tracking.json").read_text())["seconds"] == 0.2
-
-
-class TestBaseline:
-    def test_numbers_that_make_no_sense(self):
-        for arguments, message in {
-            ("preset", "gallop"): "unknown preset 'gallop'",
-            ("episodes", 0): "episodes: expected 1 or more; found 0",
-            ("seed", -1): "seed: expected 0 or more; found -1",
-        }.items():
-            with pytest.raises(QuadrupedError, match=message):
-                run_baseline(**dict([arguments]))
-
-    def test_a_robot_too_short_of_time_for_a_metric_is_reported_all_the_same(self, tmp_path):
-        baseline = run_baseline("tuned", seconds=0.1, episodes=2)
-        baseline.save(tmp_path / "a.csv")
-        report = json.loads((tmp_path / "a.json").read_text())
-        assert report["metrics"]["forward_velocity"]["episodes"] == [None, None]
-        assert report["metrics"]["fall_rate"]["mean"] == 0.0
-        assert "Forward velocity" in baseline.table()
-
-    def test_a_name_of_no_format_is_refused_before_the_work(self):
-        with pytest.raises(QuadrupedError, match=r"a\.json: unknown ending '\.json'"):
-            check_target(Path("a.json"), overwrite=False)
-
-    def test_a_bag_has_the_base_in_its_odometry_frame(self, tmp_path):
-        reader = pytest.importorskip("mcap_ros2.reader")
-        baseline = run_baseline("tuned", seconds=1.0, episodes=1)
-        baseline.save(tmp_path / "walk.mcap")
-        assert (tmp_path / "walk.json").exists()
-        messages = [m.ros_msg for m in reader.read_ros2_messages(str(tmp_path / "walk.mcap"), topics=["/tf"])]
-        first, last = (message.transforms[0] for message in (messages[0], messages[-1]))
-        assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_link")
-        end = baseline.recording.base_pose[-1]
-        assert last.transform.translation.x == pytest.approx(end[0], abs=1e-9)
-        assert last.transform.rotation.w == pytest.approx(end[3], abs=1e-9)
-        assert first.transform.translation.x == pytest.approx(0.0, abs=1e-9)
-        check_target(tmp_path / "other", overwrite=False)
-        with pytest.raises(QuadrupedError, match="exists already"):
-            check_target(tmp_path / "walk.mcap", overwrite=False)
-
-    def test_violations_are_reported(self):
-        baseline = run_baseline("tuned", seconds=0.1, episodes=1)
-        greedy = SinusoidalGait(2.0, 0.0, 0.1, -0.5, 1.0, (0.0,) * 8)
-        table = type(baseline)(**{**vars(baseline), "gait": greedy}).table()
-        assert "Exceeds the joint limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
-
-    def test_tuned_walks_and_article_hardly_moves(self):
-        tuned, article = run_baseline("tuned", episodes=10), run_baseline("article", episodes=10)
-        assert tuned.estimate("fall_rate").mean == article.estimate("fall_rate").mean == 0.0
-        assert tuned.estimate("forward_velocity").mean > 0.25
-        assert abs(article.estimate("forward_velocity").mean) < 0.03
-
-
-def test_free_path_counts_up(tmp_path):
-    path = tmp_path / "a.csv"
-    assert free_path(path) == path
-    path.touch()
-    (tmp_path / "a-2.csv").touch()
-    assert free_path(path) == tmp_path / "a-3.csv"
-    with pytest.raises(QuadrupedError, match="cannot be written"):
-        write_json(path / "b.json", {})
-
-
-def test_progress_is_quiet_until_it_takes_long(capsys, monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    line = ProgressLine("playing")
-    for now[0], share in ((0.5, 0.1), (2.0, 0.25), (4.0, 0.5), (8.0, 1.0)):
-        line(share)
-    assert capsys.readouterr().err == "playing:  25%, 8 s left\nplaying: 100%, 0 s left\n"
-
-
-def test_progress_estimates_from_the_first_step_and_not_from_what_came_before(capsys, monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    line = ProgressLine("filming")
-    # Ten seconds of plots, then a second for every twentieth of the film.
-    for number in range(1, 5):
-        now[0] = 10.0 + number
-        line(number / 20)
-    assert capsys.readouterr().err == "filming:  10%, 18 s left\n"
-
-
-def test_progress_starts_again_with_the_next_piece_of_work(capsys, monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    line = ProgressLine("filming")
-    for now[0], share in ((0.0, 0.5), (0.5, 1.0), (20.0, 0.1), (22.0, 0.3)):
-        line(share)
-    assert capsys.readouterr().err == "filming:  30%, 7 s left\n"
-
-
-def run(directory, script, *arguments):
-    command = [sys.executable, str(EVALUATE / script), *map(str, arguments)]
-    return subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
-
-
-class TestPrograms:
-    def test_a_recording_is_repeated_to_the_last_bit(self, tmp_path):
-        tiny = ("--seconds", "0.5", "--episodes", "1")
-        for arguments in (tiny, (*tiny, "--commands")):
-            done = run(tmp_path, "baseline.py", *arguments)
-            assert (done.returncode, done.stderr) == (0, "")
-        assert "Forward velocity" in done.stdout
-        assert "results/baseline-tuned-commands.csv" in done.stdout
-        done = run(tmp_path, "replay.py", "results/baseline-tuned-commands.csv")
-        assert (done.returncode, done.stderr) == (0, "")
-        assert "RH_knee_joint" in done.stdout
-        results = tmp_path / "results"
-        played = results / "replay-baseline-tuned-commands" / "joint_states.csv"
-        assert played.read_bytes() == (results / "baseline-tuned.csv").read_bytes()
-
-    def test_against_what_the_robot_did(self, tmp_path):
-        commands = publish(SinusoidalGait.preset("tuned"), 0.5, 50.0)
-        commands.save(tmp_path / "told.csv")
-        did = play(commands).joints
-        names = (*JOINT_NAMES, "tail_joint")
-        wider = [np.c_[array, np.zeros(len(did))] for array in (did.positions, did.velocities, did.efforts)]
-        JointTrajectory(did.stamps, names, *wider).save(tmp_path / "did.csv")
-        done = run(tmp_path, "replay.py", "told.csv", "--compare", "did.csv", "--out", "out")
-        assert done.returncode == 0, done.stderr
-        assert done.stderr == "replay.py: warning: did.csv: left out joints that this robot does not have: tail_joint\n"
-        assert "efforts (N m)" in done.stdout
-        numbers = json.loads((tmp_path / "out" / "tracking.json").read_text())["comparison"]
-        assert numbers["efforts"]["joints"]["RH_knee_joint"]["max"] == 0.0
-        page = (tmp_path / "out" / "report.html").read_text()
-        assert page.count("data:image/svg+xml") == 6
-        assert "Recorded against simulated" in page
-
-    def test_another_robots_recording(self, tmp_path):
-        if not DYNA1.is_dir():
-            pytest.skip("needs the recording of Dyna1 in ../shared/data/dyna1")
-        layout = asset_path("dyna1.toml")
-        files = (DYNA1 / "control.csv", "--compare", DYNA1 / "measured.csv", "--columns", layout, "--map", layout)
-        done = run(tmp_path, "replay.py", *files, "--out", "out", "--no-report")
-        assert done.returncode == 0, done.stderr
-        report = json.loads((tmp_path / "out" / "tracking.json").read_text())
-        assert report["motion"]["fell_at"] is None
-        assert report["motion"]["feet_on_ground_at_start"] >= 3
-        assert report["tracking_error"]["all"]["max"] < 0.1
-        did = report["comparison"]["positions"]["joints"]
-        assert did["RF_knee_joint"]["correlation"] > 0.99
-        assert did["LF_hip_joint"]["rms"] > 0.1  # this motor of the real robot did not move
-        refused = run(tmp_path, "replay.py", DYNA1 / "control.csv", "--columns", layout, "--out", "other")
-        assert refused.returncode == 2
-        assert "--" in refused.stderr
-
-    def test_the_articles_publisher(self, tmp_path):
-        arguments = ("--preset", "article", "--rate", "20", "--commands", "--seconds", "2", "--episodes", "1")
-        assert run(tmp_path, "baseline.py", *arguments, "--out", "a.csv").returncode == 0
-        commands = JointTrajectory.load(tmp_path / "a.csv")
-        t = np.arange(41) / 20
-        np.testing.assert_allclose(
-            commands.positions, SinusoidalGait.preset("article").positions(t), rtol=0, atol=1e-12
-        )
-        again = run(tmp_path, "baseline.py", *arguments, "--out", "a.csv")
-        assert again.returncode == 2
-        assert again.stderr.startswith("baseline.py: error: a.csv: exists already")
-        assert "--overwrite" in again.stderr
-
-    @pytest.mark.parametrize(
-        ("text", "message"),
-        [
-            ("", "a.csv: the file is empty"),
-            ("stamp_ns,position.LF_hip_joint\n0,0.0\n", "a.csv: joint 'LF_knee_joint' is missing"),
-        ],
-    )
-    def test_a_bad_file_is_one_line_not_a_traceback(self, tmp_path, text, message):
-        (tmp_path / "a.csv").write_text(text)
-        done = run(tmp_path, "replay.py", "a.csv", "--mode", "kinematic")
-        assert (done.returncode, done.stdout) == (2, "")
-        assert done.stderr.startswith(f"replay.py: error: {message}")
-        assert done.stderr.count("\n") == 1
-        assert not (tmp_path / "results").exists()
-
-    @pytest.mark.parametrize("script", ["baseline.py", "replay.py"])
-    def test_help_names_every_argument(self, script):
-        done = run(".", script, "--help")
-        assert done.returncode == 0
-        for argument in ("--overwrite", "--output", "joint states", "rad", "last bit"):
-            assert argument in done.stdout

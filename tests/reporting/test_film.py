@@ -61,7 +61,7 @@ def test_robot_is_in_the_middle_of_every_picture_and_moves(camera, walk):
     assert not np.array_equal(pictures[0], pictures[-1])
 
 
-def test_camera_goes_along_and_no_robot_walks_over_the_edge_of_the_ground(camera):
+def test_camera_follows_and_no_robot_leaves_the_ground(camera):
     here = camera.picture(standing_at((0.0, 0.0)), 0)
     # The ground's pattern repeats every metre.
     far = camera.picture(standing_at((1000.0, -2000.0)), 0)
@@ -107,7 +107,7 @@ def test_overlay_draws_the_mean_speed_up_to_its_command():
     assert columns.max() == pytest.approx(overlay._BAR_RIGHT, abs=2)
 
 
-def test_speed_is_averaged_over_what_has_been():
+def test_speed_is_averaged_over_past_samples():
     values = np.array([[1.0], [2.0], [6.0], [10.0]])
     np.testing.assert_allclose(overlay.trailing_mean(values, 2), [[1.0], [1.5], [4.0], [8.0]])
     np.testing.assert_allclose(overlay.trailing_mean(values, 9), [[1.0], [1.5], [3.0], [4.75]])
@@ -162,7 +162,7 @@ def test_png_shows_the_middle_of_each_quarter_and_no_start_of_a_motion(tmp_path)
     np.testing.assert_array_equal(np.unique(still), [20, 60, 100, 140])
 
 
-def test_no_picture_is_no_video(tmp_path):
+def test_video_without_pictures_is_refused(tmp_path):
     with pytest.raises(QuadrupedError, match="at least one picture"):
         video.encode_mp4([])
     with pytest.raises(QuadrupedError, match="at least one picture"):

@@ -1,4 +1,4 @@
-"""Figures of the joints over time: what of a long log is drawn."""
+"""Figures of the joints over time: the samples of a long log that are drawn."""
 
 import re
 from xml.etree import ElementTree

@@ -33,7 +33,7 @@ def opened(chromium, report):
         yield page
 
 
-def test_report_opens_from_disk_and_asks_for_nothing(opened, report):
+def test_report_opens_from_disk_and_requests_nothing(opened, report):
     opened.wait_for_load_state("networkidle")
     addresses = [url for url in opened.watched.requests if not url.startswith(("data:", "blob:"))]
     assert addresses == [report[0].as_uri()]
@@ -41,7 +41,7 @@ def test_report_opens_from_disk_and_asks_for_nothing(opened, report):
     assert report[0].stat().st_size < 5_000_000
     for image in opened.locator("img").all():
         assert image.evaluate("element => element.complete && element.naturalWidth > 0")
-    # Nothing is wider than the page, on a desk and on a phone.
+    # Nothing is wider than the page, on a desktop and on a phone.
     for width in (1280, 390, 640):
         opened.set_viewport_size({"width": width, "height": 600})
         assert opened.evaluate("document.documentElement.scrollWidth") <= width
@@ -52,7 +52,7 @@ def test_its_video_advances(opened, report):
         pytest.skip(report[1][0])
     video = opened.locator("video")
     video.scroll_into_view_if_needed()
-    # Chromium may come without H.264, which a browser of today has.
+    # A Chromium of Debian may lack H.264, which common browsers have.
     if video.evaluate("v => v.error !== null || v.networkState === 3"):
         pytest.skip("this Chromium cannot play H.264")
     opened.wait_for_function("document.querySelector('video').currentTime > 0.3")

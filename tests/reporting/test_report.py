@@ -1,68 +1,28 @@
+"""A policy's report: one self-contained page, and its numbers as JSON."""
+
 import base64
-import dataclasses
-import itertools
 import json
 import math
 import re
-import subprocess
 import sys
-from html.parser import HTMLParser
 from pathlib import Path
-from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from paths import ROOT
-from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
+from comparisons import TINY
+from report_page import Page
 
-from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import failures, subject
-from quadruped_env.evaluation.comparison import (
-    COMMANDS,
-    CONTROLLERS,
-    MOTIONS,
-    Comparison,
-    compare,
-    compare_policies,
-    motion_of,
-)
+from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.verdict import reached_share, verdict
-from quadruped_env.policies import Policy
-from quadruped_env.reporting import plots, results
-from quadruped_env.reporting.pages import evaluation_report, pictures, run_comparison
+from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.reporting import plots
+from quadruped_env.reporting.pages import evaluation_report, pictures
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.pages.page import summary_table
-from quadruped_env.task import ActionConfig, CommandConfig, TaskConfig
-
-TINY = ((0.2, 0.0), (0.4, 0.0), (0.0, 0.0), (-0.2, 0.0), (0.0, 0.5))
-
-
-def random_policy(mode, **config):
-    rng = np.random.default_rng(0)
-    widths = (OBSERVATION_WIDTH, 16, ACTION_WIDTH)
-    weights = tuple(
-        (0.3 * rng.normal(size=shape) / math.sqrt(shape[0])).astype(np.float32) for shape in itertools.pairwise(widths)
-    )
-    biases = tuple(np.zeros(width, np.float32) for width in widths[1:])
-    card = {"command": "python train/ppo.py", "seed": 0, "best return": math.nan}
-    return Policy(weights, biases, "tanh", TaskConfig(action=ActionConfig(mode=mode), **config), card)
-
-
-@pytest.fixture(scope="module")
-def run_directory(tmp_path_factory):
-    directory = tmp_path_factory.mktemp("runs") / "20260101-000000-ppo"
-    random_policy("residual").save(directory)
-    curve = "timesteps,seconds,return,fall_rate,forward_velocity_error\n1000,1,nan,1.0,0.3\n2000,2,5.5,0.5,0.2\n3000,3"
-    (directory / "progress.csv").write_text(curve)
-    return directory
-
-
-@pytest.fixture(scope="module")
-def comparison():
-    return compare(random_policy("residual"), num_seeds=2, seconds=3.0, commands=TINY)
+from quadruped_env.task import TaskConfig
 
 
 @pytest.fixture(scope="module")
@@ -84,31 +44,6 @@ SECTIONS = (
     "Reward terms",
     "Learning curve",
 )
-
-
-class Page(HTMLParser):
-    """Collects the addresses, headings, tables and open tags of a page."""
-
-    VOID = frozenset(("meta", "img", "br", "link"))
-
-    def __init__(self, text):
-        super().__init__()
-        self.addresses, self.text, self.open, self.tags, self.policy = [], [], [], [], ""
-        self.feed(text)
-
-    def handle_starttag(self, tag, attrs):
-        self.tags.append(tag)
-        self.addresses += [value for name, value in attrs if name in {"src", "href", "srcset", "action", "data"}]
-        if dict(attrs).get("http-equiv") == "Content-Security-Policy":
-            self.policy = dict(attrs)["content"]
-        if tag not in self.VOID:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        self.text.append(data)
 
 
 def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written, comparison):
@@ -140,7 +75,7 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     assert '"physics_timestep"' in text
 
 
-def test_report_needs_nothing_beside_it(written):
+def test_report_needs_no_other_file(written):
     html = written[0]
     page = Page(html)
     assert page.addresses
@@ -160,7 +95,7 @@ def test_report_needs_nothing_beside_it(written):
     assert len(html) < 4_000_000
 
 
-def test_report_says_nothing_about_where_it_was_made(written, run_directory):
+def test_report_names_no_directory_of_the_machine(written, run_directory):
     html, numbers = written
     for document in (re.sub(r"base64,[^\"]*", "", html), numbers):
         assert str(run_directory.parent) not in document
@@ -223,131 +158,21 @@ def test_table_has_a_row_for_every_motion(comparison):
     assert [line.split(":")[0].split()[0] for line in lines[1:6]] == ["Falls", *(m.capitalize() for m in MOTIONS)]
 
 
-# The verdict, on invented numbers.
+@pytest.mark.slow
+def test_report_with_a_video_is_small(run_directory, comparison, tmp_path, monkeypatch):
+    monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.4)
+    told = []
+    page, _, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", progress=told.append)
+    html = page.read_text()
+    if "No video" in html:
+        pytest.skip("no OpenGL")
+    assert 'src="data:video/mp4;base64,' in html
+    assert len(html) < 5_000_000
+    assert told == sorted(told)
+    assert told[-1] == 1.0
 
 
-def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=0.05):
-    """A comparison whose policy reaches a share of every velocity and falls under the commands with these indices."""
-    seeds = 3
-    command = np.array(commands)
-    empty = {name: np.full((len(commands), seeds), np.nan) for name in METRICS}
-
-    def controller(share, turn, falls=(), error=None):
-        reached = command * [share, turn]
-        values = {name: value.copy() for name, value in empty.items()}
-        values["forward_velocity"][:] = reached[:, :1]
-        values["yaw_rate"][:] = reached[:, 1:]
-        values["forward_velocity_error"][:] = np.abs(reached - command)[:, :1] if error is None else error
-        values["yaw_rate_error"][:] = np.abs(reached - command)[:, 1:] if error is None else error
-        values["distance"][:] = 20.0 * reached[:, :1]
-        values["fall_rate"][:] = 0.0
-        values["peak_torque"][:] = 6.0
-        for i in falls:
-            for name, value in values.items():
-                value[i] = 1.0 if name == "fall_rate" else np.nan
-        return values
-
-    values = {
-        "policy": controller(velocity, velocity if yaw_rate is None else yaw_rate, fallen),
-        "tuned": controller(0.9, 0.9, error=tuned_error),
-        "article": controller(0.0, 0.0),
-        "zero": controller(0.0, 0.0),
-    }
-    return Comparison(tuple(commands), (1, 2, 3), 20.0, TaskConfig(), {}, values)
-
-
-@pytest.mark.parametrize(
-    ("numbers", "level", "headline"),
-    [
-        ({"velocity": 1.0}, "good", "at least as well as the tuned gait"),
-        ({"velocity": 0.95, "tuned_error": 0.0}, "fair", "less accurate than the tuned gait forwards, backwards and"),
-        ({"velocity": 1.0, "yaw_rate": 0.2}, "fair", "turns at 20 % of the commanded rate"),
-        ({"velocity": 1.0, "fallen": [1, 3]}, "fair", "falls in 18 % of the episodes"),
-        ({"velocity": 0.6}, "fair", "forward velocity error of 0.12 m/s"),
-        ({"velocity": 0.4}, "poor", "Hardly: it reaches 40 %"),
-        ({"velocity": 0.0}, "poor", "does not walk."),
-        ({"velocity": -1.0, "fallen": [0, 6]}, "poor", "does not walk, and it falls."),
-        ({"velocity": 1.0, "fallen": range(len(COMMANDS))}, "poor", "falls before"),
-        ({"velocity": 1.0, "commands": [(0.0, 0.0)]}, "fair", "walking was not tested"),
-    ],
-)
-def test_headline(numbers, level, headline):
-    judged = verdict(invented(**numbers))
-    assert judged.level == level
-    assert headline in judged.headline
-    assert "nan" not in judged.text().lower().split()
-
-
-def test_findings_say_how_far_it_gets_and_where_it_falls():
-    findings = dict(verdict(invented(0.9, fallen=[1])).findings)
-    assert "travels 9.0 m in 20 s" in findings["Forwards"]
-    assert findings["Falls"].startswith("3 in 33 episodes of 20 s, 9.1 % (95 % interval ")
-    assert findings["Falls"].endswith("3 forwards.")
-    assert "-0.18 m/s of the commanded -0.20 m/s" in findings["Backwards"]
-    assert "reaches 90 % of the commanded yaw rate, the tuned gait 90 %" in findings["Turning"]
-    assert "6.0 of 10 N m" in findings["Effort"]
-    assert "more accurate forwards (0.032 against 0.050 m/s), standing" in findings["Tuned gait"]
-    assert "more accurate forwards" in findings["Article's gait"]
-
-
-def test_what_was_not_asked_for_is_not_judged():
-    topics = [topic for topic, _ in verdict(invented(0.9, commands=[(0.3, 0.0)])).findings]
-    assert topics == ["Falls", "Forwards", "Effort", "Tuned gait", "Article's gait"]
-
-
-def test_reached_share_counts_the_wrong_way_as_negative():
-    assert reached_share(invented(0.8), "policy", "backwards") == pytest.approx(0.8)
-    assert reached_share(invented(-0.5), "policy", "backwards") == pytest.approx(-0.5)
-    assert math.isnan(reached_share(invented(0.8, fallen=[6]), "policy", "backwards"))
-
-
-def test_motions():
-    assert [motion_of(c) for c in ((0.1, 0.0), (0.0, 0.0), (-0.1, 0.0), (0.0, 0.5), (0.3, -0.5))] == [
-        "forwards", "standing", "backwards", "turning", "turning",
-    ]  # fmt: skip
-
-
-# The comparison.
-
-
-def test_pairs_share_their_starts_and_differences_are_of_pairs(comparison):
-    starts = [rollout.orientation[0] for rollout in comparison.rollouts.values()]
-    for start in starts[1:]:
-        np.testing.assert_allclose(start, starts[0], atol=0.1)
-    by_hand = (comparison.values["policy"]["distance"] - comparison.values["zero"]["distance"]).mean()
-    assert comparison.difference("distance", "policy", "zero").mean == pytest.approx(by_hand)
-
-
-def test_a_policy_can_be_asked_for_more_than_it_was_trained_for():
-    narrow = random_policy("position", command=CommandConfig(forward_velocity=(0.0, 0.1), yaw_rate=(0.0, 0.0)))
-    done = compare(narrow, num_seeds=1, seconds=2.0, commands=[(0.5, -0.5)])
-    assert done.config.command.forward_velocity == (0.0, 0.5)
-    assert done.config.command.yaw_rate == (-0.5, 0.0)
-
-
-@pytest.mark.parametrize("seconds", [1.0, math.nan, math.inf, -3.0])
-def test_episodes_too_short_to_measure_are_refused(seconds):
-    with pytest.raises(QuadrupedError, match=r"seconds: expected 2 to 600; found"):
-        compare(random_policy("position"), 1, seconds)
-
-
-def test_no_seed_is_refused():
-    with pytest.raises(QuadrupedError, match="seeds: expected 1 or more; found -3"):
-        compare(random_policy("position"), -3)
-
-
-def test_shown_episode_is_the_first_without_a_fall():
-    valid = np.ones((10, 6), dtype=bool)
-    valid[4:, 0] = False
-    valid[3:, 3:] = False
-    valid[5, 4] = valid[4, 4] = valid[3, 4] = True
-    rollout = SimpleNamespace(valid=valid)
-    numbers = Comparison(((0.1, 0.0), (0.2, 0.0)), (0, 1, 2), 1.0, TaskConfig(), {"policy": rollout}, {})
-    assert numbers.episode(0) == 1
-    assert numbers.episode(1) == 4
-
-
-# The learning curve.
+# --- the learning curve
 
 
 def test_learning_curve_reads_what_a_killed_run_left(run_directory):
@@ -378,190 +203,3 @@ def test_learning_curves_of_several_runs_are_drawn_in_one_figure(run_directory):
     svg = plots.learning_curve({"one": curve, "other": {**curve, "return": curve["return"] + 1.0}})
     assert svg.count("<svg ") == 1
     assert svg.count('id="legend_') == 1
-
-
-# The worst episodes.
-
-
-def with_falls(comparison, **falls):
-    """The comparison, with the policy falling in rows (r3 is the fourth) after so many samples."""
-    policy = comparison.rollouts["policy"]
-    valid = policy.valid.copy()
-    for row, samples in falls.items():
-        valid[samples:, int(row[1:])] = False
-    fallen = dataclasses.replace(policy, valid=valid)
-    return dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
-
-
-def test_falls_are_the_worst_and_the_earliest_first(comparison):
-    found = failures.worst_episodes(with_falls(comparison, r1=100, r4=50, r5=80))
-    assert [failure.row for failure in found[:2]] == [4, 1]
-    assert [failure.command for failure in found[:2]] == [TINY[2], TINY[0]]
-    assert found[0].fell_at == pytest.approx(51 * 0.02)
-    assert found[0].story.startswith("It fell at 1.0 s")
-    assert found[2].fell_at is None
-
-
-def test_without_falls_the_worst_has_the_largest_error(comparison):
-    errors = comparison.values["policy"]
-    tolerated = np.maximum(errors["forward_velocity_error"] / 0.1, errors["yaw_rate_error"] / 0.2)
-    worst = failures.worst_episodes(with_falls(comparison))
-    assert not any(math.isinf(failure.badness) for failure in worst)
-    assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
-    assert worst[0].row == int(np.nanargmax(tolerated))
-    assert "It stayed on its feet. Largest error: mean " in worst[0].story
-    assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
-
-
-@pytest.mark.parametrize(
-    ("axis", "angle", "words"),
-    [
-        ("x", -1.0, "over its left side, at 57° of tilt"),
-        ("x", 1.0, "over its right side"),
-        ("y", 1.0, "forwards, over its nose"),
-        ("y", -1.0, "backwards, over its tail"),
-        ("y", 0.1, "its trunk hit the ground while nearly level (6° of tilt)"),
-    ],
-)
-def test_story_says_which_way_it_fell(comparison, axis, angle, words):
-    fell = with_falls(comparison, r0=50)
-    policy = fell.rollouts["policy"]
-    orientation = policy.orientation.copy()
-    orientation[50, 0] = [math.cos(angle / 2), *(math.sin(angle / 2) * (axis == name) for name in "xyz")]
-    rollouts = {**fell.rollouts, "policy": dataclasses.replace(policy, orientation=orientation)}
-    assert words in failures.worst_episodes(dataclasses.replace(fell, rollouts=rollouts))[0].story
-
-
-# Several runs.
-
-
-def test_runs_are_ranked_by_paired_differences(comparison):
-    rng = np.random.default_rng(0)
-    values = {name: {m: v.copy() for m, v in metrics.items()} for name, metrics in comparison.values.items()}
-    values["good"], values["level"], values["bad"] = (
-        {m: v.copy() for m, v in values["tuned"].items()} for _ in range(3)
-    )
-    for metric in ("forward_velocity_error", "yaw_rate_error", "fall_rate"):
-        values["good"][metric][:] = 0.0
-        values["level"][metric][:] = rng.uniform(0.0, 0.004, values["level"][metric].shape)
-        values["bad"][metric][:] = 1.0
-    values["level"]["fall_rate"][:] = 0.0
-    several = dataclasses.replace(comparison, values=values)
-    names = ["bad", "good", "level"]
-    assert run_comparison.best_at(several, names, "forwards") == ["good", "level"]
-    words = run_comparison.headline(several, names)
-    assert words.startswith(
-        "Good and level are most accurate forwards, standing, backwards and turning; bad falls more often."
-    )
-    assert run_comparison.headline(several, ["good", "level"]).startswith("All are equally accurate forwards")
-
-
-def test_runs_are_compared_on_one_page(run_directory, tmp_path):
-    second = tmp_path / "second"
-    random_policy("position").save(second)
-    subjects = run_comparison.find_subjects([str(run_directory), str(second)], tmp_path / "out")
-    policies = {name: found.policy for name, found in subjects.items()}
-    compared = compare_policies(policies, 1, 2.0, TINY)
-    assert list(compared.values) == ["20260101-000000-ppo", "second", "tuned", "article", "zero"]
-    page, numbers, _ = run_comparison.write_comparison(subjects, compared, tmp_path / "out", "", with_video=False)
-    text = " ".join(Page(page.read_text()).text)
-    for name in subjects:
-        assert name in text
-    assert "script-src" not in page.read_text()
-    assert set(json.loads(numbers.read_text())["policies"]) == set(subjects)
-    alone = compare(random_policy("position"), 1, 2.0, TINY)
-    np.testing.assert_array_equal(alone.values["policy"]["distance"], compared.values["second"]["distance"])
-    assert verdict(compared.seen_as("second")) == verdict(alone)
-
-
-def test_runs_that_cannot_be_compared_are_named(run_directory, tmp_path):
-    with pytest.raises(QuadrupedError, match="at least two runs"):
-        run_comparison.find_subjects(["flat"], tmp_path)
-    with pytest.raises(QuadrupedError, match="'flat' is named before"):
-        run_comparison.find_subjects(["flat", "flat"], tmp_path)
-    with pytest.raises(QuadrupedError, match="'tuned' is the name of a scripted controller"):
-        compare_policies({"tuned": random_policy("position")}, 1, 2.0)
-
-
-# Finding the policy, and the program.
-
-
-def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    asked = []
-    monkeypatch.setattr(subject, "load_policy", lambda name, *_: asked.append(name) or random_policy("position"))
-    assert find_subject(None).output == Path("results/flat")
-    assert asked == ["flat"]
-    Path("runs").mkdir()
-    Path("runs/latest").symlink_to(run_directory)
-    found = find_subject(None)
-    assert (found.name, found.output) == ("20260101-000000-ppo", Path("runs/latest/evaluation"))
-    assert find_subject("flat", Path("there")).output == Path("there")
-
-
-def test_a_checkpoint_is_named_with_its_run(run_directory):
-    random_policy("position").save(run_directory / "checkpoints" / "step-1000")
-    assert find_subject(str(run_directory / "checkpoints" / "step-1000")).name == (
-        "20260101-000000-ppo/checkpoints/step-1000"
-    )
-
-
-def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
-    monkeypatch.setattr(results.importlib.util, "find_spec", lambda name: None)
-    with pytest.raises(MissingExtraError, match=r"mini-quadruped\[report\]"):
-        results.prepare_output(tmp_path)
-
-
-def test_an_output_that_cannot_be_made_is_named(tmp_path):
-    (tmp_path / "file").write_text("")
-    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*choose another directory"):
-        results.prepare_output(tmp_path / "file" / "out")
-
-
-def program(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, ROOT / "evaluate" / "policy.py", *map(str, arguments)],
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
-def test_program_names_what_is_wrong_with_a_run(run_directory, tmp_path):
-    damaged = tmp_path / "damaged"
-    random_policy("position").save(damaged)
-    (damaged / "policy.json").write_text("{")
-    result = program(damaged, cwd=tmp_path)
-    assert result.returncode == 2
-    assert len(result.stderr.splitlines()) == 1
-    assert f"{damaged / 'policy.json'}: not valid JSON" in result.stderr
-    assert "train again" in result.stderr
-
-
-@pytest.mark.slow
-def test_program_evaluates_a_run(run_directory, tmp_path):
-    result = program(
-        run_directory, "--seeds", 1, "--seconds", 2, "--no-video", "--output", tmp_path / "out", cwd=tmp_path
-    )
-    assert result.returncode == 0, result.stderr
-    assert "Forwards: velocity error (m/s)" in result.stdout
-    assert str(tmp_path / "out" / "report.html") in result.stdout
-    assert (tmp_path / "out" / "report.html").is_file()
-    assert json.loads((tmp_path / "out" / "metrics.json").read_text())["command_line"] == (
-        "python evaluate/policy.py runs/20260101-000000-ppo --seeds 1 --seconds 2"
-    )
-
-
-@pytest.mark.slow
-def test_report_with_a_video_is_small(run_directory, comparison, tmp_path, monkeypatch):
-    monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.4)
-    told = []
-    page, _, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", progress=told.append)
-    html = page.read_text()
-    if "No video" in html:
-        pytest.skip("no OpenGL")
-    assert 'src="data:video/mp4;base64,' in html
-    assert len(html) < 5_000_000
-    assert told == sorted(told)
-    assert told[-1] == 1.0

@@ -1,4 +1,4 @@
-"""Where the links are: kinematics, transforms and resting poses against yourdfpy, scipy and MuJoCo."""
+"""Kinematics, transforms and resting poses, against yourdfpy, SciPy and MuJoCo."""
 
 import math
 
@@ -16,7 +16,7 @@ STANCE, STANCE_HEIGHT = MINI_QUADRUPED.stance, MINI_QUADRUPED.stance_height
 
 class TestKinematics:
     def test_urdf_mjcf_and_package_agree(self, urdf, urdf_model):
-        """MuJoCo on both files, with yourdfpy as a witness that shares no code with it."""
+        """MuJoCo on both files, and yourdfpy, which shares no code with it."""
         positions = random_positions(np.random.default_rng(0), 1000)
         poses = forward_kinematics(positions)
         assert tuple(poses) == LINKS
@@ -58,7 +58,7 @@ class TestKinematics:
         np.testing.assert_allclose(end, expected, rtol=0, atol=1e-12)
 
     @pytest.mark.parametrize("leg", LEGS)
-    def test_directions(self, leg):
+    def test_positive_angles_swing_the_foot_backwards(self, leg):
         """A positive hip angle swings the foot backwards, a negative knee angle forwards."""
 
         def foot_x(hip, knee):
@@ -137,8 +137,8 @@ class TestKinematics:
         with pytest.raises(QuadrupedError, match=message):
             forward_kinematics(positions, base_pose)
 
-    def test_many_poses_are_each_the_whole_models(self, mjcf):
-        """Across the edge of a block, and to the last bit."""
+    def test_many_poses_are_each_those_of_mujoco(self, mjcf):
+        """To the last bit, also across the boundary between blocks of 4096 poses."""
         rng = np.random.default_rng(0)
         positions, base = random_positions(rng, 5000), rng.standard_normal((5000, 7))
         poses = forward_kinematics(positions, base)
@@ -153,7 +153,7 @@ class TestKinematics:
 
 class TestTransforms:
     def test_are_those_of_the_urdf(self, urdf):
-        """One a moving joint, parent to child, as yourdfpy reads the file that robot_state_publisher would read."""
+        """One per moving joint, parent to child, as yourdfpy reads the file that robot_state_publisher would read."""
         positions = random_positions(np.random.default_rng(0), 200)
         transforms = MINI_QUADRUPED.joint_transforms(positions)
         assert {(t.parent, t.child) for t in transforms} == {

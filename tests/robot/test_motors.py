@@ -1,4 +1,4 @@
-"""Other motors than the model file's: what a robot was found to have."""
+"""Motors with other parameters than the model file's, as identified on a robot."""
 
 import copy
 import json
@@ -120,7 +120,7 @@ def test_single_and_vector_environment_agree_with_other_motors():
             assert given == reward[row]
 
 
-def test_what_was_sent_and_has_not_arrived_belongs_to_the_state():
+def test_targets_that_are_still_delayed_belong_to_the_state():
     env = gymnasium.make("MiniQuadruped-v0", config=CONFIG).unwrapped
     env.reset(seed=0)
     rng = np.random.default_rng(0)
@@ -135,7 +135,7 @@ def test_what_was_sent_and_has_not_arrived_belongs_to_the_state():
         np.testing.assert_array_equal(twin.step(action)[0], expected)
 
 
-def test_as_json_and_back():
+def test_motors_survive_json():
     config = TaskConfig(motor=OTHER)
     again = TaskConfig.from_dict(json.loads(json.dumps(config.to_dict())))
     assert again.motor == OTHER
@@ -151,6 +151,6 @@ def test_as_json_and_back():
         ({"delay": 12.0}, r"delay must be at most 0\.5 s; found 12\.0; give it in s"),
     ],
 )
-def test_numbers_that_make_no_sense(values, message):
+def test_invalid_motors_are_refused(values, message):
     with pytest.raises(QuadrupedError, match=message):
         TaskConfig.from_dict({"motor": values})

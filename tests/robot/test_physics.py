@@ -6,7 +6,7 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from conftest import mirrored
+from mirroring import mirrored
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
@@ -97,7 +97,7 @@ class TestStanding:
 
 
 def motor_torque(error, speed):
-    """What a motor gives, N m, and what its controller asks for, from position error (rad) and speed (rad/s).
+    """Torque of a motor, and torque that its controller requests, N m, from position error (rad) and speed (rad/s).
 
     The law of the README: PD torque, within what 24 V give at this speed, within the effort limit.
     """
@@ -291,7 +291,7 @@ class TestDynamics:
         return abs(values - values[0]).max(axis=(0, 2)), abs(values).max(axis=(0, 2))
 
     def test_motors_conserve_momentum_in_the_air(self):
-        """Up to the integrator's error, which falls with the step."""
+        """Up to the integrator's error, which decreases with the time step."""
         coarse, size = self.momentum_drift(0.005)
         fine, _ = self.momentum_drift(0.0005)
         assert (coarse < [0.01, 0.1] * size).all()
@@ -350,7 +350,7 @@ class TestSensors:
         assert seen.all()
         assert knee_contacts > 0
 
-    def test_a_robot_on_its_back_feels_no_feet(self, model):
+    def test_foot_sensors_of_a_robot_on_its_back_read_zero(self, model):
         data = mujoco.MjData(model)
         data.qpos[:] = [0, 0, 0.05, 0, 1, 0, 0, *STANCE]
         data.ctrl = STANCE

@@ -1,4 +1,4 @@
-"""ROS messages as data and as bytes, held against rosbags' own and those of an installed ROS 2."""
+"""ROS messages as data and as bytes, compared with rosbags' own and those of an installed ROS 2."""
 
 import json
 import struct
@@ -94,13 +94,13 @@ class TestMessageTypes:
         assert kind.type_hash == "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"
         assert kind.dds_name == "sensor_msgs::msg::dds_::JointState_"
 
-    def test_what_a_type_holds_comes_before_it(self):
+    def test_types_of_fields_come_before_the_type_that_contains_them(self):
         seen = set()
         for kind in MESSAGE_TYPES.values():
             assert all(field.base in seen for field in kind.fields if field.is_message), kind.name
             seen.add(kind.name)
 
-    def test_unknown_names_are_named(self):
+    def test_unknown_types_and_fields_are_named(self):
         with pytest.raises(QuadrupedError, match=r"unknown message type 'a/msg/B'; known are .*JointState"):
             message_type("a/msg/B")
         with pytest.raises(QuadrupedError, match=r"JointState: unknown field 'positions'; its fields are header, name"):
@@ -164,7 +164,7 @@ class TestJointState:
         state = random_joint_state(np.random.default_rng(3))
         assert_read(Decoder()(cdr.serialize(as_message(state)) + bytes(3)), state)
 
-    def test_a_stamp_outside_the_type_is_refused(self):
+    def test_timestamp_out_of_range_is_refused(self):
         with pytest.raises(QuadrupedError, match=r"stamp 2147483648000000000 ns: a ROS message holds"):
             Encoder(["a"])(2**31 * 10**9, array("d", [0.0]).tobytes())
 

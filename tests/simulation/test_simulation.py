@@ -1,4 +1,4 @@
-"""The two drivers: the same bits, rows that do not disturb each other, and states that can be taken and restored."""
+"""The two simulation drivers: identical bits, independent envs, and states that can be saved and restored."""
 
 import copy
 import pickle
@@ -18,10 +18,10 @@ SUBSTEPS = 4
 
 
 class Singles:
-    """Several `SingleSimulation`s behind the interface of one simulation with as many rows."""
+    """Several `SingleSimulation`s behind the interface of one simulation with as many envs."""
 
     def __init__(self, model, num_envs):
-        # A model each: a single simulation writes a row's model fields into its own.
+        # One model each: a single simulation writes the model fields of its env into its own.
         self.singles = [SingleSimulation(copy.copy(model)) for _ in range(num_envs)]
 
     def step(self, joint_target, substeps):
@@ -84,13 +84,13 @@ def readings_of(state):
 
 
 def snapshot(simulation):
-    """Readings and full state of every row, side by side."""
+    """Readings and full state of every env, side by side."""
     states = np.array([simulation.get_state(row).integration for row in ALL])
     return side_by_side([*(simulation.reading(name) for name in READINGS), states])
 
 
 def physics_of(simulation, row):
-    """qpos (15,) and qvel (14,) of a row, from its state: time comes first."""
+    """qpos (15,) and qvel (14,) of an env, from its state, in which time comes first."""
     state = simulation.get_state(row).integration
     return state[1:16], state[16:30]
 
@@ -132,7 +132,7 @@ def driver(request):
 
 
 def eventful_run(driver, steps=300):
-    """Random controls with resets and pushes of some rows in between."""
+    """Random controls with resets and pushes of some envs in between."""
     simulation = start(driver)
     rng = np.random.default_rng(1)
     snapshots = [snapshot(simulation)]
@@ -183,7 +183,7 @@ def test_positions_and_velocities_are_current_after_a_step(driver):
         np.testing.assert_array_equal(simulation.reading("base_position")[row], qpos[:3])
 
 
-def test_resetting_a_row_leaves_the_others_alone(driver):
+def test_resetting_an_env_leaves_the_others_unchanged(driver):
     plain, disturbed = start(driver), start(driver)
     run(plain, 10, seed=1)
     run(disturbed, 10, seed=1)
@@ -195,7 +195,7 @@ def test_resetting_a_row_leaves_the_others_alone(driver):
     assert (actual[:, 2] != expected[:, 2]).any()
 
 
-def test_a_reset_forgets_the_past(driver):
+def test_reset_removes_every_effect_of_the_past(driver):
     fresh, used = start(driver, seed=4), start(driver, seed=5)
     run(used, 20, seed=1)
     used.reset(ALL, *draw_starts(np.random.default_rng(4), ROWS))
@@ -203,7 +203,7 @@ def test_a_reset_forgets_the_past(driver):
     np.testing.assert_array_equal(run(used, 20, seed=2), run(fresh, 20, seed=2))
 
 
-def test_no_rows_is_no_change(driver):
+def test_reset_of_no_envs_changes_nothing(driver):
     simulation = start(driver)
     before = snapshot(simulation)
     none = np.array([], dtype=np.intp)
@@ -227,7 +227,7 @@ def diverge_by_nan_start(simulation, row):
 
 
 @pytest.mark.parametrize("diverge", [diverge_by_velocity, diverge_by_nan_velocity, diverge_by_nan_start])
-def test_divergence_is_reported_for_its_row_until_its_reset(driver, diverge):
+def test_divergence_is_reported_for_its_env_until_its_reset(driver, diverge):
     plain, disturbed = start(driver), start(driver)
     run(plain, 3, seed=1)
     run(disturbed, 3, seed=1)
@@ -247,7 +247,7 @@ def test_divergence_is_reported_for_its_row_until_its_reset(driver, diverge):
 
 
 @pytest.mark.parametrize("diverge", [diverge_by_velocity, diverge_by_nan_velocity, diverge_by_nan_start])
-def test_both_drivers_go_on_alike_after_a_divergence(diverge):
+def test_both_drivers_continue_identically_after_a_divergence(diverge):
     results = []
     for driver in DRIVERS:
         simulation = start(driver)
@@ -297,7 +297,7 @@ def test_a_push_right_after_restoring_keeps_the_restored_forces(driver):
         np.testing.assert_array_equal(simulation.reading(name), expected, err_msg=name)
 
 
-def test_restoring_brings_back_whether_a_row_had_diverged(driver):
+def test_restored_env_is_diverged_if_it_was_when_saved(driver):
     simulation = start(driver)
     run(simulation, 3, seed=1)
     healthy = simulation.get_state(2)
@@ -315,7 +315,7 @@ def through_pickle(simulation):
 
 
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_a_copied_single_simulation_goes_on_identically(model, duplicate):
+def test_a_copied_single_simulation_continues_identically(model, duplicate):
     rng = np.random.default_rng(0)
     original = SingleSimulation(copy.copy(model))
     original.model_field("geom_friction")[:, :, 0] = 0.6
@@ -331,7 +331,7 @@ def test_a_copied_single_simulation_goes_on_identically(model, duplicate):
         for simulation in duplicates:
             np.testing.assert_array_equal(readings_of(simulation.readings), readings_of(original.readings))
             np.testing.assert_array_equal(simulation.get_state(0).integration, expected.integration)
-    # Nothing is shared: the copies do not feel a reset of the original, nor its new friction.
+    # Nothing is shared: a reset of the original and its new friction do not affect the copies.
     before = readings_of(duplicates[0].readings)
     original.model_field("geom_friction")[:] = 0.1
     original.reset(np.array([0]), *draw_starts(rng, 1))
@@ -349,7 +349,7 @@ def vary_models(simulation, model, rows_friction, rows_payload):
     simulation.write_model_field("body_mass", mass)
 
 
-def test_a_model_field_belongs_to_its_row(model):
+def test_model_field_belongs_to_its_env(model):
     friction, payload = np.full(ROWS, 0.8), np.zeros(ROWS)
     friction[1], payload[3] = 0.2, 1.0
     results = {}
@@ -436,7 +436,7 @@ def test_readings_are_live_views_with_the_documented_shapes(model):
         assert readings_of(state).shape[1] == model.nsensordata
 
 
-def test_the_renderers_copy_of_a_row_is_that_row(model):
+def test_renderers_copy_of_an_env_equals_that_env(model):
     simulation = BatchSimulation(model, ROWS, 1)
     simulation.reset(ALL, *draw_starts(np.random.default_rng(0), ROWS))
     simulation.step(np.tile(STANCE, (ROWS, 1)), SUBSTEPS)

@@ -1,4 +1,4 @@
-"""The task's config: JSON, defaults, and what is refused."""
+"""The task's config: JSON, defaults, and refusal of bad values."""
 
 import copy
 import dataclasses
@@ -60,7 +60,7 @@ def test_numpy_scalars_and_arrays_in_a_config_become_plain_values():
     assert config.command.forward_velocity == (0.0, 1.0)
     assert (type(config.decimation), config.decimation) == (int, 5)
     assert (type(config.motor.hip.kp), config.motor.hip.kp) == (float, 41.0)
-    assert given["command"]["forward_velocity"].shape == (2,), "the caller's values are the caller's"
+    assert given["command"]["forward_velocity"].shape == (2,), "the caller's values must not change"
 
 
 def test_numpy_values_given_to_the_dataclasses_become_plain_values():

@@ -186,7 +186,7 @@ def test_commands_are_uniform_and_independent_whatever_their_kind(commands):
     assert_unrelated({"forward velocity": forward[turning]}, {"yaw rate": yaw_rate[turning]})
 
 
-def test_commands_tell_nothing_about_their_neighbours(commands):
+def test_commands_are_unrelated_to_their_neighbours(commands):
     standing, straight, turning = kinds(commands)
     draws = {
         "standing": np.where(standing, 1.0, 0.5),
@@ -323,7 +323,7 @@ def test_noise_of_every_column_is_uniform_within_its_amplitude(noise):
     assert_uniform(draws)
 
 
-def test_noise_tells_nothing_about_other_columns_steps_envs_and_episodes(noise):
+def test_noise_is_unrelated_to_other_columns_steps_envs_and_episodes(noise):
     values, _, start = noise
     columns = [i for i, (name, _) in enumerate(NOISY_COLUMNS) if name != "projected gravity 2"]
     by_step = {NOISY_COLUMNS[i][0]: values[..., i].reshape(-1, 200) for i in columns}

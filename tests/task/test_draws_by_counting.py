@@ -1,4 +1,4 @@
-"""Random numbers by counting: uniform, independent, and a function of key, episode, step, purpose and column alone."""
+"""Counter-based random numbers: uniform, independent, a function of key, episode, step, purpose and column alone."""
 
 import math
 
@@ -62,7 +62,7 @@ def test_draws_of_neighbouring_keys_and_episodes_are_independent():
             assert abs(correlation) < 4 / math.sqrt(numbers.size), (axis, shift)
 
 
-def test_a_purpose_that_is_added_shifts_no_other():
+def test_added_purpose_shifts_no_other():
     made, ids, step = draws(5), np.arange(5), np.arange(5)
     alone = made.uniform(Purposes({"second": 4}), ids, step)
     among = made.uniform(Purposes({"new": 7}) + FIRST, ids, step)
@@ -72,7 +72,7 @@ def test_a_purpose_that_is_added_shifts_no_other():
     assert not np.isin(made.uniform(Purposes({"third": 4}), ids, step), alone).any()
 
 
-def test_an_envs_draws_do_not_depend_on_the_envs_beside_it():
+def test_draws_of_an_env_do_not_depend_on_the_other_envs():
     many, one = draws(9), Draws(1)
     one.set_key(0, np.random.default_rng([0, 4]))
     one.begin_episode(np.array([0]))
@@ -84,7 +84,7 @@ def test_an_envs_draws_do_not_depend_on_the_envs_beside_it():
     )
 
 
-def test_a_state_brings_the_draws_back():
+def test_restored_state_repeats_the_draws():
     made, ids = draws(2), np.arange(2)
     state = made.get_state(1)
     expected = made.uniform(FIRST, ids, np.array([3, 3]))[1]

@@ -1,4 +1,4 @@
-"""A user's own terms: the code of docs/make-it-yours.md, and what is refused."""
+"""A user's own terms: the code of docs/make-it-yours.md, and refusal of bad terms."""
 
 import copy
 import json
@@ -74,7 +74,7 @@ def test_terrain_of_the_page_is_the_ground_of_envs_that_name_it(my_task):
     assert env.unwrapped.task.config.to_dict()["terrain"] == {"name": "steps", "seed": 1, "height": 0.02, "width": 0.4}
 
 
-def test_a_randomized_model_field_is_drawn_per_row_and_scales_inertia_too(my_task):
+def test_randomized_model_field_is_drawn_per_env_and_scales_inertia_too(my_task):
     env = gymnasium.make_vec(ENV_ID, num_envs=50, task_file=my_task).unwrapped
     plain = env.task.simulation.model
     env.reset(seed=0)
@@ -117,7 +117,7 @@ def test_single_and_vector_environment_with_own_terms_are_bit_identical(my_task)
             break
 
 
-def test_a_term_of_a_built_in_name_takes_its_place(tmp_path):
+def test_term_with_a_built_in_name_replaces_the_built_in_term(tmp_path):
     file = write(
         tmp_path,
         "from quadruped_env.task import reward\n"
@@ -184,8 +184,8 @@ def test_a_missing_file_is_refused_by_name(tmp_path):
         gymnasium.make(ENV_ID, task_file=tmp_path / "gone.py")
 
 
-def test_a_run_with_own_terms_is_trained_and_asks_for_its_file(my_task, tmp_path):
-    """And another version of the file is not the file."""
+def test_run_with_own_terms_is_trained_and_requires_its_file(my_task, tmp_path):
+    """Another version of the file is refused."""
     pytest.importorskip("stable_baselines3")
     from quadruped_env.training import TrainConfig
     from quadruped_env.training.ppo import train
@@ -217,7 +217,7 @@ def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
     assert terms.observations[-1].name == "joint_torque"
 
 
-def test_what_the_robot_does_not_measure_cannot_be_observed_live(my_task, tmp_path):
+def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
     from quadruped_env.control import PolicyController
     from quadruped_env.control.live_controller import LiveController
@@ -266,7 +266,7 @@ print([float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)])
 """
 
 
-def test_a_copied_env_with_own_terms_goes_on_identically_also_in_another_process(my_task, tmp_path):
+def test_a_copied_env_with_own_terms_continues_identically_also_in_another_process(my_task, tmp_path):
     env = gymnasium.make(ENV_ID, task_file=my_task, config=NOISY)
     env.reset(seed=1)
     for _ in range(10):

@@ -1,4 +1,4 @@
-"""What differs from episode to episode."""
+"""Randomization: quantities that differ from episode to episode."""
 
 import math
 
@@ -52,7 +52,7 @@ def test_starts_are_drawn_in_their_ranges():
     assert 0.15 < tilt.max() <= math.sqrt(2) * 0.15 + 1e-9
     yaw = 2 * np.arctan2(qpos[:, 6], qpos[:, 3])
     assert np.ptp(yaw) > 6.0, "every heading"
-    # No draw decides two things.
+    # No draw decides two quantities.
     correlation = np.corrcoef(np.concatenate([qpos[:, 7:], qvel], axis=1).T) - np.eye(22)
     assert abs(correlation).max() < 0.08
 
@@ -70,7 +70,7 @@ MODELS = RandomizationConfig(friction=(0.3, 0.9), payload=(-0.2, 1.0))
 
 
 @pytest.mark.parametrize("rows", [1, 4], ids=["single", "batch"])
-def test_friction_and_payload_are_in_the_model_of_the_row(rows):
+def test_friction_and_payload_are_in_the_model_of_the_env(rows):
     plain = build_model()
     base = plain.body("base_link").id
     model = build_model()
@@ -100,7 +100,7 @@ def test_friction_and_payload_are_in_the_model_of_the_row(rows):
     assert len(set(frictions)) == len(set(payloads)) == 12 * rows
 
 
-def test_a_reset_of_some_rows_leaves_the_models_of_the_others():
+def test_reset_of_some_envs_leaves_the_models_of_the_others():
     task = make_task(4, randomization=MODELS)
     friction, mass = (task.simulation.model_field(name) for name in ("geom_friction", "body_mass"))
     before = friction.copy(), mass.copy()

@@ -1,4 +1,4 @@
-"""The reward: every term against hand-computed values, and alike for any batch."""
+"""The reward: every term against hand-computed values, and identical for any batch."""
 
 import dataclasses
 import math
@@ -33,9 +33,9 @@ def progress(velocity, command, overshoot):
         (0.0, 0.4, 0.0),
         (-0.2, 0.4, -0.5),  # the wrong way
         (-9.0, 0.4, -1.0),  # never below -1
-        (-0.4, -0.4, 1.0),  # backwards alike
+        (-0.4, -0.4, 1.0),  # backwards too
         (-0.2, -0.4, 0.5),
-        (0.0, 0.0, 0.0),  # none commanded, none paid
+        (0.0, 0.0, 0.0),  # no command, no reward
     ],
 )
 @pytest.mark.parametrize("overshoot", [1.0, 2.0])
@@ -112,7 +112,7 @@ def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected
     assert terms.values()["joint_speed"] == pytest.approx([expected], abs=1e-12)
 
 
-def test_every_term_reads_what_its_name_says():
+def test_every_term_reads_the_quantity_of_its_name():
     config = TaskConfig(reward=RewardConfig(base_height=0.2, foot_lift=0.02, yaw_rate_std=0.2))
     threshold = config.reward.contact_threshold
     readings = still_readings(
@@ -171,7 +171,7 @@ def test_every_weight_is_a_term_and_every_term_has_a_weight():
 
 
 @pytest.mark.parametrize("num_envs", [1, 2, 3, 7, 64])
-def test_an_envs_terms_do_not_depend_on_the_envs_beside_it(num_envs):
+def test_terms_of_an_env_do_not_depend_on_the_other_envs(num_envs):
     rng = np.random.default_rng(2)
     readings = random_readings(rng, 256)
     everywhere = Terms(readings).randomize(rng)

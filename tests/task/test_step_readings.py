@@ -1,7 +1,7 @@
 """One control step, recomputed from MuJoCo's own data: joint targets, every reward term, the fall, the observation.
 
-Nothing here asks the package for more than what an env returns. MuJoCo steps a copy of the robot alone, and plain
-formulas, those of the env's docstring, make the rest of its state.
+The package is used only through what an env returns. MuJoCo steps a copy of the robot on its own, and the formulas of
+the env's docstring give the rest of its state.
 """
 
 import math
@@ -25,7 +25,7 @@ RADIUS = 0.02
 DT = 4 * PHYSICS_TIMESTEP
 CLOCK_RATE = math.tau * 2.2
 MOVING = 0.02
-"""m/s and rad/s; a command below both stands still."""
+"""Threshold of moving, m/s and rad/s; a command below both stands still."""
 
 WEIGHTS = {
     "track_forward_velocity": 6.0,
@@ -56,9 +56,9 @@ class Memory:
     """State of the task between two steps."""
 
     command: np.ndarray
-    """In force during the next step, m/s and rad/s."""
+    """Command in force during the next step, m/s and rad/s."""
     phase: float | None
-    """Of the gait clock before the next step, rad; None until the clock was observed."""
+    """Phase of the gait clock before the next step, rad; None until the clock was observed."""
     last_action: np.ndarray = field(default_factory=lambda: np.zeros(8))
     average: list[float] = field(default_factory=lambda: [0.0, 0.0])
     """Forward velocity and yaw rate over about a gait cycle."""
@@ -170,7 +170,7 @@ class Episode:
     seed: int = 0
 
 
-# Either zero or well over the threshold of moving: under it the gait goes on with a clock that is not observed.
+# Either zero or well over the threshold of moving: under it the gait continues with a clock that is not observed.
 CHANGING = {"resample": (0.05, 0.2), "shares": (0.3, 0.2), "forward_velocity": (0.1, 0.6)}
 HARD_PUSHES = {"push_velocity": 4.0, "push_interval": (0.1, 0.2)}
 EPISODES = {
@@ -311,7 +311,7 @@ def test_reward_term_is_its_formula_on_mujocos_readings(played, term):
         expected = WEIGHTS[term] * DT * step.terms[term]
         assert step.info[f"reward_{term}"] == pytest.approx(expected, rel=1e-5, abs=1e-7), name
         values.append(step.terms[term])
-    assert np.ptp(values) > 1e-4, "the episodes say something about this term"
+    assert np.ptp(values) > 1e-4, "the term must vary over the episodes"
 
 
 def test_reward_is_the_sum_of_exactly_these_terms(played):

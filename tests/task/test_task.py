@@ -1,4 +1,4 @@
-"""The task: terminations, commands, actions and what it remembers."""
+"""The task: terminations, commands, actions and memory."""
 
 import dataclasses
 import math
@@ -69,7 +69,7 @@ def test_a_robot_that_tips_over_has_fallen():
         assert bool(info["reward_fall"] != 0.0) is fallen
 
 
-def test_an_episode_is_truncated_when_its_steps_are_used_up():
+def test_episode_is_truncated_after_its_maximum_of_steps():
     task = make_task(2, max_episode_steps=5, termination=NEVER_FALLS)
     ends = []
     for step in range(8):
@@ -78,7 +78,7 @@ def test_an_episode_is_truncated_when_its_steps_are_used_up():
         transition = task.step(np.zeros((2, 8)))
         ends.append(transition.truncated.tolist())
         assert not transition.terminated.any()
-    assert [end[0] for end in ends] == [False] * 4 + [True] * 4, "out of time until it is reset"
+    assert [end[0] for end in ends] == [False] * 4 + [True] * 4, "truncated until it is reset"
     assert [end[1] for end in ends] == [False] * 7 + [True]
 
 
@@ -201,7 +201,7 @@ class HoldController:
         return self.target
 
 
-def test_a_joint_target_goes_to_the_motors_as_it_is_and_counts_as_no_action():
+def test_joint_target_of_a_controller_reaches_the_motors_unchanged_and_counts_as_no_action():
     env = make_env(termination=NEVER_FALLS)
     env.step(np.full(8, 0.5))
     target = STANCE + 0.1
@@ -245,7 +245,7 @@ def test_a_transition_is_not_overwritten_by_the_next_step():
         np.testing.assert_array_equal(getattr(first, name), value, err_msg=name)
 
 
-def test_a_reset_clears_what_has_memory_and_only_there():
+def test_reset_clears_the_memory_of_its_envs_only():
     task = make_task(3, termination=NEVER_FALLS)
     for _ in range(5):
         task.step(np.full((3, 8), 0.3))

@@ -93,7 +93,7 @@ def test_table_and_verdict_and_report():
         ({"gaits": ["gallop"]}, "'gallop'"),
     ],
 )
-def test_arguments_that_make_no_sense(arguments, message):
+def test_invalid_arguments_are_refused(arguments, message):
     with pytest.raises(QuadrupedError, match=message):
         timestep_study.run_study(**arguments)
 

@@ -1,4 +1,4 @@
-"""The scripted gaits as simulated robots walk them, and the search that found their numbers."""
+"""The scripted gaits on simulated robots, and the search that found their parameters."""
 
 import numpy as np
 import pytest
@@ -56,7 +56,7 @@ def test_presets_walk_as_fast_as_they_were_tuned_for(name, angular_frequency, sp
     assert got.clearance[0] > 0.005
 
 
-def test_candidates_become_the_gait_that_they_describe():
+def test_candidates_give_the_joint_targets_of_their_gait():
     """The search's own targets, against the gait's formula."""
     column = [0.1, 0.6, 0.2, -0.15, -0.7, 0.05, 0.5, 0.1, -0.3, -0.8]
     preset = SinusoidalGait(
@@ -78,7 +78,7 @@ def test_candidates_become_the_gait_that_they_describe():
         np.testing.assert_allclose(targets(t), np.tile(preset.positions(t), (2, 1)), atol=1e-12)
 
 
-def test_a_search_comes_nearer_and_stays_within_the_motors_speed(monkeypatch):
+def test_search_improves_and_stays_within_the_motors_speed(monkeypatch):
     monkeypatch.setattr(gait_tuning, "CANDIDATES", 40)
     monkeypatch.setattr(gait_tuning, "ELITE", 8)
     start = np.tile([0.1, STANCE[0], 0.15, -0.1, STANCE[1]], 2)
@@ -94,7 +94,7 @@ def test_a_search_comes_nearer_and_stays_within_the_motors_speed(monkeypatch):
     np.testing.assert_array_equal(again.columns, found[1].columns)
 
 
-def test_the_table_of_what_was_achieved_names_every_command():
+def test_table_of_results_names_every_command():
     table = gait_tuning.achieved_table(TUNED)
     rows = [line for line in table.splitlines() if line.startswith(("| +", "| -"))]
     assert len(rows) == 18

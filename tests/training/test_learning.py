@@ -1,4 +1,4 @@
-"""That training makes a policy better: everything else about it can be right with an optimizer that goes uphill."""
+"""Training improves a policy: every other test of training would also pass with an optimizer that goes uphill."""
 
 import gymnasium
 import numpy as np

@@ -1,4 +1,4 @@
-"""Going on from a run: settings, steps, schedules and curve are the parent's; what cannot be obeyed is refused."""
+"""Resumed runs: settings, steps, schedules and curve are the parent's; settings that cannot change are refused."""
 
 import json
 import re
@@ -65,7 +65,7 @@ def edit(path, section, **changes):
     path.write_text(json.dumps(document))
 
 
-# --- what cannot be obeyed ---
+# --- settings that cannot change ---
 
 
 @pytest.mark.parametrize(
@@ -88,19 +88,19 @@ def edit(path, section, **changes):
         ({"batch_size": 999}, r"--batch-size: 999 is more than the 32 samples"),
     ],
 )
-def test_a_setting_that_a_resumed_training_cannot_obey_is_refused(run, asked, message):
+def test_setting_that_a_resumed_training_cannot_change_is_refused(run, asked, message):
     with pytest.raises(QuadrupedError, match=message):
         Parent.load(run).resumed(asked)
 
 
-def test_settings_that_are_the_run_s_own_are_no_conflict(run):
+def test_settings_equal_to_those_of_the_run_are_accepted(run):
     parent = Parent.load(run)
     task = {"decimation": parent.config.task["decimation"], "reward": {"weights": {}}}
     asked = {"action_mode": "residual", "hidden": (8,), "log_std_init": -1.5, "symmetric": True, "task": task}
     assert parent.resumed(asked) == parent.resumed({})
 
 
-def test_the_program_refuses_a_flag_that_it_cannot_obey(run, tmp_path):
+def test_program_with_a_flag_that_cannot_change_is_refused(run, tmp_path):
     arguments = command(tmp_path / "runs", "--resume", run, "--action-mode", "position", "--hidden", 8)
     done = subprocess.run(arguments, capture_output=True, text=True, check=False)
     assert done.returncode == 2
@@ -114,17 +114,17 @@ def test_train_refuses_a_config_of_another_network(run, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-# --- what is taken over ---
+# --- settings and state of the parent ---
 
 
-def test_settings_that_were_not_asked_for_are_the_run_s(run):
+def test_settings_that_are_not_given_are_those_of_the_run(run):
     parent = Parent.load(run)
     assert parent.resumed({}) == parent.config
     changed = parent.resumed({"learning_rate": 5e-4, "name": "second"})
     assert (changed.learning_rate, changed.name, changed.num_envs) == (5e-4, "second", 4)
 
 
-def test_the_budget_is_what_a_run_had_left_or_as_much_again_or_what_is_asked_for(run, killed):
+def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, killed):
     whole = Parent.load(run)
     assert whole.budget_left == 0.0
     assert whole.resumed({}).timesteps == 8 * STEPS
@@ -139,7 +139,7 @@ def test_the_budget_is_what_a_run_had_left_or_as_much_again_or_what_is_asked_for
     assert timed.resumed({"timesteps": 99}).seconds is None
 
 
-def test_a_resumed_training_goes_on_with_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
+def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
     from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
 
     from quadruped_env.training import ppo
@@ -183,7 +183,7 @@ def test_a_resumed_training_goes_on_with_steps_curve_and_schedules_and_names_its
     assert logged[0] > 4 * STEPS
     assert logged[-1] == 8 * STEPS
     assert float(rows[-1]["seconds"]) >= parent.seconds
-    # A run that was resumed itself knows how much of its budget is left.
+    # A resumed run keeps its own share of the budget that is left.
     again = Parent.load(directory)
     assert again.budget_left_at_start == 0.5
     assert again.resumed({}).timesteps == 4 * STEPS
@@ -196,7 +196,7 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
     assert [row["timesteps"] for row in Parent.load(copy).curve] == ["100", str(8 * STEPS)]
 
 
-def test_network_and_optimizer_are_the_run_s(run):
+def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import ppo
 
@@ -214,7 +214,7 @@ def test_network_and_optimizer_are_the_run_s(run):
 # --- runs that were killed ---
 
 
-def test_of_a_killed_run_the_last_checkpoint_is_resumed_and_evaluated_with_a_word(killed):
+def test_killed_run_is_resumed_and_evaluated_from_its_last_checkpoint_with_a_warning(killed):
     with pytest.warns(QuadrupedWarning, match=r"killed: the training was killed .*: checkpoints/00002s$"):
         assert Parent.load(killed).name == "killed/checkpoints/00002s"
     with pytest.warns(QuadrupedWarning, match=r"last checkpoint is used"):
@@ -226,7 +226,7 @@ def test_of_a_killed_run_the_last_checkpoint_is_resumed_and_evaluated_with_a_wor
 
 
 @pytest.mark.slow
-def test_a_killed_training_goes_on_from_its_last_checkpoint(tmp_path):
+def test_killed_training_continues_from_its_last_checkpoint(tmp_path):
     with running(tmp_path, *ENDLESS, "--checkpoint-seconds", "0.5") as process:
         checkpoints = (tmp_path / "latest").resolve() / CHECKPOINTS
         wait_until(lambda: len(list(checkpoints.glob(f"*/{CARD_FILE}"))) >= 2, "two checkpoints", alive=process)
@@ -246,12 +246,12 @@ def test_a_killed_training_goes_on_from_its_last_checkpoint(tmp_path):
 
 
 @pytest.mark.slow
-def test_resuming_goes_on_with_the_task_and_the_network_of_the_run(tmp_path):
+def test_resumed_training_keeps_the_task_and_the_network_of_the_run(tmp_path):
     task = {"decimation": 5, "reward": {"weights": {"upright": -3.5}}}
     first = train(
         tmp_path, *TINY, "--action-mode", "position", "--hidden", 24, "--activation", "relu", "--task", json.dumps(task)
     )
-    # So slow that what it began with is still there.
+    # A learning rate so low that the weights stay those of the first run.
     resumed = train(tmp_path, *TINY, "--resume", first, "--learning-rate", "1e-12")
     policy, start = assert_complete(resumed), load_policy(first)
     assert resumed != first

@@ -1,4 +1,4 @@
-"""Training: what a run leaves, that it can be repeated and stopped, and that bad arguments are refused."""
+"""Training: the files of a run, repeated and stopped runs, and refusal of bad arguments."""
 
 import contextlib
 import dataclasses
@@ -49,7 +49,7 @@ def tiny_run(tmp_path_factory):
     return train(tmp_path_factory.mktemp("runs"), *TINY)
 
 
-# --- what a run leaves ---
+# --- files of a run ---
 
 
 def test_a_run_is_complete(tiny_run):
@@ -62,7 +62,7 @@ def test_a_run_is_complete(tiny_run):
     assert (tiny_run.parent / "latest").readlink() == Path(tiny_run.name), "relative, so that runs/ can be moved"
 
 
-def test_a_run_records_what_it_was_asked_for_and_with_what(tiny_run):
+def test_run_records_its_settings_and_versions(tiny_run):
     document = json.loads((tiny_run / CONFIG_FILE).read_text())
     training = dict(document["training"])
     assert training["hidden"] == list(TrainConfig().hidden)
@@ -110,7 +110,7 @@ def test_help_shows_every_field_with_its_meaning_and_default():
     assert {"output", "resume"} < set(described)
 
 
-def test_a_run_policy_walks_into_the_environment_again(tiny_run):
+def test_policy_of_a_run_acts_in_the_environment(tiny_run):
     import gymnasium
 
     policy = load_policy(tiny_run)
@@ -175,12 +175,12 @@ def test_a_signal_ends_a_training_which_saves_and_exits_cleanly(tmp_path, number
     assert policy.card["timesteps"] == int(progress(directory)[-1]["timesteps"]) > 0
 
 
-# --- what it says in the end ---
+# --- final output ---
 
 
 @pytest.fixture
-def say_in_the_end(tmp_path, monkeypatch, capsys):
-    """Runs the program with a training that takes no time: its lines."""
+def final_output(tmp_path, monkeypatch, capsys):
+    """Function that runs the program with a training that takes no time; returns the lines that it prints."""
 
     def train(config, runs, command, resume, task_file):
         directory = runs / "20260101-000000-flat"
@@ -202,8 +202,8 @@ def say_in_the_end(tmp_path, monkeypatch, capsys):
     return run
 
 
-def test_the_commands_in_the_end_can_be_pasted(say_in_the_end, tmp_path):
-    lines = say_in_the_end()
+def test_commands_of_the_final_output_can_be_pasted(final_output, tmp_path):
+    lines = final_output()
     commands = dict(line.split(":", 1) for line in lines if re.match(r"(evaluate|see)", line))
     assert set(commands) == {"evaluate it", "see it walk", "see curves"}
     for text in commands.values():
@@ -214,19 +214,19 @@ def test_the_commands_in_the_end_can_be_pasted(say_in_the_end, tmp_path):
         assert done.returncode == 0, done.stderr
 
 
-def test_a_short_training_says_so_and_what_latest_was(say_in_the_end, tmp_path):
+def test_short_training_reports_its_length_and_the_previous_latest_run(final_output, tmp_path):
     latest = tmp_path / "my runs" / "latest"
-    lines = say_in_the_end("--timesteps", "10000")
+    lines = final_output("--timesteps", "10000")
     assert lines[1] == f"{latest} now means this run"
     assert lines[2].startswith("it has learned for only 10,000 steps; in mode 'residual' a policy takes about 62,000 ")
     (latest.parent / "20250101-000000-other").mkdir()
     latest.unlink()
     latest.symlink_to("20250101-000000-other")
-    lines = say_in_the_end("--timesteps", "100000")
+    lines = final_output("--timesteps", "100000")
     assert lines[1] == f"{latest} now means this run, and no longer 20250101-000000-other"
     assert not any("it has learned for" in line for line in lines)
     assert any(
-        "it has learned for" in line for line in say_in_the_end("--timesteps", "100000", "--action-mode", "position")
+        "it has learned for" in line for line in final_output("--timesteps", "100000", "--action-mode", "position")
     )
 
 
@@ -302,7 +302,7 @@ def test_runs_in_a_place_that_cannot_be_written_are_refused(tmp_path):
         ({"name": ".."}, r"--name: '\.\.' cannot"),
     ],
 )
-def test_a_bad_training_is_named_as_it_was_typed(values, message):
+def test_bad_training_setting_is_named_by_its_flag(values, message):
     with pytest.raises(QuadrupedError, match=message):
         TrainConfig(**values)
 
@@ -320,7 +320,7 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
 
 
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch])
-def test_runs_in_which_latest_is_no_link_are_refused_and_kept(tmp_path, make):
+def test_runs_in_which_latest_is_not_a_link_are_refused_and_kept(tmp_path, make):
     make(tmp_path / "latest")
     message = r"--output: .*latest is not a symbolic link.*; rename it, or name another"
     with pytest.raises(QuadrupedError, match=message):
@@ -329,7 +329,7 @@ def test_runs_in_which_latest_is_no_link_are_refused_and_kept(tmp_path, make):
     assert not (tmp_path / "latest").is_symlink()
 
 
-def test_a_run_that_cannot_be_begun_leaves_nothing(tmp_path, monkeypatch):
+def test_run_that_cannot_be_started_leaves_no_files(tmp_path, monkeypatch):
     def fsync(descriptor):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 

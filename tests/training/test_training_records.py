@@ -48,7 +48,7 @@ def config(**changes):
 
 
 class Watched:
-    """A training by `ppo.train` of which everything is known that it cannot know itself."""
+    """A training by `ppo.train` with a manual clock, and a record of its actions, rewards, falls and episodes."""
 
     def __init__(self, monkeypatch):
         self.clock = 1000.0
@@ -58,7 +58,7 @@ class Watched:
         monkeypatch.setattr(ppo, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
         monkeypatch.setattr(ppo, "make_sb3_vec_env", self._make_env)
         monkeypatch.setattr(ppo, "make_model", self._make_model(ppo.make_model))
-        # The class's: SB3 saves what an instance has.
+        # On the class, because SB3 saves the attributes of an instance.
         monkeypatch.setattr(ppo.NativePPO, "train", self._update(ppo.NativePPO.train))
 
     def train(self, runs, config, resume=None):
@@ -116,7 +116,7 @@ def run(tmp_path_factory):
 
 
 def windows(values):
-    """Values (steps, ...) in the groups that each row of progress.csv is about."""
+    """Values (steps, ...) grouped by the row of progress.csv that covers them."""
     size = ROWS_EVERY * N_STEPS
     return [np.array(values[start : start + size]) for start in range(0, len(values), size)]
 
@@ -180,7 +180,7 @@ def test_options_reach_the_algorithm(watched, tmp_path):
 # --- records ---
 
 
-def test_progress_has_a_row_a_second_with_steps_and_seconds(run):
+def test_progress_has_one_row_per_second_with_steps_and_seconds(run):
     rows = np.arange(1, ROLLOUTS // ROWS_EVERY + 1)
     np.testing.assert_array_equal(column(run, "timesteps"), rows * ROWS_EVERY * SAMPLES)
     np.testing.assert_allclose(column(run, "seconds"), rows * 1.0, atol=1e-3)
@@ -295,7 +295,7 @@ def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path)
 # --- checkpoints and the run's end ---
 
 
-def test_checkpoints_come_at_their_times_with_the_step_count_of_theirs(run):
+def test_checkpoints_are_saved_at_their_times_with_their_step_counts(run):
     # Ends of rollouts are at multiples of 0.5 s; each checkpoint is due 1.75 s after the one before.
     expected = {2.0: "00002s", 4.0: "00004s", 6.0: "00006s"}
     directories = sorted((run.directory / "checkpoints").iterdir())
@@ -322,7 +322,7 @@ def test_policy_that_is_saved_is_the_one_that_was_trained(run):
     np.testing.assert_allclose(load_policy(run.directory).predict(observation), expected, atol=1e-5)
 
 
-def test_resumed_training_goes_on_with_clock_steps_and_schedules(run, watched, tmp_path):
+def test_resumed_training_continues_clock_steps_and_schedules(run, watched, tmp_path):
     checkpoint = sorted((run.directory / "checkpoints").iterdir())[0]
     parent = Parent.load(checkpoint)
     resumed = watched().train(tmp_path, parent.resumed({}), checkpoint)

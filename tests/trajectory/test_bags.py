@@ -38,7 +38,7 @@ class TestRoundTrip:
     @pytest.mark.parametrize(
         "changes", [{"velocities": None}, {"efforts": None}, {"velocities": None, "efforts": None}]
     )
-    def test_what_was_not_recorded_stays_so(self, tmp_path, changes):
+    def test_fields_that_were_not_recorded_stay_missing(self, tmp_path, changes):
         trajectory = random_trajectory(**changes)
         assert_same(JointTrajectory.load(save(trajectory, tmp_path, "mcap")), trajectory)
 
@@ -118,7 +118,7 @@ class TestReadByOthers:
                 expected = matrix(position, quaternion)
                 np.testing.assert_allclose(poses[link], expected, rtol=0, atol=1e-9)
 
-    def test_no_transforms_when_not_wanted(self, tmp_path):
+    def test_no_transforms_at_a_rate_of_zero(self, tmp_path):
         random_trajectory().save(tmp_path / "a.mcap", tf_rate=0.0)
         assert "/tf" not in read_independently(tmp_path / "a.mcap")
 
@@ -127,7 +127,7 @@ class TestReadByOthers:
         yaw = np.linspace(0.0, 7.0, rows)
         base = np.zeros((rows, 7))
         base[:, 0], base[:, 3], base[:, 6] = np.arange(rows), np.cos(yaw / 2), np.sin(yaw / 2)
-        base[::2, 3:] *= -1.0  # the same turns
+        base[::2, 3:] *= -1.0  # the same rotations
         random_trajectory(rows=rows).save(tmp_path / "a.mcap", base_pose=base)
         for stamp, message in read_independently(tmp_path / "a.mcap")["/tf"]:
             one = message.transforms[0]
@@ -277,7 +277,7 @@ class TestBagsOfOthers:
         with pytest.raises(QuadrupedError, match=r"no topic of type .*; the types in it are: std_msgs/msg/String"):
             JointTrajectory.load(tmp_path / "bag")
 
-    def test_stamps_may_be_those_of_the_recording(self, tmp_path):
+    def test_timestamps_may_be_the_times_of_recording(self, tmp_path):
         path = write_bag(tmp_path / "bag", [(5, fields()), (8, fields())])
         with pytest.raises(QuadrupedError, match=r"message 1, stamp_ns: 0 does not come after 0"):
             JointTrajectory.load(path)
@@ -297,7 +297,7 @@ class TestBagsOfOthers:
 
 
 class TestTargets:
-    def test_never_overwrites_unasked(self, tmp_path):
+    def test_existing_target_without_overwrite_is_refused(self, tmp_path):
         trajectory = random_trajectory()
         for kind in ("mcap", "bare.mcap"):
             path = save(trajectory, tmp_path, kind)
@@ -332,7 +332,7 @@ class TestTargets:
             ("a", {"base_pose": np.zeros((4, 6))}, r"base_pose must be numbers of shape \(4, 7\)"),
         ],
     )
-    def test_what_cannot_be_is_named(self, tmp_path, name, options, message):
+    def test_invalid_targets_and_options_are_named(self, tmp_path, name, options, message):
         with pytest.raises(QuadrupedError, match=message):
             random_trajectory().save(tmp_path / name, **options)
         assert list(tmp_path.iterdir()) == []
@@ -351,8 +351,8 @@ def test_a_missing_library_names_its_extra(tmp_path, monkeypatch, module):
         assert not (tmp_path / "b.mcap").exists()
 
 
-def test_a_float_that_is_not_8_bytes_away_is_still_read(tmp_path):
-    """Names of every length move the numbers to every alignment."""
+def test_float_with_any_alignment_is_read(tmp_path):
+    """Names of different lengths give the numbers every alignment."""
     for length in range(1, 10):
         name = "x" * length
         path = write_bag(tmp_path / str(length), [(0, fields(names=[name], position=[0.5], effort=[1.5]))])

@@ -25,7 +25,7 @@ UNCHECKED = "salvaged without a checksum, so that damage in their numbers would 
 
 
 class TestBadMessages:
-    """Every case is refused by default, with a cure; those that `drop` leaves out keep the other rows."""
+    """Every case is refused by default, with a fix; where `drop` leaves bad messages out, the other rows stay."""
 
     @pytest.mark.parametrize(
         ("bad", "message", "drop"),
@@ -79,7 +79,7 @@ class TestBadMessages:
         with pytest.raises(QuadrupedError, match=r"message 0: 3 names and 2 positions"):
             JointTrajectory.load(path, names=["x", "y", "z"])
 
-    def test_falling_stamps_are_sorted_or_dropped_on_request(self, tmp_path):
+    def test_decreasing_timestamps_are_sorted_or_dropped_on_request(self, tmp_path):
         path = write_bag(
             tmp_path / "bag", [(i, fields(stamp, position=(stamp, 0))) for i, stamp in enumerate([3, 1, 2, 5])]
         )
@@ -89,14 +89,14 @@ class TestBadMessages:
         assert (by_stamp.stamps.tolist(), by_stamp.positions[:, 0].tolist()) == ([1, 2, 3, 5], [1, 2, 3, 5])
         assert JointTrajectory.load(path, drop=True).stamps.tolist() == [3, 5]
 
-    def test_repeated_stamps_sorted_are_still_refused(self, tmp_path):
+    def test_repeated_timestamps_are_refused_after_sorting_too(self, tmp_path):
         path = write_bag(tmp_path / "bag", [(i, fields(stamp)) for i, stamp in enumerate([3, 1, 3])])
         with pytest.raises(QuadrupedError, match=r"message 2, stamp_ns: 3 does not come after 3"):
             JointTrajectory.load(path, sort=True)
         assert JointTrajectory.load(path, sort=True, drop=True).stamps.tolist() == [1, 3]
 
     @pytest.mark.parametrize("row", [4095, 4096, 4097])
-    def test_stamps_that_fall_between_blocks_are_seen(self, tmp_path, row):
+    def test_timestamps_that_decrease_between_blocks_are_refused(self, tmp_path, row):
         stamps = np.arange(5000) * 10
         stamps[row] = stamps[row - 1]
         path = write_bag(tmp_path / "bag", [(i, fields(int(stamp))) for i, stamp in enumerate(stamps)], "sqlite3")
@@ -112,7 +112,7 @@ class TestBadMessages:
         assert converted.efforts.tolist() == [[3, 4]]
         assert JointTrajectory.load(path, degrees=False).positions.tolist() == [[90, -45]]
 
-    def test_unknown_velocities_are_none_and_unknown_efforts_stay(self, tmp_path):
+    def test_velocities_that_are_all_unknown_are_dropped_and_efforts_stay(self, tmp_path):
         unknown = {"velocity": (np.nan, np.nan), "effort": (np.nan, np.nan)}
         loaded = JointTrajectory.load(write_bag(tmp_path / "bag", [(i, fields(i, **unknown)) for i in range(3)]))
         assert loaded.velocities is None
@@ -187,7 +187,7 @@ class TestSalvage:
                 continue
 
     @pytest.mark.parametrize("compress", [False, True])
-    def test_what_stands_behind_a_damaged_record_is_found(self, tmp_path, compress):
+    def test_messages_after_a_damaged_record_are_found(self, tmp_path, compress):
         trajectory = random_trajectory(rows=20_000)
         trajectory.save(tmp_path / "a.mcap", compress=compress)
         data = bytearray((tmp_path / "a.mcap").read_bytes())
@@ -220,7 +220,7 @@ class TestSalvage:
         ("kind", "checked"),
         [("bare.mcap", True), ("bare.db3", False), ("mcap zstd", True), ("None", False), ("BZ2", True), ("LZ4", False)],
     )
-    def test_convert_marks_what_was_salvaged_without_a_checksum(self, tmp_path, kind, checked):
+    def test_convert_marks_messages_that_were_salvaged_without_a_checksum(self, tmp_path, kind, checked):
         trajectory = random_trajectory(rows=60)
         ros1 = kind in {"None", "BZ2", "LZ4"}
         path = (
@@ -249,7 +249,7 @@ class TestSalvage:
         assert_same(loaded, trajectory)
         assert loaded.source.notes == (f"{UNCHECKED}: 60 of 60 messages (message 0 to 59)",)
 
-    def test_convert_with_a_change_counts_what_was_salvaged_without_a_checksum(self, tmp_path):
+    def test_convert_with_a_change_counts_messages_that_were_salvaged_without_a_checksum(self, tmp_path):
         path = save(random_trajectory(rows=60), tmp_path, "bare.db3")
         options, half = ReadOptions(salvage=True), lambda trajectory: trajectory.rows(np.s_[:30])
         account = convert(path, tmp_path / "a.csv", options, WriteOptions(), half)

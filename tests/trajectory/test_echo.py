@@ -1,4 +1,4 @@
-"""What `ros2 topic echo` prints, and CSVs of other columns."""
+"""Output of `ros2 topic echo`, and CSVs with other columns."""
 
 import re
 
@@ -114,7 +114,7 @@ class TestYaml:
 
 
 class TestCsv:
-    def test_one_message_a_line(self, tmp_path):
+    def test_one_message_per_line(self, tmp_path):
         second = LINE.replace("50000000", "60000000").replace("0.1", "7")
         loaded = load(tmp_path / "echo.csv", LINE + LOST + second)
         assert loaded.stamps.tolist() == [1_700_000_000_050_000_000, 1_700_000_000_060_000_000]

@@ -1,6 +1,6 @@
-"""Mutated files of every format: refused with this package's own error, or read as what they now say.
+"""Mutated files of every format: refused with this package's own error, or read exactly as their bytes now say.
 
-By default a few hundred files a format; `pytest -m slow` tries many.
+By default a few hundred files per format; `pytest -m slow` tries many.
 """
 
 import re
@@ -31,10 +31,10 @@ def small(rows=12):
     return JointTrajectory(trajectory.stamps, NAMES, numbers[0], numbers[0] * 2.0, np.nan_to_num(numbers[1]))
 
 
-# What a file says, by code that shares nothing with the reader, without any checks.
+# Contents of a file by code that shares nothing with the reader, without any checks.
 
 
-def says_csv(path):
+def parse_csv(path):
     """This project's CSV."""
     lines = [line.rstrip("\r").split(",") for line in path.read_bytes().decode("utf-8-sig").split("\n")[:-1]]
     header, rows = lines[0], lines[1:]
@@ -49,7 +49,7 @@ def says_csv(path):
     )
 
 
-def says_table(path):
+def parse_table(path):
     """A CSV of other columns, by Python's own reader."""
     import csv
     from fractions import Fraction
@@ -63,7 +63,7 @@ def says_table(path):
     return JointTrajectory(stamps, NAMES, [[float(cell) for cell in row[1:]] for row in rows])
 
 
-def says_yaml(path):
+def parse_yaml(path):
     """Echoed YAML, by PyYAML's own types."""
     number = re.compile(r"^[-+]?[\d.]+(e[-+]?\d+)?$", re.IGNORECASE)
     special = {".nan": np.nan, ".inf": np.inf, "-.inf": -np.inf}
@@ -92,7 +92,7 @@ def says_yaml(path):
     return built(stamps, names, **{kind: None if a is None else np.array(a, float) for kind, a in arrays.items()})
 
 
-def says_echo(path):
+def parse_echo(path):
     """Echoed CSV whose joints are two."""
     rows = [
         line.split(",")
@@ -107,13 +107,13 @@ def says_echo(path):
 
 
 def built(stamps, names, position, velocity, effort):
-    """A trajectory of messages' numbers, in which velocities that are all unknown count as none."""
+    """A trajectory of messages' numbers; velocities that are all unknown become None."""
     if velocity is not None and np.isnan(velocity).all():
         velocity = None
     return JointTrajectory(stamps, names, position, velocity, effort)
 
 
-def says_messages(messages):
+def trajectory_of(messages):
     """Messages of rosbags, put together."""
     names = list(messages[0].name)
     order = [[list(message.name).index(name) for name in names] for message in messages]
@@ -126,7 +126,7 @@ def says_messages(messages):
     return built(stamps, names, array("position"), array("velocity"), array("effort"))
 
 
-def says_sqlite3(path):
+def parse_sqlite3(path):
     """A bag's sqlite3 file, by SQLite itself."""
     store = get_typestore(Stores.ROS2_HUMBLE)
     database = sqlite3.connect(f"{path.as_uri()}?immutable=1", uri=True)
@@ -137,16 +137,16 @@ def says_sqlite3(path):
         ).fetchall()
     finally:
         database.close()
-    return says_messages([store.deserialize_cdr(data, JOINT_STATE) for (data,) in rows])
+    return trajectory_of([store.deserialize_cdr(data, JOINT_STATE) for (data,) in rows])
 
 
-def says_ros1(path):
+def parse_ros1(path):
     """A ROS 1 bag, by rosbags' own messages."""
     store = get_typestore(Stores.ROS1_NOETIC)
     with Reader1(path) as reader:
         connections = [one for one in reader.connections if one.msgtype == JOINT_STATE]
         found = [store.deserialize_ros1(data, JOINT_STATE) for _, _, data in reader.messages(connections)]
-    return says_messages(found)
+    return trajectory_of(found)
 
 
 def write_table(trajectory, path):
@@ -195,17 +195,17 @@ WRITERS = {
 }
 WRITERS["bag"] = lambda trajectory, path: write_ros1(path, trajectory)
 
-SAYS = {
-    "csv": says_csv,
-    "table.csv": says_table,
-    "echo.yaml": says_yaml,
-    "echo.csv": says_echo,
-    "db3": says_sqlite3,
-    "bag": says_ros1,
-    "bz2.bag": says_ros1,
-    "lz4.bag": says_ros1,
+PARSERS = {
+    "csv": parse_csv,
+    "table.csv": parse_table,
+    "echo.yaml": parse_yaml,
+    "echo.csv": parse_echo,
+    "db3": parse_sqlite3,
+    "bag": parse_ros1,
+    "bz2.bag": parse_ros1,
+    "lz4.bag": parse_ros1,
 }
-"""Formats without checksums; of the others, whatever is read must be what was written"""
+"""Formats without checksums; in the others, everything that is read must be what was written."""
 
 OPTIONS = {"table.csv": {"columns": ColumnMap("time", NAMES)}}
 
@@ -218,7 +218,7 @@ def mutated(data, rng):
 
 
 def place(data, rng, longest=40):
-    """Where a piece of the data begins and ends."""
+    """Begin and end of a random piece of the data."""
     start = int(rng.integers(0, len(data) + 1))
     return start, min(len(data), start + int(rng.integers(1, longest)))
 
@@ -325,7 +325,7 @@ def fuzz(directory, kind, count, seed):
             continue
         read += 1
         if plain:
-            expected = SAYS[kind](damaged) if kind in SAYS else original
+            expected = PARSERS[kind](damaged) if kind in PARSERS else original
             assert_same(loaded, expected)
     return refused, read
 

@@ -21,7 +21,7 @@ class TestType:
         with pytest.raises(IndexError):
             trajectory[4]
 
-    def test_time_counts_from_the_first_stamp(self):
+    def test_time_counts_from_the_first_timestamp(self):
         trajectory = random_trajectory()
         np.testing.assert_array_equal(trajectory.times, [0.0, 0.020000002, 0.049999999, 0.999999999])
         assert trajectory.duration == 0.999999999
@@ -127,10 +127,10 @@ class TestPositionsAt:
         trajectory = random_trajectory(
             rows=5000, stamps=np.rint(steps * timestep * 1e9).astype(np.int64), velocities=None, efforts=None
         )
-        exact = steps if timestep != 1 / 30 else steps[::3]  # a third of a ns is no stamp
+        exact = steps if timestep != 1 / 30 else steps[::3]  # a third of a ns is not a timestamp
         np.testing.assert_array_equal(trajectory.positions_at(exact * timestep), trajectory.positions[exact])
 
-    def test_no_time_has_no_position(self):
+    def test_nan_as_a_time_is_refused(self):
         with pytest.raises(QuadrupedError, match="NaN"):
             random_trajectory().positions_at([0.0, np.nan])
 
@@ -176,7 +176,7 @@ class TestCsv:
         assert loaded.names == ("a", "b")
         assert (loaded.positions.tolist(), loaded.velocities.tolist()) == ([[2.0, 4.0]], [[3.0, 1.0]])
 
-    def test_never_overwrites_unasked(self, tmp_path):
+    def test_existing_file_without_overwrite_is_refused(self, tmp_path):
         path = tmp_path / "a.csv"
         path.write_text("precious")
         with pytest.raises(QuadrupedError, match=rf"{re.escape(str(path))}: exists already; name another"):
@@ -186,7 +186,7 @@ class TestCsv:
         assert_same(JointTrajectory.load(path), random_trajectory())
         assert [entry.name for entry in tmp_path.iterdir()] == ["a.csv"]
 
-    def test_says_where_it_cannot_write(self, tmp_path):
+    def test_target_that_cannot_be_written_is_named(self, tmp_path):
         write(tmp_path / "file", "")
         for name, message in {
             "a.bag": r"a\.bag: unknown ending '\.bag'; a CSV ends in \.csv",
@@ -250,7 +250,7 @@ class TestCsv:
             ([HEADER, "-1" + ROW[1:]], r"line 2, stamp_ns: -1 is negative"),
         ],
     )
-    def test_damage_is_named_with_file_line_field_and_cure(self, tmp_path, lines, message):
+    def test_damage_is_named_with_file_line_field_and_fix(self, tmp_path, lines, message):
         path = write(tmp_path / "a.csv", *lines)
         with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: .*{message}"):
             JointTrajectory.load(path)

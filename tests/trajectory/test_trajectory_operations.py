@@ -43,7 +43,7 @@ class TestResample:
         np.testing.assert_array_equal(again.positions, wave.positions)
 
     @pytest.mark.parametrize("rate", [30.0, 1e3 / 7, 400.0])
-    def test_rates_that_no_whole_ns_fits(self, rate):
+    def test_rates_without_a_whole_period_in_ns_keep_their_grid(self, rate):
         wave = trajectory_of(np.sin, np.arange(100) / 50.0)
         again = wave.resample(rate)
         assert len(again) == int(99 / 50 * rate) + 1
@@ -56,7 +56,7 @@ class TestResample:
         assert np.isnan(fine.efforts[:, 0]).tolist() == [False, False, False, True, True, True, False]
         assert np.isfinite(fine.efforts[:, 1]).all()
 
-    def test_stamps_outside_the_recording_are_named(self):
+    def test_timestamps_outside_the_recording_are_named(self):
         wave = trajectory_of(np.sin, [0.0, 1.0])
         with pytest.raises(QuadrupedError, match=rf"stamp {START - 1} ns lies outside the recording, {START} to"):
             wave.at([START - 1, START])
@@ -112,7 +112,7 @@ class TestDifferentiate:
         slope = trajectory_of(lambda t: 3.0 * t, [0.0, 0.5]).differentiate()
         np.testing.assert_allclose(slope.velocities, [[3.0, -3.0]] * 2)
 
-    def test_what_has_no_slope_is_named(self):
+    def test_recordings_without_a_slope_are_refused(self):
         with pytest.raises(QuadrupedError, match=r"two rows or more; found .* and 1"):
             trajectory_of(np.sin, [0.0]).differentiate()
         with pytest.raises(QuadrupedError, match="window above 0 s"):

@@ -1,34 +1,20 @@
-"""The viewer's controller without a browser: its clock, commands, gaits, sources and robots."""
+"""The viewer's controller without a browser: its clock, commands, gaits, pushes and threads."""
 
 import copy
-import json
 import math
 import threading
-from pathlib import Path
-from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from viewing import DT, now, robot, throw_on_the_back
+from viewing import DT, joint_targets, now, robot, throw_on_the_back
 
-from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.control.policy import CARD_FILE
-from quadruped_env.evaluation.episode import publish, record
+from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.evaluation.episode import record
 from quadruped_env.gait_settings import GaitSettings, edited
-from quadruped_env.policies import PolicyController, find_controllers, load_policy
+from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS, RESTART_AFTER
-from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
-from quadruped_env.viewer.robot import TaskRobot, contact_forces
-
-
-@pytest.fixture
-def recording(tmp_path):
-    """A trot as a file."""
-    path = tmp_path / "walk.csv"
-    publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(path)
-    return path
-
+from quadruped_env.viewer.controller import RESTART_AFTER
+from quadruped_env.viewer.robot import contact_forces
 
 # --- the clock
 
@@ -37,13 +23,13 @@ def recording(tmp_path):
 def test_a_second_of_real_time_is_a_second_times_the_speed(control, speed, steps):
     controller = control("stand still")
     controller.set_speed(speed)
-    # In pieces that are no whole number of steps.
+    # In pieces that are not whole numbers of steps.
     assert sum(controller.advance(1.0 / 30.0) for _ in range(30)) == steps
     assert controller.view().time == pytest.approx(speed)
     assert now(controller).time == pytest.approx(speed)
 
 
-def test_a_pause_stands_still_and_a_step_is_one_control_step(control):
+def test_pause_stops_the_clock_and_a_step_is_one_control_step(control):
     controller = control("policy flat")
     controller.advance(0.1)
     assert controller.toggle_pause()
@@ -57,13 +43,13 @@ def test_a_pause_stands_still_and_a_step_is_one_control_step(control):
     assert controller.advance(DT) == 1
 
 
-def test_a_delay_is_not_made_up_for_without_end(control):
+def test_long_delay_is_caught_up_with_only_in_part(control):
     controller = control("stand still")
     assert controller.advance(10.0) == pytest.approx(0.25 / DT, abs=1)
     assert controller.view().lag == pytest.approx(9.75)
 
 
-def test_reset_zeroes_the_clock_and_puts_everybody_at_the_start(control):
+def test_reset_zeroes_the_clock_and_puts_every_robot_at_the_start(control):
     controller = control("policy flat", "gait tuned")
     controller.set_command(0.5, 0.3)
     for _ in range(10):
@@ -80,13 +66,13 @@ def test_reset_zeroes_the_clock_and_puts_everybody_at_the_start(control):
         np.testing.assert_allclose(shown.now.joint_position, MINI_QUADRUPED.stance, atol=1e-12)
 
 
-def test_what_walks_is_what_a_recording_of_the_same_policy_does(control):
+def test_robot_walks_as_far_as_in_a_recording_of_the_same_policy(control):
     controller = control("policy flat")
     controller.set_command(0.4, 0.0)
     controller.reset()
     for _ in range(50):
         controller.advance(0.04)
-    # The gait clock begins elsewhere, so the two are alike, not equal.
+    # The gait clock begins at another phase, so the two are similar, not equal.
     expected = record(PolicyController(load_policy("flat")), 2.0, (0.4, 0.0)).base_pose[-1, 0]
     assert now(controller).base_pose[0] == pytest.approx(expected, abs=0.1)
     assert expected > 0.5
@@ -134,7 +120,7 @@ def test_the_commanded_gait_follows_the_command(control):
 def test_an_edited_gait_is_the_formula(control):
     controller = control("gait article")
     controller.set_gait(GaitSettings(amplitude=0.5, frequency=1.0, phases=(0.0, 0.25, 0.5, 0.75)))
-    targets = _targets(controller, 30)
+    targets = joint_targets(controller, 30)
     times = np.arange(30) * DT
     article = SinusoidalGait.preset("article")
     for leg, cycles in enumerate((0.0, 0.25, 0.5, 0.75)):
@@ -144,36 +130,27 @@ def test_an_edited_gait_is_the_formula(control):
         np.testing.assert_allclose(targets[:, 2 * leg + 1], 0.5 * 0.3 * np.cos(angle + lag) - 0.3, atol=1e-12)
 
 
-def _targets(controller, steps):
-    """The joint targets (steps, 8) of the next control steps."""
-    targets = []
-    for _ in range(steps):
-        controller.step()
-        targets.append(robot(controller).data.ctrl.copy())
-    return np.array(targets)
-
-
 @pytest.mark.parametrize("preset", ["article", "trot", "walk", "bound", "pace"])
-def test_a_gait_that_nobody_edited_is_the_preset(control, preset):
+def test_gait_without_edits_is_the_preset(control, preset):
     controller = control(f"gait {preset}")
     gait = SinusoidalGait.preset(preset)
-    np.testing.assert_allclose(_targets(controller, 40), gait.positions(np.arange(40) * DT), atol=1e-9)
+    np.testing.assert_allclose(joint_targets(controller, 40), gait.positions(np.arange(40) * DT), atol=1e-9)
     same = edited(gait, GaitSettings.of(SinusoidalGait.preset(preset)))
     np.testing.assert_allclose(same.velocities(0.3), gait.velocities(0.3), atol=1e-9)
 
 
-def test_another_frequency_goes_on_from_the_same_phase(control):
+def test_gait_with_another_frequency_keeps_its_phase(control):
     controller = control("gait trot")
-    before = _targets(controller, 33)
+    before = joint_targets(controller, 33)
     gait = controller.gait
     controller.set_gait(GaitSettings(gait.amplitude, gait.frequency / 2, gait.phases))
-    after = _targets(controller, 2)
-    # No joint is asked for more than its speed allows from one step to the next.
+    after = joint_targets(controller, 2)
+    # No joint target changes by more than the joint's speed allows within a step.
     assert np.abs(after[0] - before[-1]).max() <= 5.0 * DT
     assert np.abs(after[1] - after[0]).max() < np.abs(np.diff(before, axis=0)).max()
 
 
-def test_gait_settings_that_make_no_sense_are_refused(control):
+def test_invalid_gait_settings_are_refused(control):
     controller = control("policy flat")
     assert controller.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
@@ -184,7 +161,7 @@ def test_gait_settings_that_make_no_sense_are_refused(control):
         GaitSettings(1.0, 1.0, (0.0, math.nan, 0.0, 0.0))
 
 
-def test_a_gait_beyond_the_motors_says_so(control):
+def test_gait_beyond_the_motors_is_reported(control):
     controller = control("gait trot")
     assert not controller.view().robots[0].complaints
     gait = controller.gait
@@ -228,7 +205,7 @@ def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
     assert second.now.time == pytest.approx(controller.view().time)
 
 
-def test_who_is_not_to_stand_up_stays_down(control):
+def test_fallen_robot_that_is_not_restarted_stays_down(control):
     controller = control("stand still")
     controller.restart_after_fall = False
     throw_on_the_back(controller)
@@ -248,155 +225,15 @@ def test_the_ground_carries_the_weight(control):
     assert np.abs(points[:, 2]).max() < 0.005
 
 
-# --- sources
-
-
-def test_every_source_plays(control, recording):
-    controller = control(asked=[str(recording)])
-    assert len(controller.sources) == 9
-    for name in controller.sources:
-        controller.set_source(0, name)
-        controller.set_command(0.3, 0.0)
-        for _ in range(10):
-            controller.advance(0.1)
-        assert controller.robots == (name,)
-        assert now(controller).time == pytest.approx(1.0)
-        assert np.isfinite(now(controller).joint_position).all()
-
-
-def test_a_recording_is_played_in_a_loop(control, recording):
-    controller = control(asked=[str(recording)])
-    trajectory = JointTrajectory.load(recording)
-    targets = _targets(controller, 60)
-    np.testing.assert_allclose(targets[:51], trajectory.positions, atol=1e-12)
-    np.testing.assert_allclose(targets[51:60], trajectory.positions[:9], atol=1e-12)
-
-
-def test_without_runs_the_shipped_policy_walks_and_with_them_the_latest_that_fits(tmp_path):
-    runs = tmp_path / "runs"
-    assert find_controllers(runs=runs)[1] == ("policy flat",)
-    load_policy("flat").save(runs / "20260101-000000-old")
-    load_policy("flat").save(runs / "20260301-000000-new")
-    broken = runs / "20260401-000000-broken"
-    load_policy("flat").save(broken)
-    (broken / CARD_FILE).write_text("{")
-    (runs / "latest").symlink_to(broken.name)
-    sources, chosen = find_controllers(runs=runs)
-    assert chosen == ("run 20260301-000000-new",)
-    assert [name for name in sources if name.startswith("run")] == [
-        "run 20260401-000000-broken",
-        "run 20260301-000000-new",
-        "run 20260101-000000-old",
-    ]
-
-
-@pytest.fixture
-def foreign_run(tmp_path):
-    """A run whose policy sees other columns than this environment gives."""
-    directory = tmp_path / "runs" / "foreign"
-    load_policy("flat").save(directory)
-    document = json.loads((directory / CARD_FILE).read_text())
-    document["observation_layout"] = document["observation_layout"][:-1]
-    (directory / CARD_FILE).write_text(json.dumps(document))
-    return directory
-
-
-def test_a_run_that_does_not_match_is_refused_and_nothing_changes(control, foreign_run):
-    with pytest.raises(QuadrupedError, match=rf"{CARD_FILE}: observation_layout differs"):
-        find_controllers([str(foreign_run)])
-    controller = control()
-    assert controller.robots == ("policy flat",)
-    with pytest.raises(QuadrupedError, match="observation_layout differs"):
-        controller.set_source(0, "run foreign")
-    assert controller.robots == ("policy flat",)
-    assert controller.advance(DT) == 1
-
-
-def test_a_recording_of_another_robot_is_refused(tmp_path):
-    path = tmp_path / "other.csv"
-    JointTrajectory([0, 1], [*JOINT_NAMES[:-1], "tail_joint"], np.zeros((2, 8))).save(path)
-    with pytest.raises(QuadrupedError, match=r"other\.csv: joint 'RH_knee_joint' is missing"):
-        find_controllers([str(path)])
-    with pytest.raises(QuadrupedError, match="nowhere"):
-        find_controllers([str(tmp_path / "nowhere.csv")])
-
-
-def test_robots_come_and_go(control):
-    controller = control("policy flat")
-    controller.set_source(1, "gait trot")
-    controller.set_source(2, "gait pace")
-    assert controller.robots == ("policy flat", "gait trot", "gait pace")
-    with pytest.raises(QuadrupedError, match=f"up to {MAX_ROBOTS}"):
-        controller.set_source(3, "gait walk")
-    with pytest.raises(QuadrupedError, match="there is no 'nobody'"):
-        controller.set_source(1, "nobody")
-    controller.watch(2)
-    controller.set_source(1, None)
-    assert controller.robots == ("policy flat", "gait pace")
-    assert controller.view().watched == 1
-    with pytest.raises(QuadrupedError, match="robot 1"):
-        controller.set_source(0, None)
-    with pytest.raises(QuadrupedError, match="robot 3: there are 2"):
-        controller.watch(2)
-    with pytest.raises(QuadrupedError, match="1 to 3 robots; found 4"):
-        control(*["stand still"] * 4)
-
-
-def test_side_by_side_means_the_same_time_and_the_same_command(control):
-    controller = control("policy flat")
-    controller.set_command(0.4, 0.1)
-    controller.advance(0.2)
-    controller.set_source(1, "policy flat")
-    controller.advance(0.2)
-    first, second = controller.view().robots
-    assert first.now.time == pytest.approx(0.4)
-    assert second.now.time == pytest.approx(0.2)
-    np.testing.assert_array_equal(second.now.command, [0.4, 0.1])
-    controller.reset()
-    for _ in range(5):
-        controller.advance(0.2)
-    first, second = controller.view().robots
-    np.testing.assert_array_equal(first.now.base_pose, second.now.base_pose)
-
-
-@pytest.mark.parametrize("name", RANDOMIZATIONS)
-def test_randomization(control, name):
-    controller = control("policy flat", "policy flat")
-    controller.set_randomization(name)
-    starts = []
-    for _ in range(2):
-        controller.reset()
-        first, second = controller.view().robots
-        np.testing.assert_array_equal(first.now.joint_position, second.now.joint_position)
-        assert abs(first.heading) < 1e-9
-        starts.append(first.now.joint_position)
-    assert (name == "off") == np.array_equal(*starts)
-    with pytest.raises(QuadrupedError, match="there is no 'everything'"):
-        controller.set_randomization("everything")
-
-
-def test_turning_the_start_ahead_keeps_the_motion(control):
-    controller = control("policy flat")
-    controller.set_randomization("start")
-    controller.reset()
-    seed = controller._seed
-    plain = robot(controller)
-    velocity = now(controller).velocity.copy()
-    plain.task.reset(np.zeros(1, np.intp), seeds=[seed], command=(0.0, 0.0))
-    state = plain.task.simulation.readings
-    # Forward velocity and yaw rate are the robot's own, whichever way it faces.
-    np.testing.assert_allclose(velocity, [state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]], atol=1e-12)
-
-
 # --- threads
 
 
-def test_any_thread_may_do_anything_at_any_time(control):
+def test_controller_can_be_used_from_any_thread(control):
     controller = control("policy flat", "gait tuned")
     stop = threading.Event()
     failures = []
 
-    def hammer(index):
+    def call_at_random(index):
         generator = np.random.default_rng(index)
         try:
             while not stop.is_set():
@@ -410,7 +247,7 @@ def test_any_thread_may_do_anything_at_any_time(control):
         except Exception as error:
             failures.append(error)
 
-    threads = [threading.Thread(target=hammer, args=(i,)) for i in range(3)]
+    threads = [threading.Thread(target=call_at_random, args=(i,)) for i in range(3)]
     for thread in threads:
         thread.start()
     for _ in range(60):
@@ -421,35 +258,3 @@ def test_any_thread_may_do_anything_at_any_time(control):
         thread.join()
     assert not failures
     assert controller.command == tuple(robot(controller).task.command[0])
-
-
-# --- plots
-
-
-def test_the_gait_diagram_shows_each_stance_once():
-    robot = TaskRobot(find_controllers(runs=Path("nowhere"))[0]["stand still"])
-    moments = []
-    contact = np.zeros((100, 4), bool)
-    contact[10:30, 0] = contact[50:60, 0] = contact[90:, 0] = contact[:, 3] = True
-    for row in contact:
-        moment = robot.step()
-        moments.append(type(moment)(**{f: getattr(moment, f) for f in moment.__slots__} | {"contact": row}))
-    html = gait_diagram(robot.robot, moments, DT)
-    svg = ElementTree.fromstring(html[html.index("<svg") :])  # noqa: S314
-    bars = [node for node in svg.iter("rect") if node.get("fill") != "#EEF1F4"]
-    right, scale = 360, 330 / GAIT_SECONDS
-    assert [float(bar.get("width")) for bar in bars] == [
-        pytest.approx(n * DT * scale, abs=0.06) for n in (20, 10, 10, 100)
-    ]
-    assert float(bars[0].get("x")) == pytest.approx(right - 90 * DT * scale, abs=0.06)
-    assert [node.text for node in svg.iter("text")][:4] == ["LF", "RF", "LH", "RH"]
-
-
-def test_the_reward_bars_add_up():
-    html = reward_bars(["track_forward_velocity", "fall"], np.array([1.5, -0.25]))
-    table = ElementTree.fromstring(html[html.index("<table") :])  # noqa: S314
-    assert [[cell.text for cell in row][::2] for row in table] == [
-        ["track forward velocity", "+1.50"],
-        ["fall", "-0.25"],
-        ["sum", "+1.25"],
-    ]

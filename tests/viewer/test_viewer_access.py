@@ -57,16 +57,16 @@ def refusals(show, caplog, monkeypatch):
 
 
 def client(show, host="127.0.0.1", port=None, origin=None, protocol=PROTOCOL):
-    """A websocket to a show, under any name for it: as a browser is led there by a DNS server that lies."""
+    """A websocket to a show under any host name, as a browser connects under the control of a malicious DNS server."""
     there = socket.create_connection(("127.0.0.1", show.port))
-    # Without a limit to the queue it takes in what it does not read.
+    # Without a limit on the queue, the client receives messages that it does not read.
     return connect(
         f"ws://{host}:{port or show.port}", sock=there, origin=origin, subprotocols=[protocol], max_queue=None
     )
 
 
-def browser_like(show):
-    """A websocket that has told where its camera is, and has been shown everything."""
+def connected_browser(show):
+    """A websocket that has sent its camera and received the whole scene."""
     before = {client.client_id for client in show.clients()}
     socket = client(show, origin=f"http://127.0.0.1:{show.port}")
     send(socket, **CAMERA)
@@ -93,7 +93,7 @@ def close_of(socket):
     return socket.close_code
 
 
-# --- who asks
+# --- origin of requests
 
 
 @pytest.mark.parametrize(
@@ -198,7 +198,7 @@ def test_more_clients_than_the_limit_are_refused(show, monkeypatch):
         assert get(show)[0].status == 200
 
 
-def test_a_viser_that_starts_its_server_otherwise_is_not_run_unguarded():
+def test_viser_with_an_unknown_server_is_refused():
     with (
         pytest.raises(QuadrupedError, match=r"foreign pages cannot be refused; .*pip install"),
         Guard("localhost").installed(),
@@ -221,7 +221,7 @@ def test_the_page_address_can_be_opened_and_is_accepted(host, address):
     assert AccessRules(host).refusal(8080, [address.removeprefix("http://")], [address]) is None
 
 
-# --- what they send
+# --- messages of clients
 
 
 NONSENSE = {
@@ -238,10 +238,10 @@ NONSENSE = {
 
 
 @pytest.mark.parametrize("nonsense", NONSENSE.values(), ids=NONSENSE)
-def test_a_client_that_sends_nonsense_is_closed_with_one_line_and_others_go_on(
+def test_client_that_sends_nonsense_is_closed_with_one_line_and_others_continue(
     show, refusals, capfd, recwarn, nonsense
 ):
-    with browser_like(show) as other, client(show) as socket:
+    with connected_browser(show) as other, client(show) as socket:
         for _ in range(10):
             try:
                 socket.send(nonsense)
@@ -272,7 +272,7 @@ def test_uploads_are_dropped_with_one_line_and_change_nothing(show, refusals):
     slider = show.panel._velocity
     gui = show._server.gui
     before = slider.value
-    with browser_like(show) as socket:
+    with connected_browser(show) as socket:
         for number in range(50):
             upload = {"source_component_uuid": slider._impl.uuid, "transfer_uuid": f"upload {number}"}
             send(
@@ -305,7 +305,7 @@ def test_uploads_are_dropped_with_one_line_and_change_nothing(show, refusals):
 
 @pytest.mark.parametrize("kind", ["ShareUrlRequest", "ShareUrlDisconnect", "GetRenderResponseMessage", "Nothing"])
 def test_messages_that_the_page_does_not_need_are_dropped(show, refusals, kind):
-    with browser_like(show) as socket:
+    with connected_browser(show) as socket:
         send(socket, type=kind)
         after_all_messages(show, socket)
     (line,) = refusals()
@@ -333,7 +333,7 @@ def test_messages_that_the_page_does_not_need_are_dropped(show, refusals, kind):
 def test_values_that_a_control_cannot_have_are_dropped(show, refusals, control, updates):
     handle = getattr(show.panel, control)
     before = vars(handle._impl).copy()
-    with browser_like(show) as socket:
+    with connected_browser(show) as socket:
         send(socket, type="GuiUpdateMessage", uuid=handle._impl.uuid, updates=updates)
         after_all_messages(show, socket)
     assert vars(handle._impl) == before
@@ -342,7 +342,7 @@ def test_values_that_a_control_cannot_have_are_dropped(show, refusals, control, 
 
 
 def after_all_messages(show, socket):
-    """Wait until everything that a client has sent is handled: a message more, which moves a slider."""
+    """Wait until everything that a client has sent is handled: one more message, which moves a slider."""
     strength = show.panel._strength
     value = 0.5 if strength.value != 0.5 else 0.6
     send(socket, type="GuiUpdateMessage", uuid=strength._impl.uuid, updates={"value": value})

@@ -1,4 +1,4 @@
-"""The viewer as a person meets it: in a browser."""
+"""The viewer in a browser, as a person uses it."""
 
 import re
 
@@ -19,7 +19,7 @@ pytest.importorskip("viser")
 pytest.importorskip("mjviser")
 
 MIDDLE = {"x": 370, "y": 200, "width": 320, "height": 400}
-"""Of the page: the robot, without panels and notifications"""
+"""Part of the page with the robot, without panels and notifications, pixels."""
 
 
 def visit(page, show):
@@ -37,7 +37,7 @@ def still(page):
 
 
 def until(condition, page=None):
-    """Wait for something that another thread or the page does; a failure tells what the page wrote to its console."""
+    """Wait for a condition that another thread or the page brings about; a failure shows the page's console."""
     wait_until(condition, lambda: f"the condition (console: {page.watched.console if page else []})", interval=0.02)
 
 
@@ -81,23 +81,23 @@ def tab(page, name):
 
 
 def robot_pixels(picture):
-    """How many pixels are as blue as the hips."""
+    """Number of pixels that are as blue as the hips."""
     red, green, blue = picture.astype(int).transpose(2, 0, 1)
     return int(((blue > red + 60) & (blue > green + 40)).sum())
 
 
 ENOUGH = 300
-"""of those pixels, to be a robot in the middle of the picture"""
+"""Number of blue pixels above which a robot is in the middle of the picture."""
 
 
 def shot(page):
     return browser.pixels(page, clip=MIDDLE)
 
 
-# --- what is seen
+# --- the scene
 
 
-def test_the_robot_is_there_moves_and_stands_still_in_a_pause(stage):
+def test_robot_is_shown_moves_and_stands_still_in_a_pause(stage):
     show, page = stage
     show.controller.set_command(0.4, 0.0)
     until(lambda: show.controller.view().time > 1.0)
@@ -115,7 +115,7 @@ def test_the_robot_is_there_moves_and_stands_still_in_a_pause(stage):
 
 
 @pytest.mark.slow
-def test_what_is_hidden_is_not_drawn(paused):
+def test_hidden_overlays_are_not_drawn(paused):
     controller, page = paused
     controller.set_command(0.5, 0.0)
     for _ in range(20):
@@ -130,7 +130,7 @@ def test_what_is_hidden_is_not_drawn(paused):
 
 
 @pytest.mark.slow
-def test_the_plots_go_along(stage):
+def test_plots_are_updated(stage):
     show, page = stage
     show.controller.set_command(0.4, 0.0)
     diagram = page.locator("svg[data-plot=gait]")
@@ -155,7 +155,7 @@ def test_the_plots_go_along(stage):
 # --- controls
 
 
-def test_the_command_s_sliders(paused):
+def test_command_sliders_set_the_command(paused):
     controller, page = paused
     fill(page, "Forward, m/s", 0.25)
     until(lambda: controller.command == (0.25, 0.0))
@@ -209,7 +209,7 @@ def test_a_key_after_a_slider_is_still_one_step(paused):
 
 
 @pytest.mark.slow
-def test_step_and_reset(paused):
+def test_step_and_reset_buttons_work(paused):
     controller, page = paused
     for steps in (1, 2):
         page.get_by_role("button", name="Step").click()
@@ -231,7 +231,7 @@ def test_a_push_in_its_direction_and_strength(stage, paused):
 
 
 @pytest.mark.slow
-def test_the_speed(paused):
+def test_speed_slider_sets_the_speed(paused):
     controller, page = paused
     fill(page, "Speed", 0.5)
     until(lambda: controller.view().speed == 0.5)
@@ -240,7 +240,7 @@ def test_the_speed(paused):
 
 
 @pytest.mark.slow
-def test_every_source_plays_beside_another_one(paused):
+def test_every_source_plays_next_to_another_one(paused):
     controller, page = paused
     controller.paused = False
     tab(page, "Robots")
@@ -255,7 +255,7 @@ def test_every_source_plays_beside_another_one(paused):
 
 
 @pytest.mark.slow
-def test_the_gait_s_sliders(paused):
+def test_gait_sliders_set_the_gait(paused):
     controller, page = paused
     tab(page, "Robots")
     choose(page, "Robot 1", "gait trot")
@@ -321,13 +321,13 @@ def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium
         trajectory = JointTrajectory.load(path)
         assert trajectory.duration > 0.5
         assert trajectory.names == JOINT_NAMES
-        # And it goes on.
+        # The show continues.
         before = show.controller.view().time
         until(lambda: show.controller.view().time > before)
 
 
 @pytest.mark.slow
-def test_what_is_wrong_is_said_in_the_page(tmp_path, page, monkeypatch):
+def test_errors_are_shown_in_the_page(tmp_path, page, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     run = tmp_path / "runs" / "damaged"
     load_policy("flat").save(run)

@@ -20,7 +20,7 @@ from quadruped_env.viewer.paths import without_directories
         ("runs/a", "runs/a"),
         ("../runs/a", "../runs/a"),
         ("{cwd}/runs/a", "runs/a"),
-        ("/home/someone/project/runs/a", "runs/a"),
+        ("/home/me/project/runs/a", "runs/a"),
         ("/volume/a.csv", "a.csv"),
         ("/a.csv", "a.csv"),
     ],
@@ -32,8 +32,8 @@ def test_shown_path_has_no_directory_of_the_machine(path, shown):
 @pytest.mark.parametrize(
     ("text", "shown"),
     [
-        ("/home/someone/runs/a/policy.json: missing", "a/policy.json: missing"),
-        ("Not saved: [Errno 17] File exists: '/home/someone/results'", "Not saved: [Errno 17] File exists: 'results'"),
+        ("/home/me/runs/a/policy.json: missing", "a/policy.json: missing"),
+        ("Not saved: [Errno 17] File exists: '/home/me/results'", "Not saved: [Errno 17] File exists: 'results'"),
         ("{cwd}/results/view 1/video.mp4 and 0.3 m/s", "results/view 1/video.mp4 and 0.3 m/s"),
         ("{home}/my results/x.csv", "my results/x.csv"),
         ("see http://127.0.0.1:8080/page and /joint_states", "see http://127.0.0.1:8080/page and /joint_states"),
@@ -72,11 +72,11 @@ def test_nothing_that_the_server_sends_names_a_directory_of_the_machine(tmp_path
     sent = []
     with showing(tmp_path, asked=[str(run)]) as show:
         broadcast = show._server._websock_server._broadcast_buffer
-        monkeypatch.setattr(show._server, "get_clients", lambda: {0: Told(sent)})
+        monkeypatch.setattr(show._server, "get_clients", lambda: {0: RecordedNotifications(sent)})
         show.controller.start_recording()
         wait_until(lambda: show.controller.view().recorded)
         show.controller.stop_recording()
-        wait_until(lambda: any("joint_states.csv" in text for text in sent), lambda: f"the message of a take: {sent}")
+        wait_until(lambda: any("joint_states.csv" in text for text in sent), lambda: f"a saved recording: {sent}")
         with pytest.raises(QuadrupedError, match=str(tmp_path)) as error:
             show.controller.set_source(0, "run damaged")
         show.panel.tell(str(error.value), bad=True)
@@ -89,8 +89,8 @@ def test_nothing_that_the_server_sends_names_a_directory_of_the_machine(tmp_path
     assert not any(str(tmp_path) in text for text in sent)
 
 
-class Told:
-    """A browser that keeps what is said in it."""
+class RecordedNotifications:
+    """A browser client that records its notifications."""
 
     def __init__(self, sent):
         self._sent = sent

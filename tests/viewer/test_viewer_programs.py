@@ -16,7 +16,7 @@ from quadruped_env.viewer import open_show
 from quadruped_env.viewer.server import start_server, stop_server
 
 
-def test_a_taken_port_makes_way_for_the_next_free_one():
+def test_port_in_use_is_replaced_by_the_next_free_one():
     with socket.socket() as other:
         other.bind(("127.0.0.1", 0))
         other.listen()
@@ -36,14 +36,14 @@ def test_a_taken_port_makes_way_for_the_next_free_one():
             stop_server(server)
 
 
-def test_an_address_that_is_not_here_is_refused():
+def test_address_of_another_machine_is_refused():
     with pytest.raises(QuadrupedError, match=r"--host: cannot listen on '203\.0\.113\.1'"):
         start_server("203.0.113.1")
     with pytest.raises(QuadrupedError, match="--port: expected 0 to"):
         start_server(port=70000)
 
 
-def test_without_viser_the_extra_is_named(monkeypatch):
+def test_missing_viser_error_names_the_extra(monkeypatch):
     monkeypatch.setitem(sys.modules, "viser", None)
     with pytest.raises(MissingExtraError, match=r"The viewer needs the 'viewer' extra: .*\[viewer\]"):
         open_show(port=0)
@@ -60,7 +60,7 @@ def _program(*arguments, **options):
     )
 
 
-def test_the_program_says_where_it_is_and_ends_at_ctrl_c(tmp_path):
+def test_program_prints_its_address_and_ends_at_ctrl_c(tmp_path):
     process = _program("flat", "trot", cwd=tmp_path)
     line = process.stdout.readline()
     assert line.startswith("policy flat, gait trot: http://127.0.0.1:")
@@ -76,7 +76,7 @@ def test_the_program_measures_its_pace(tmp_path):
     assert "control steps/s" in out.splitlines()[-1]
 
 
-def test_the_program_names_what_is_wrong(tmp_path):
+def test_program_with_an_unknown_source_names_it(tmp_path):
     process = _program("runs/none", cwd=tmp_path)
     out, err = output_of(process)
     assert (process.returncode, out) == (2, "")

@@ -1,4 +1,4 @@
-"""The real ROS 2 that tests meet: the distributions that `make ros2` installs, and how their programs are started."""
+"""Real ROS 2 distributions for tests, as `make ros2` installs them, and processes that run in them."""
 
 import contextlib
 import json
@@ -19,7 +19,7 @@ _FOREIGN = ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH", "RMW_IMPLEMENTATION",
 
 
 class Ros2:
-    """One distribution.
+    """One ROS 2 distribution.
 
     Args:
         name: one of `DISTRIBUTIONS`; the test skips if it is not installed.
@@ -47,7 +47,7 @@ class Ros2:
         own = {name: value for name, value in os.environ.items() if name not in foreign}
         return own | {
             "AMENT_PREFIX_PATH": str(self.prefix),
-            # No shared memory, which only Fast DDS has: what another release of it has left there can end a process.
+            # No shared memory, which only Fast DDS has: segments left by another release of it can crash a process.
             "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
             "PYTHONNOUSERSITE": "1",
             "PYTHONUNBUFFERED": "1",
@@ -62,13 +62,13 @@ class Ros2:
         return subprocess.Popen(command, **(pipes | {"env": self.environment()} | settings))
 
     def share(self, package):
-        """The directory of what a package installs, or None without the package."""
+        """The share directory of a package, or None if the package is not installed."""
         directory = self.prefix / "share" / package
         return directory if directory.is_dir() else None
 
     @contextlib.contextmanager
     def node(self, name="peer"):
-        """An rclpy node, see `peer.py`; what it prints beside its answers, as ROS 2's log does, fails the test."""
+        """An rclpy node, see `peer.py`; fails the test if it prints anything but answers, such as ROS 2's log."""
         with self.start(PEER, name) as process:
             node = RosNode(process)
             try:
@@ -114,7 +114,7 @@ class RosNode:
         self.ask(publish=topic.name, type=topic.type_name, qos=asdict(qos or topic.qos))
 
     def said(self, kind, topic=None):
-        """Its answers of one kind, all or those of a topic."""
+        """Its answers of one kind, of every topic or of one."""
         return [one for one in list(self.lines) if kind in one and topic in (None, one[kind])]
 
     def received(self, topic):
@@ -122,12 +122,12 @@ class RosNode:
         return [one["message"] for one in self.said("received", topic.name)]
 
     def matched(self, topic):
-        """How many ends of other nodes its own of a topic are connected with now."""
+        """Number of endpoints of other nodes that its own endpoint of a topic is matched with now."""
         counts = self.said("matched", topic.name)
         return counts[-1]["count"] if counts else 0
 
     def state(self):
-        """All that it printed, for the error of a test."""
+        """Its last answers and its log, for the message of a failed test."""
         return f"{self.lines[-5:]} {self.log}"
 
 

@@ -3,7 +3,7 @@
 `.ros2/colcon` holds colcon, which builds ROS 2 packages.
 
 A distribution needs the CPython that its wheels were built for: the program that PYTHON311 or PYTHON312 names,
-`python3.11` or `python3.12` on PATH, or one that pyenv installed. Exit status 1 if something could not be had.
+`python3.11` or `python3.12` on PATH, or one that pyenv installed. Exit status 1 if something could not be installed.
 """
 
 import hashlib
@@ -70,10 +70,10 @@ def build_tf2_msgs(venv: Path) -> None:
 
 
 def install(distribution: str) -> None:
-    """Make the virtual environment of a distribution or of colcon, unless it is there as its requirements say.
+    """Make the virtual environment of a distribution or of colcon, unless one with the same requirements is there.
 
     Raises:
-        RuntimeError: if its Python or its wheels cannot be had.
+        RuntimeError: if its Python or its wheels are not available.
     """
     # Any Python runs colcon.
     version = VERSIONS.get(distribution, f"{sys.version_info.major}.{sys.version_info.minor}")
@@ -102,7 +102,7 @@ def install(distribution: str) -> None:
 
 
 def main() -> int:
-    """Install what can be installed, and say what cannot."""
+    """Install everything that is available, and report the rest."""
     status = 0
     for distribution in (*VERSIONS, COLCON):
         try:

@@ -1,18 +1,18 @@
-"""An rclpy node for tests: publishes and subscribes as it is told. Runs in a ROS 2 distribution, without this package.
+"""An rclpy node for tests: publishes and subscribes on request. Runs in a ROS 2 distribution, without this package.
 
     python peer.py NAME
 
-Standard input and output hold one JSON object per line. Taken:
+Standard input and output hold one JSON object per line. Input:
 
     {"subscribe": "/topic", "type": "std_msgs/msg/String", "qos": {"depth": 10, "reliable": true}}
     {"publish": "/topic", "type": ..., "qos": ...}
     {"send": "/topic", "message": {"data": "text"}}
-    {"drive": "/cmd_vel", "message": {...}, "period": 0.1}      sends the message from now on, again and again
+    {"drive": "/cmd_vel", "message": {...}, "period": 0.1}      sends the message periodically from now on
     {"endpoints": "/topic"}
 
-Given: `{"received": "/topic", "message": {...}}`, `{"matched": "/topic", "count": 1}`,
+Output: `{"received": "/topic", "message": {...}}`, `{"matched": "/topic", "count": 1}`,
 `{"incompatible": "/topic", "policy": "QoSPolicyKind.RELIABILITY"}`, `{"endpoints": "/topic", "found": [...]}`, and
-`{"ready": NAME}` at the beginning. Ends with its standard input.
+`{"ready": NAME}` at the beginning. Ends at the end of its standard input.
 """
 
 import importlib
@@ -44,7 +44,7 @@ def profile(depth=10, reliable=True, transient_local=False):
 
 
 def plain(value):
-    """A message as JSON holds it."""
+    """The JSON value of a message."""
     if hasattr(value, "get_fields_and_field_types"):
         return {name: plain(getattr(value, name)) for name in value.get_fields_and_field_types()}
     if hasattr(value, "tolist"):
@@ -55,7 +55,7 @@ def plain(value):
 
 
 def field_value(base, value):
-    """What a field of type `base` is set to, from what JSON holds."""
+    """Value of a field of type `base`, from its JSON value."""
     if "/" not in base:
         return value
     package, name = base.split("/")
@@ -64,7 +64,7 @@ def field_value(base, value):
 
 
 def filled(kind, fields):
-    """A message from what JSON holds."""
+    """A message with the fields of its JSON value."""
     message = kind()
     types = message.get_fields_and_field_types()
     for name, value in fields.items():
@@ -80,7 +80,7 @@ class Peer:
         self.subscriptions = []
 
     def take(self, line):
-        """Do what one line asks for."""
+        """Execute one line of input."""
         if "subscribe" in line:
             self.subscribe(line["subscribe"], message_type(line["type"]), profile(**line["qos"]))
         elif "publish" in line:

@@ -1,4 +1,4 @@
-"""What the viewer records."""
+"""Recordings that the viewer makes."""
 
 import threading
 
@@ -15,9 +15,9 @@ from quadruped_env.viewer.panel import _status
 from quadruped_env.viewer.take import MAX_WAITING
 
 
-def test_a_take_is_what_happened(control, tmp_path, monkeypatch):
-    told = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: told.append(motions))
+def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch):
+    films = []
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: films.append(motions))
     controller = control("policy flat")
     controller.set_command(0.4, 0.0)
     controller.advance(0.2)
@@ -38,7 +38,7 @@ def test_a_take_is_what_happened(control, tmp_path, monkeypatch):
     np.testing.assert_array_equal(saved.positions, [s.joint_position for s in samples])
     np.testing.assert_array_equal(saved.velocities, [s.joint_velocity for s in samples])
     np.testing.assert_array_equal(saved.efforts, [s.joint_torque for s in samples])
-    ((motion,),) = told
+    ((motion,),) = films
     np.testing.assert_array_equal(motion.base_pose, [s.base_pose for s in samples])
     np.testing.assert_array_equal(motion.command, [s.command for s in samples])
     messages = controller.messages()
@@ -48,7 +48,7 @@ def test_a_take_is_what_happened(control, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("end", ["reset", "set_source", "watch", "close", "fall"])
-def test_a_take_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
+def test_recording_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     controller = control("gait trot", "stand still")
     controller.start_recording()
@@ -70,7 +70,7 @@ def test_a_take_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
     assert seconds == pytest.approx(0.2 + RESTART_AFTER + DT if end == "fall" else 0.2, abs=1.5 * DT)
 
 
-def test_a_take_without_opengl_is_saved_without_a_video(control, tmp_path, monkeypatch):
+def test_recording_without_opengl_is_saved_without_a_video(control, tmp_path, monkeypatch):
     def fail(path, motions):
         raise QuadrupedError("no OpenGL to render with")
 
@@ -86,7 +86,7 @@ def test_a_take_without_opengl_is_saved_without_a_video(control, tmp_path, monke
     assert controller.messages()[1:] == ["No video: no OpenGL to render with"]
 
 
-def test_a_take_that_cannot_be_saved_says_so(tmp_path):
+def test_recording_that_cannot_be_saved_is_reported(tmp_path):
     (tmp_path / "results").write_text("a file where a directory should be")
     sources, chosen = find_controllers(runs=tmp_path)
     controller = ViewController(sources, chosen, tmp_path / "results")
@@ -97,7 +97,7 @@ def test_a_take_that_cannot_be_saved_says_so(tmp_path):
     assert message.startswith("Not saved: ")
 
 
-def test_a_take_ends_at_the_longest_time_with_a_word(control, tmp_path, monkeypatch):
+def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     monkeypatch.setattr("quadruped_env.viewer.controller.MAX_SECONDS", 0.5)
     controller = control("stand still")
@@ -111,7 +111,7 @@ def test_a_take_ends_at_the_longest_time_with_a_word(control, tmp_path, monkeypa
     assert controller.messages()[0] == "The recording has ended: the maximum is 0.5 s; record again"
 
 
-def test_the_panel_shows_the_longest_time_of_a_take(control, monkeypatch):
+def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     controller = control("stand still")
     assert "recording" not in _status(controller.view())
@@ -120,7 +120,7 @@ def test_the_panel_shows_the_longest_time_of_a_take(control, monkeypatch):
     assert "recording, 0.1 of at most 300 s" in _status(controller.view())
 
 
-def test_takes_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
+def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
     go_on = threading.Event()
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: go_on.wait(DEADLINE))
     controller = control("stand still")
@@ -136,7 +136,7 @@ def test_takes_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch)
     assert controller.view().recorded == 0.0
 
 
-def test_takes_of_a_show_are_bounded(control, monkeypatch):
+def test_recordings_of_a_show_are_bounded(control, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
     monkeypatch.setattr("quadruped_env.viewer.take.MAX_TAKES", 1)
     controller = control("stand still")
@@ -148,7 +148,7 @@ def test_takes_of_a_show_are_bounded(control, monkeypatch):
 
 
 @pytest.mark.slow
-def test_a_take_is_filmed(control, tmp_path):
+def test_recording_is_filmed(control, tmp_path):
     av = pytest.importorskip("av")
     controller = control("policy flat")
     controller.start_recording()

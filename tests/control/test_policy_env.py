@@ -1,0 +1,101 @@
+"""Shipped policies, and the environment that a policy makes for its task."""
+
+import numpy as np
+import pytest
+from gymnasium import make, make_vec
+from policies import TASK, make_policy
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control.policy import SHIPPED
+from quadruped_env.envs import ENV_ID
+from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.policies import PolicyController, load_policy
+from quadruped_env.task import TaskConfig
+
+# --- the shipped policies ---
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_shipped_policy_follows_its_velocity_commands(name):
+    policy = load_policy(name)
+    assert {"command", "seed", "versions", "git_commit"} <= set(policy.card)
+    env = make_vec(ENV_ID, num_envs=16, action_mode=policy.action_mode, config=policy.config)
+    for command in ((0.4, 0.0), (-0.2, 0.0), (0.0, 0.0), (0.2, 0.5)):
+        observation, _ = env.reset(seed=0, options={"command": command})
+        velocities = []
+        for _ in range(150):
+            observation, _, terminated, _, info = env.step(policy.predict(observation))
+            assert not terminated.any(), command
+            velocities.append([info["base_linear_velocity"][:, 0], info["base_angular_velocity"][:, 2]])
+        forward, turning = np.mean(velocities[50:], axis=(0, 2))
+        assert forward == pytest.approx(command[0], abs=0.15)
+        assert turning == pytest.approx(command[1], abs=0.3)
+
+
+# --- the environment of a policy ---
+
+
+def test_make_env_makes_the_task_that_the_policy_was_trained_for():
+    policy = make_policy()
+    env = policy.make_env(render_mode="rgb_array", max_episode_steps=7)
+    assert env.unwrapped.task.config == TASK
+    assert env.unwrapped.dt == pytest.approx(0.025)
+    assert env.render_mode == "rgb_array"
+    assert env.spec.max_episode_steps == 7
+    assert make(env.spec).unwrapped.task.config == TASK
+    policy.check_env(env)
+    env.close()
+
+
+def test_make_vec_env_makes_num_envs_envs_of_the_policys_task():
+    policy = make_policy()
+    env = policy.make_vec_env(3, max_episode_steps=7)
+    assert env.num_envs == 3
+    assert env.unwrapped.task.config == TASK
+    policy.check_env(env)
+    env.close()
+
+
+@pytest.mark.parametrize("name", ["action_mode", "config"])
+def test_make_env_with_another_task_is_refused(name):
+    for call in (make_policy().make_env, lambda **kwargs: make_policy().make_vec_env(2, **kwargs)):
+        with pytest.raises(QuadrupedError, match=f"policy.make_env: {name} is given by the policy"):
+            call(**{name: None})
+
+
+@pytest.mark.parametrize(
+    ("config", "message"),
+    [
+        ({}, "action.mode 'residual', and this environment has 'position'"),
+        ({"action": {"mode": "residual"}}, r"control_timestep 0\.025, and this environment has 0\.02"),
+        ({"action": {"mode": "residual", "residual_scale": 0.2}, "decimation": 5}, r"residual_scale 0\.4, .* has 0\.2"),
+        (
+            {"action": {"mode": "residual"}, "decimation": 5, "clock_frequency": 3.0},
+            r"clock_frequency 2\.2, .* has 3\.0",
+        ),
+    ],
+)
+def test_task_with_another_meaning_of_actions_is_refused(config, message):
+    policy = make_policy()
+    env = make(ENV_ID, config=config)
+    with pytest.raises(QuadrupedError, match=f"{message}; make its own with policy.make_env"):
+        policy.check_env(env)
+    controller = PolicyController(policy)
+    controller.action_mode = env.unwrapped.task.config.action.mode
+    with pytest.raises(QuadrupedError, match=message):
+        roll_out(controller, [(0.3, 0.0)], [0], 1.0, env.unwrapped.task.config)
+    env.close()
+
+
+def test_task_that_differs_without_changing_actions_is_accepted():
+    values = TASK.to_dict() | {"randomization": {"payload": (0.0, 1.0)}, "motor": {"delay": 0.01}}
+    make_policy().check_task(TaskConfig.from_dict(values))
+
+
+def test_check_env_of_another_environment_is_refused():
+    env = make("CartPole-v1")
+    with pytest.raises(
+        QuadrupedError, match=r"is not an environment of this package; make one with policy.make_env\(\)"
+    ):
+        make_policy().check_env(env)
+    env.close()

@@ -1,0 +1,60 @@
+"""The baseline: a scripted gait, recorded and measured."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.evaluation.baseline import check_target, run_baseline
+
+
+class TestBaseline:
+    def test_invalid_numbers_are_refused(self):
+        for arguments, message in {
+            ("preset", "gallop"): "unknown preset 'gallop'",
+            ("episodes", 0): "episodes: expected 1 or more; found 0",
+            ("seed", -1): "seed: expected 0 or more; found -1",
+        }.items():
+            with pytest.raises(QuadrupedError, match=message):
+                run_baseline(**dict([arguments]))
+
+    def test_run_too_short_for_a_metric_is_still_reported(self, tmp_path):
+        baseline = run_baseline("tuned", seconds=0.1, episodes=2)
+        baseline.save(tmp_path / "a.csv")
+        report = json.loads((tmp_path / "a.json").read_text())
+        assert report["metrics"]["forward_velocity"]["episodes"] == [None, None]
+        assert report["metrics"]["fall_rate"]["mean"] == 0.0
+        assert "Forward velocity" in baseline.table()
+
+    def test_unknown_file_format_is_refused_before_the_simulation(self):
+        with pytest.raises(QuadrupedError, match=r"a\.json: unknown ending '\.json'"):
+            check_target(Path("a.json"), overwrite=False)
+
+    def test_a_bag_has_the_base_in_its_odometry_frame(self, tmp_path):
+        reader = pytest.importorskip("mcap_ros2.reader")
+        baseline = run_baseline("tuned", seconds=1.0, episodes=1)
+        baseline.save(tmp_path / "walk.mcap")
+        assert (tmp_path / "walk.json").exists()
+        messages = [m.ros_msg for m in reader.read_ros2_messages(str(tmp_path / "walk.mcap"), topics=["/tf"])]
+        first, last = (message.transforms[0] for message in (messages[0], messages[-1]))
+        assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_link")
+        end = baseline.recording.base_pose[-1]
+        assert last.transform.translation.x == pytest.approx(end[0], abs=1e-9)
+        assert last.transform.rotation.w == pytest.approx(end[3], abs=1e-9)
+        assert first.transform.translation.x == pytest.approx(0.0, abs=1e-9)
+        check_target(tmp_path / "other", overwrite=False)
+        with pytest.raises(QuadrupedError, match="exists already"):
+            check_target(tmp_path / "walk.mcap", overwrite=False)
+
+    def test_violations_are_reported(self):
+        baseline = run_baseline("tuned", seconds=0.1, episodes=1)
+        greedy = SinusoidalGait(2.0, 0.0, 0.1, -0.5, 1.0, (0.0,) * 8)
+        table = type(baseline)(**{**vars(baseline), "gait": greedy}).table()
+        assert "Exceeds the joint limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
+
+    def test_tuned_walks_and_article_hardly_moves(self):
+        tuned, article = run_baseline("tuned", episodes=10), run_baseline("article", episodes=10)
+        assert tuned.estimate("fall_rate").mean == article.estimate("fall_rate").mean == 0.0
+        assert tuned.estimate("forward_velocity").mean > 0.25
+        assert abs(article.estimate("forward_velocity").mean) < 0.03

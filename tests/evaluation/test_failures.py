@@ -1,0 +1,59 @@
+"""The worst episodes of a policy."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from comparisons import TINY
+
+from quadruped_env.evaluation import failures
+
+
+def with_falls(comparison, **falls):
+    """The comparison, in which the policy falls in the given envs (r3 is the fourth) after the given samples."""
+    policy = comparison.rollouts["policy"]
+    valid = policy.valid.copy()
+    for row, samples in falls.items():
+        valid[samples:, int(row[1:])] = False
+    fallen = dataclasses.replace(policy, valid=valid)
+    return dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
+
+
+def test_falls_are_the_worst_and_the_earliest_first(comparison):
+    found = failures.worst_episodes(with_falls(comparison, r1=100, r4=50, r5=80))
+    assert [failure.row for failure in found[:2]] == [4, 1]
+    assert [failure.command for failure in found[:2]] == [TINY[2], TINY[0]]
+    assert found[0].fell_at == pytest.approx(51 * 0.02)
+    assert found[0].story.startswith("It fell at 1.0 s")
+    assert found[2].fell_at is None
+
+
+def test_without_falls_the_worst_has_the_largest_error(comparison):
+    errors = comparison.values["policy"]
+    tolerated = np.maximum(errors["forward_velocity_error"] / 0.1, errors["yaw_rate_error"] / 0.2)
+    worst = failures.worst_episodes(with_falls(comparison))
+    assert not any(math.isinf(failure.badness) for failure in worst)
+    assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
+    assert worst[0].row == int(np.nanargmax(tolerated))
+    assert "It stayed on its feet. Largest error: mean " in worst[0].story
+    assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
+
+
+@pytest.mark.parametrize(
+    ("axis", "angle", "words"),
+    [
+        ("x", -1.0, "over its left side, at 57° of tilt"),
+        ("x", 1.0, "over its right side"),
+        ("y", 1.0, "forwards, over its nose"),
+        ("y", -1.0, "backwards, over its tail"),
+        ("y", 0.1, "its trunk hit the ground while nearly level (6° of tilt)"),
+    ],
+)
+def test_story_names_the_direction_of_a_fall(comparison, axis, angle, words):
+    fell = with_falls(comparison, r0=50)
+    policy = fell.rollouts["policy"]
+    orientation = policy.orientation.copy()
+    orientation[50, 0] = [math.cos(angle / 2), *(math.sin(angle / 2) * (axis == name) for name in "xyz")]
+    rollouts = {**fell.rollouts, "policy": dataclasses.replace(policy, orientation=orientation)}
+    assert words in failures.worst_episodes(dataclasses.replace(fell, rollouts=rollouts))[0].story

@@ -1,0 +1,82 @@
+"""The program that writes reports: the policy that it finds, and its errors."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from comparisons import random_policy
+from paths import ROOT
+
+from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.evaluation import subject
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.reporting import results
+
+
+def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    asked = []
+    monkeypatch.setattr(subject, "load_policy", lambda name, *_: asked.append(name) or random_policy("position"))
+    assert find_subject(None).output == Path("results/flat")
+    assert asked == ["flat"]
+    Path("runs").mkdir()
+    Path("runs/latest").symlink_to(run_directory)
+    found = find_subject(None)
+    assert (found.name, found.output) == ("20260101-000000-ppo", Path("runs/latest/evaluation"))
+    assert find_subject("flat", Path("there")).output == Path("there")
+
+
+def test_a_checkpoint_is_named_with_its_run(run_directory):
+    random_policy("position").save(run_directory / "checkpoints" / "step-1000")
+    assert find_subject(str(run_directory / "checkpoints" / "step-1000")).name == (
+        "20260101-000000-ppo/checkpoints/step-1000"
+    )
+
+
+def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
+    monkeypatch.setattr(results.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(MissingExtraError, match=r"mini-quadruped\[report\]"):
+        results.prepare_output(tmp_path)
+
+
+def test_an_output_that_cannot_be_made_is_named(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*choose another directory"):
+        results.prepare_output(tmp_path / "file" / "out")
+
+
+def program(*arguments, cwd):
+    return subprocess.run(
+        [sys.executable, ROOT / "evaluate" / "policy.py", *map(str, arguments)],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_program_names_what_is_wrong_with_a_run(run_directory, tmp_path):
+    damaged = tmp_path / "damaged"
+    random_policy("position").save(damaged)
+    (damaged / "policy.json").write_text("{")
+    result = program(damaged, cwd=tmp_path)
+    assert result.returncode == 2
+    assert len(result.stderr.splitlines()) == 1
+    assert f"{damaged / 'policy.json'}: not valid JSON" in result.stderr
+    assert "train again" in result.stderr
+
+
+@pytest.mark.slow
+def test_program_evaluates_a_run(run_directory, tmp_path):
+    result = program(
+        run_directory, "--seeds", 1, "--seconds", 2, "--no-video", "--output", tmp_path / "out", cwd=tmp_path
+    )
+    assert result.returncode == 0, result.stderr
+    assert "Forwards: velocity error (m/s)" in result.stdout
+    assert str(tmp_path / "out" / "report.html") in result.stdout
+    assert (tmp_path / "out" / "report.html").is_file()
+    assert json.loads((tmp_path / "out" / "metrics.json").read_text())["command_line"] == (
+        "python evaluate/policy.py runs/20260101-000000-ppo --seeds 1 --seconds 2"
+    )
