@@ -5,10 +5,11 @@ import math
 
 import numpy as np
 import pytest
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES, PRESETS
-from quadruped_env.robot import JOINT_NAMES, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT
+from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.task import TaskConfig
 
 TUNED = CommandedGait.tuned()

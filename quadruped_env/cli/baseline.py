@@ -1,7 +1,7 @@
 """Measure a scripted gait, and record the joints of a robot that walks with it.
 
 The metrics come from several episodes with random starts. The recorded episode starts with the robot at rest in its
-stance and is deterministic, so `replay` can repeat it to the last bit:
+stance and is deterministic, so `replay`, which plays on level ground, can repeat it to the last bit:
 
     mini-quadruped baseline --preset tuned --commands -o results/tuned.csv
     mini-quadruped replay results/tuned.csv --mode dynamic

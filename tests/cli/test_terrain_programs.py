@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from built_in import STANCE_HEIGHT
 from viewing import robot
 
 from quadruped_env import QuadrupedError
@@ -17,7 +18,6 @@ from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
 from quadruped_env.reporting.films.film import Camera, Motion
 from quadruped_env.reporting.ground_mesh import ground_mesh
-from quadruped_env.robot import STANCE_HEIGHT
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, terrain

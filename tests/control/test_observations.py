@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from tasks import LAYOUT, NEVER_FALLS, OBSERVATION_WIDTH, STILL_START, column, make_env, make_task
 
 from quadruped_env import JOINT_NAMES
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED, STANCE
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import RandomizationConfig
 
 # --- observations ---

@@ -5,12 +5,12 @@ import math
 import gymnasium
 import numpy as np
 import pytest
+from built_in import STANCE
 from mirroring import mirrored
 from tasks import ACTION_WIDTH, LAYOUT, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
 from quadruped_env.control.symmetry import MirrorMap
-from quadruped_env.robot import STANCE
 
 ROW = np.array([0])
 MIRROR = MirrorMap.of(LAYOUT)

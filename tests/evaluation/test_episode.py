@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
+from built_in import STANCE, STANCE_HEIGHT
 from trajectories import assert_same_numbers, standing
 
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.evaluation.episode import play, publish, record
 from quadruped_env.policies import GaitController, ZeroController
-from quadruped_env.robot import STANCE, STANCE_HEIGHT
 
 
 class TestPublish:

@@ -1,9 +1,9 @@
 """Test bench for the live controller: a manual clock, and measurements that the test sets."""
 
 import numpy as np
+from built_in import STANCE
 
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
-from quadruped_env.robot import STANCE
 
 LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
 LYING = np.array([0.6, -0.3] * 4)

@@ -8,10 +8,10 @@ import time
 
 import numpy as np
 import waiting
+from built_in import STANCE
 
 from quadruped_env import JOINT_NAMES
 from quadruped_env.live.topics import IMU, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
-from quadruped_env.robot import STANCE
 from quadruped_env.ros import cdr
 
 STAMP = 1_700_000_000_123_456_789

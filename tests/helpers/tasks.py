@@ -5,11 +5,12 @@ import math
 
 import gymnasium
 import numpy as np
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 
 from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.envs import ENV_ID
 from quadruped_env.readings import Readings
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import (
     CommandConfig,

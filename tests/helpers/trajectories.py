@@ -1,9 +1,9 @@
 """Trajectories for tests."""
 
 import numpy as np
+from built_in import STANCE
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
-from quadruped_env.robot import STANCE
 
 STAMPS = [1_763_500_000_000_000_001, 1_763_500_000_020_000_003, 1_763_500_000_050_000_000, 1_763_500_001_000_000_000]
 """Timestamps, ns: over 2^53, where a float no longer holds every whole number, and unevenly spaced."""

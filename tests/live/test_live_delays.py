@@ -7,6 +7,7 @@ from collections import deque
 
 import numpy as np
 import pytest
+from built_in import STANCE
 from live_bench import EPOCH, LEVEL, Bench
 from live_delays import COMMAND_PERIOD, KINDS, PERIOD, Disturbance, Link
 from waiting import wait_until
@@ -19,7 +20,6 @@ from quadruped_env.live import Node
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.topics import CMD_VEL, ODOMETRY
 from quadruped_env.policies import find_controller
-from quadruped_env.robot import STANCE
 from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")

@@ -6,6 +6,7 @@ import time
 
 import numpy as np
 import pytest
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 from live_nodes import usable
 from waiting import wait_until
 
@@ -17,7 +18,7 @@ from quadruped_env.live.node import Received
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session
 from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES, TOPICS
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos
 from quadruped_env.viewer import ViewController
 

@@ -7,6 +7,7 @@ from itertools import count
 
 import numpy as np
 import pytest
+from built_in import STANCE, STANCE_HEIGHT
 from live_nodes import joint_state, received_from
 from waiting import wait_until
 
@@ -17,7 +18,7 @@ from quadruped_env.live import Node, Topic
 from quadruped_env.live.joints import JointReader
 from quadruped_env.live.single_publisher import CONTEST
 from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
-from quadruped_env.robot import MINI_QUADRUPED, STANCE, STANCE_HEIGHT
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
 pytest.importorskip("cyclonedds")

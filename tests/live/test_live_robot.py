@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
+from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT
 from live_loop import EPOCH, Loop
 from live_nodes import received_from
 from waiting import wait_until
@@ -17,10 +18,11 @@ from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
 from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
-from quadruped_env.robot import FOOT_RADIUS, JOINT_NAMES, MINI_QUADRUPED, STANCE, STANCE_HEIGHT, resting_pose
+from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED, resting_pose
 from quadruped_env.ros import cdr
-from quadruped_env.simulation import build_model, find_terrain
+from quadruped_env.simulation import build_model, find_terrain, flat
 from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.task import terrain
 from quadruped_env.viewer import ViewController
 
 pytest.importorskip("cyclonedds")
@@ -239,10 +241,17 @@ def test_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
         viewer_node.close()
 
 
-def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path):
+@terrain(size=10.0)
+def ramp(grid):
+    """Slope of 0.1 along x."""
+    return 0.1 * grid.x
+
+
+@pytest.mark.parametrize("ground", [flat, ramp], ids=lambda ground: ground.name)
+def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path, ground):
     robot_node, viewer_node = Node("robot"), Node("viewer")
     try:
-        live = LiveRobot(viewer_node, MINI_QUADRUPED)
+        live = LiveRobot(viewer_node, MINI_QUADRUPED, terrain=ground)
         show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
         states = robot_node.publish(JOINT_STATES)
         positions = np.array([0.3, -0.9] * 4)
@@ -256,7 +265,9 @@ def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path
         show.advance(0.02)
         seen = show.view().robots[0].now
         np.testing.assert_allclose(seen.joint_position, positions)
-        np.testing.assert_allclose(seen.base_pose, resting_pose(positions), atol=1e-9)
+        expected = resting_pose(positions)
+        expected[2] += 0.03 if ground is ramp else 0.0  # 0.3 m uphill, where the grid covers the robot
+        np.testing.assert_allclose(seen.base_pose, expected, atol=1e-6)
         show.close()
     finally:
         robot_node.close()

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT
 from live_bench import EPOCH, LEVEL, LYING, PERIOD, Bench, Recording
 
 from quadruped_env import JOINT_NAMES, QuadrupedError, SinusoidalGait
@@ -16,13 +17,7 @@ from quadruped_env.live.imu import read_imu
 from quadruped_env.live.joints import JointReader
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
 from quadruped_env.readings import Readings
-from quadruped_env.robot import (
-    JOINT_POSITION_HIGH,
-    JOINT_POSITION_LOW,
-    MINI_QUADRUPED,
-    STANCE,
-    VELOCITY_LIMIT,
-)
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import cdr
 from quadruped_env.rotations import rotate_inverse
 from quadruped_env.simulation import SingleSimulation, build_model

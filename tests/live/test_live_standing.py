@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 from live_loop import Loop
 from scipy.spatial.transform import Rotation
 
@@ -9,7 +10,7 @@ from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, MINI_QUADRUPED, STANCE, STANCE_HEIGHT
+from quadruped_env.robot import MINI_QUADRUPED
 
 pytest.importorskip("cyclonedds")
 

@@ -7,9 +7,10 @@ import gymnasium
 import mujoco
 import numpy as np
 import pytest
+from built_in import STANCE, STANCE_HEIGHT
 
 from quadruped_env import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES, STANCE, STANCE_HEIGHT, JointMotor, MotorConfig, asset_path
+from quadruped_env.robot import JOINT_NAMES, JointMotor, MotorConfig, asset_path
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import TaskConfig
 

@@ -6,12 +6,7 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from mirroring import mirrored
-from scipy.linalg import expm
-from scipy.spatial.transform import Rotation
-
-from quadruped_env import asset_path
-from quadruped_env.robot import (
+from built_in import (
     EFFORT_LIMIT,
     JOINT_POSITION_HIGH,
     JOINT_POSITION_LOW,
@@ -21,6 +16,11 @@ from quadruped_env.robot import (
     TOTAL_MASS,
     VELOCITY_LIMIT,
 )
+from mirroring import mirrored
+from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
+
+from quadruped_env import asset_path
 from quadruped_env.simulation import SingleSimulation, build_model
 
 GRAVITY = 9.81

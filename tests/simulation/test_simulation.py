@@ -7,9 +7,9 @@ from dataclasses import fields
 import mujoco
 import numpy as np
 import pytest
+from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 
 from quadruped_env.readings import Readings
-from quadruped_env.robot import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 
 ROWS = 5

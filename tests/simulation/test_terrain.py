@@ -12,13 +12,13 @@ import gymnasium
 import mujoco
 import numpy as np
 import pytest
+from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT, TOTAL_MASS
 from environments import ROUGH, assert_same, episodes, make, make_native, make_sync
 
 from quadruped_env import QuadrupedError
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.policies import CommandedGaitController, PolicyController, load_policy
-from quadruped_env.robot import FOOT_RADIUS, STANCE, STANCE_HEIGHT, TOTAL_MASS
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model, find_terrain
 from quadruped_env.simulation import model as model_module
 from quadruped_env.simulation.height_field import HeightField
@@ -71,7 +71,9 @@ def test_built_in_terrain_repeats_with_its_seed_and_is_level_at_start_and_edge(s
     np.testing.assert_allclose(shape.variant(3, height=2.0 * top).heights(), 2.0 * heights)
 
 
-@pytest.mark.parametrize("shape", [rough, hills.variant(5), slope.variant(angle=0.3, direction=1.0)], ids=str)
+@pytest.mark.parametrize(
+    "shape", [rough, hills.variant(5), slope.variant(angle=0.3, direction=1.0)], ids=lambda shape: shape.name
+)
 def test_height_field_lookup_equals_mujocos_rays_inside_and_outside(shape):
     model = build_model(terrain=shape)
     field = HeightField.of(model)
@@ -79,7 +81,7 @@ def test_height_field_lookup_equals_mujocos_rays_inside_and_outside(shape):
     np.testing.assert_allclose(field.at(points), ray_heights(model, points), atol=1e-12)
     outside = np.abs(points).max(axis=1) > 0.5 * shape.size
     assert 50 < outside.sum() < 500
-    np.testing.assert_allclose(field.at(points[outside]), shape.heights().min() - 0.02, atol=1e-9)
+    np.testing.assert_allclose(field.at(points[outside]), shape.heights().min() - 0.01, atol=1e-9)
 
 
 def test_height_field_lookup_at_grid_points_equals_the_terrains_heights():
@@ -155,6 +157,31 @@ def standing(model, seconds=1.5, yaw=0.4):
     simulation.reset(ENV, qpos[None], np.zeros((1, 14)))
     simulation.step(STANCE[None], round(seconds / model.opt.timestep))
     return simulation
+
+
+def test_robot_beyond_the_edge_of_the_field_stands_on_the_plane_around_it():
+    simulation = SingleSimulation(build_model(terrain=hills))
+    qpos = np.array([25.0, 3.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE])
+    simulation.reset(ENV, qpos[None], np.zeros((1, 14)))
+    simulation.step(STANCE[None], 400)
+    assert touched(simulation) == {"surroundings"}
+    height = simulation.readings.base_position[0, 2] - simulation.height_field.at(simulation.readings.base_position)[0]
+    assert height == pytest.approx(STANCE_HEIGHT, abs=1e-3)
+
+
+def test_walking_robot_leaves_the_field_without_falling():
+    """Down the step at the edge."""
+    small = dataclasses.replace(hills, size=3.0)
+    controller = PolicyController(load_policy("flat"))
+    task = Task(BatchSimulation(build_model(terrain=small), 6), controller.policy.config)
+    task.reset(np.arange(6), seeds=list(range(6)), command=(0.5, 0.0))
+    observation, fallen = task.observe(), np.zeros(6, dtype=bool)
+    for _ in range(350):
+        transition = task.act(controller, observation)
+        observation, fallen = transition.observation, fallen | transition.terminated
+    outside = np.abs(task.simulation.readings.base_position[:, :2]).max(axis=1) > 1.75
+    assert outside.all()
+    assert not fallen.any()
 
 
 def plane_beside_the_field(spec, heights, size):

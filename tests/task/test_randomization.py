@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 import scipy.stats
+from built_in import FOOT_RADIUS, STANCE
 from tasks import (
     NEVER_FALLS,
     ONE_COMMAND,
@@ -15,7 +16,7 @@ from tasks import (
 
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot import FOOT_RADIUS, MINI_QUADRUPED, STANCE
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import (
     ModelField,

@@ -5,10 +5,10 @@ import math
 
 import numpy as np
 import pytest
+from built_in import FOOT_RADIUS, STANCE
 from tasks import NEVER_FALLS, Terms, column, make_task, random_readings
 
 from quadruped_env.readings import Readings
-from quadruped_env.robot import FOOT_RADIUS, STANCE
 from quadruped_env.task import RewardConfig, TaskConfig, quantities
 
 # --- rewards, by hand ---

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from built_in import STANCE, VELOCITY_LIMIT
 
 from quadruped_env import CommandedGait, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES
-from quadruped_env.robot import STANCE, VELOCITY_LIMIT
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.training import gait_tuning
 
