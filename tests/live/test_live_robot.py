@@ -18,7 +18,7 @@ from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.live.stamps import read_stamp
 from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
-from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED, resting_pose
+from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 from quadruped_env.ros import cdr
 from quadruped_env.simulation import build_model, find_terrain, flat
 from quadruped_env.simulation.height_field import HeightField
@@ -265,7 +265,7 @@ def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path
         show.advance(0.02)
         seen = show.view().robots[0].now
         np.testing.assert_allclose(seen.joint_position, positions)
-        expected = resting_pose(positions)
+        expected = MINI_QUADRUPED.resting_pose(positions)
         expected[2] += 0.03 if ground is ramp else 0.0  # 0.3 m uphill, where the grid covers the robot
         np.testing.assert_allclose(seen.base_pose, expected, atol=1e-6)
         show.close()
