@@ -93,7 +93,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     | `config` | `{}` | changes to `quadruped_env.task.TaskConfig`, as nested values; `motor` for other motors |
     | `task_file` | `None` | Python file with your own terms or robot (docs/make-it-yours.md); it is executed |
     | `robot` | `None` | a `quadruped_env.robot.Robot` or `QuadrupedDesign`; `None`: the one described above |
-    | `terrain` | `None` | name of a terrain, short for `config={"terrain": {"name": ...}}` |
+    | `terrain` | `None` | name of a terrain, short for the config's `terrain.name` |
     | `render_mode` | `None` | `"rgb_array"` or `"human"` |
     | `width`, `height` | 640, 480 | size of the image in pixels, limited by OpenGL |
 

@@ -99,21 +99,28 @@ def _schema(name: str, values: Any, definition: TaskDefinition) -> Schema:
     """Fields of a section with these values."""
     if name != "terrain":
         return _schemas(definition)[name]
-    chosen = values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
-    return _terrain_schema(find_terrain(chosen, definition.terrains))
+    return _terrain_schema(find_terrain(_chosen(values), definition.terrains))
 
 
-def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
-    schema = _schema(name, values, definition)
-    section = Section(name, schema, values, functools.partial(_remade, name, definition))
+def _chosen(values: Any) -> Any:
+    """Name of the terrain that a section's values select."""
+    return values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
+
+
+def _section(name: str, values: Any, definition: TaskDefinition, schema: Schema | None = None) -> Section:
+    if schema is None:
+        schema = _schema(name, values, definition)
+    terrain = _chosen(values) if name == "terrain" else None
+    section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain=terrain))
     if name == "command":
         shares = section.standing_fraction + section.straight_fraction
         check(shares <= 1, "command.standing_fraction + straight_fraction", shares, "at most 1")
     return section
 
 
-def _remade(name: str, definition: TaskDefinition, values: dict[str, Any]) -> Section:
-    return _section(name, values, definition)
+def _remade(name: str, definition: TaskDefinition, values: dict[str, Any], terrain: str | None = None) -> Section:
+    schema = None if terrain is None else _terrain_schema(find_terrain(terrain, definition.terrains))
+    return _section(name, values, definition, schema)
 
 
 def CommandConfig(**values: Any) -> Section:  # noqa: N802  named like the class of a section

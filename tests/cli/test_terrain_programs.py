@@ -18,6 +18,7 @@ from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
 from quadruped_env.reporting.films.film import Camera, Motion
 from quadruped_env.reporting.ground_mesh import ground_mesh
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, terrain
@@ -87,10 +88,10 @@ def test_camera_shows_the_ground_of_each_motion(opengl):
     raised = pose.copy()
     raised[:, 2] += FIELD.at(pose) * 0.5 / 0.08
     joints = np.tile([0.6, -0.72], (1, 4))
-    with Camera() as camera:
-        level = camera.picture(Motion("", 0.02, pose, joints), 0)
-        uneven = camera.picture(Motion("", 0.02, raised, joints, terrain=high), 0)
-        again = camera.picture(Motion("", 0.02, pose, joints), 0)
+    with Camera(MINI_QUADRUPED) as camera:
+        level = camera.picture(Motion("", MINI_QUADRUPED, 0.02, pose, joints), 0)
+        uneven = camera.picture(Motion("", MINI_QUADRUPED, 0.02, raised, joints, terrain=high), 0)
+        again = camera.picture(Motion("", MINI_QUADRUPED, 0.02, pose, joints), 0)
     np.testing.assert_array_equal(again, level)
     assert not np.array_equal(uneven, level)
     # The camera rises with the ground, by 0.2 m here, so that the robot stays where it was in the picture.
@@ -124,7 +125,7 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     filmed = []
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: filmed.extend(motions))
     sources, _ = find_controllers(runs=tmp_path)
-    controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", HILLS.ground)
+    controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", terrain=HILLS.ground)
     assert HeightField.of(controller.model()) is not None
     assert {robot(controller, i).terrain for i in range(2)} == {HILLS.ground}
     controller.set_source(2, "stand still")
@@ -136,10 +137,10 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
 
 
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda controller: HILLS)
+    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: HILLS)
     sources, _ = find_controllers(runs=tmp_path)
     controller = ViewController(sources, ["policy flat"], tmp_path / "results")
-    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda controller: TaskConfig())
+    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: TaskConfig())
     controller.set_source(1, "stand still")
     assert {robot(controller, i).terrain for i in range(2)} == {HILLS.ground}
     controller.close()

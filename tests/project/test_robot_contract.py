@@ -34,7 +34,7 @@ ENTRY_POINTS = {
 }
 """Modules that name the built-in robot, and why."""
 
-# Constants of the package `robot` that are no numbers or names of a robot.
+# Constants of the package `robot` that hold neither numbers nor names of a robot.
 NEUTRAL = {"JOINT_KINDS", "ODOMETRY_FRAME"}
 
 # Position of the robot among the arguments.
@@ -46,7 +46,7 @@ NEEDS_ROBOT = {
     "SinusoidalGait.preset": 1,
     "TaskRobot": 2,
     "ViewController": 3,
-    "build_model": 9,
+    "build_model": 3,
     "identify": 9,
     "in_joint_order": 0,
     "play": 4,

@@ -308,26 +308,24 @@ class TestAssets:
         assert build_model(motors=MotorConfig(hip=JointMotor(armature=0.02))).dof_armature[6] == 0.02
         assert build_model().dof_armature[6] == 0.01
 
-    def test_build_model_compiles_each_variant_once_and_an_edited_file_again(self, monkeypatch, tmp_path):
-        for name in ("scene.xml", "mini_quadruped.xml"):
-            (tmp_path / name).write_text(asset_path(name).read_text())
+    def test_build_model_compiles_each_variant_once_and_an_edited_scene_again(self, monkeypatch, tmp_path):
+        scene = tmp_path / "scene.xml"
+        scene.write_text(asset_path("scene.xml").read_text())
         monkeypatch.setattr("quadruped_env.simulation.model.asset_path", tmp_path.joinpath)
         compiled = []
-        from_file = mujoco.MjSpec.from_file
+        from_string = mujoco.MjSpec.from_string
 
         class CountingSpec:
             @staticmethod
-            def from_file(path):
-                compiled.append(path)
-                return from_file(path)
+            def from_string(text, **options):
+                compiled.append(text)
+                return from_string(text, **options)
 
         monkeypatch.setattr(mujoco, "MjSpec", CountingSpec)
         for _ in range(3):
             assert build_model(0.004).opt.gravity[2] == -9.81
         assert len(compiled) == 1
-        robot = tmp_path / "mini_quadruped.xml"
-        assert "<option" in robot.read_text()
-        robot.write_text(robot.read_text().replace("<option", '<option gravity="0 0 -1.6"', 1))
-        os.utime(robot, ns=(1, 1))
+        scene.write_text(scene.read_text().replace("<worldbody>", '<option gravity="0 0 -1.6"/><worldbody>', 1))
+        os.utime(scene, ns=(1, 1))
         assert build_model(0.004).opt.gravity[2] == -1.6
         assert len(compiled) == 2

@@ -151,7 +151,7 @@ def test_terrain_with_an_invalid_size_or_parameter_is_refused():
 
 
 def standing(model, seconds=1.5, yaw=0.4):
-    """A robot that has stood for a while away from grid points, and its weight as the ground feels it, N."""
+    """A simulation of a robot that has stood for a while, away from grid points."""
     simulation = SingleSimulation(model)
     qpos = np.array([0.027, 0.017, STANCE_HEIGHT, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), *STANCE])
     simulation.reset(ENV, qpos[None], np.zeros((1, 14)))

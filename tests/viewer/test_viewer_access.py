@@ -351,7 +351,7 @@ def after_all_messages(show, socket):
 
 def test_repeated_refusals_are_counted_in_one_line(caplog, monkeypatch):
     clock = [100.0]
-    monkeypatch.setattr("quadruped_env.viewer.access.time.monotonic", lambda: clock[0])
+    monkeypatch.setattr("quadruped_env.viewer.access.time", SimpleNamespace(monotonic=lambda: clock[0]))
     log = RefusalLog()
     for _ in range(5):
         log.add(Refusal("origin", "foreign"), "127.0.0.1:1")
