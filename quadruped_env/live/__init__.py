@@ -4,11 +4,11 @@
 `dds` and `ros`.
 """
 
-from quadruped_env.live.dds import Network
-from quadruped_env.live.graph import Endpoint, Graph
-from quadruped_env.live.node import Node, Publisher, Received, Subscription
+from quadruped_env.live.middleware.dds import Network
+from quadruped_env.live.middleware.graph import Endpoint, Graph
+from quadruped_env.live.middleware.node import Node, Publisher, Received, Subscription
+from quadruped_env.live.middleware.topics import TOPICS, Topic
 from quadruped_env.live.session import Session, add_common_arguments
-from quadruped_env.live.topics import TOPICS, Topic
 
 __all__ = [
     "TOPICS",

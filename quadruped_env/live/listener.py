@@ -5,11 +5,11 @@ from dataclasses import replace
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.graph import Endpoint
-from quadruped_env.live.node import Read, Subscription
+from quadruped_env.live.middleware.graph import Endpoint
+from quadruped_env.live.middleware.node import Read, Subscription
+from quadruped_env.live.middleware.topics import TOPICS, Topic
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
-from quadruped_env.live.topics import TOPICS, Topic
 from quadruped_env.ros import MESSAGE_TYPES, Qos
 
 DISCOVERY: Final = 1.5

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import GaitSettings
-from quadruped_env.live.gaits import read_settings, settings_message
-from quadruped_env.live.joints import JointReader, Joints
-from quadruped_env.live.node import Node, Refused, message_reader
-from quadruped_env.live.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.messages.gaits import read_settings, settings_message
+from quadruped_env.live.messages.joints import JointReader, Joints
+from quadruped_env.live.middleware.node import Node, Refused, message_reader
+from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate

@@ -10,7 +10,7 @@ from typing import Any, Final, Self
 from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import PART, put_in_place, unwritable
-from quadruped_env.live.topics import Topic
+from quadruped_env.live.middleware.topics import Topic
 from quadruped_env.trajectory.formats.bag_writer import BagOptions, check_target, connect, open_bag, save_progress
 
 _SAVE_EVERY: Final = 500_000

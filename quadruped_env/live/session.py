@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator
 from types import FrameType, TracebackType
 from typing import Any, Final, Self, TextIO
 
-from quadruped_env.live.dds import DOMAIN_VARIABLE, Network
-from quadruped_env.live.node import Node, Publisher, Subscription
+from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
+from quadruped_env.live.middleware.node import Node, Publisher, Subscription
 from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
 from quadruped_env.live.refusals import Refusals
 

@@ -4,8 +4,8 @@ import time
 from typing import Final
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.middleware.topics import JOINT_STATES, Topic
 from quadruped_env.live.session import Session
-from quadruped_env.live.topics import JOINT_STATES, Topic
 from quadruped_env.ros import SENSOR_DATA_QOS
 
 LISTEN: Final = 1.0

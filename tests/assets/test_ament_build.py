@@ -16,7 +16,7 @@ from paths import ROOT
 from waiting import output_of, wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
-from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
 
 NAME = "mini_quadruped_sim"
 PACKAGE = ROOT / "assets" / "ros2" / NAME

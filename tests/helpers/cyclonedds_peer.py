@@ -18,7 +18,7 @@ from cyclonedds.pub import DataWriter
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
-from quadruped_env.live.dds import Network, open_participant
+from quadruped_env.live.middleware.dds import Network, open_participant
 
 
 @dataclass

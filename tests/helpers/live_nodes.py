@@ -11,7 +11,7 @@ import waiting
 from built_in import STANCE
 
 from quadruped_env import JOINT_NAMES
-from quadruped_env.live.topics import IMU, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
+from quadruped_env.live.middleware.topics import IMU, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
 from quadruped_env.ros import cdr
 
 STAMP = 1_700_000_000_123_456_789

@@ -17,8 +17,8 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
 from quadruped_env.live import Node
+from quadruped_env.live.middleware.topics import CMD_VEL, ODOMETRY
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.live.topics import CMD_VEL, ODOMETRY
 from quadruped_env.policies import find_controller
 from quadruped_env.ros import Qos, cdr
 

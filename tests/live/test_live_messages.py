@@ -12,12 +12,12 @@ from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
+from quadruped_env.live.messages.text import check_field
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_STATES, TOPICS
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.refusals import MAX_REASONS, PERIOD, Refusals
 from quadruped_env.live.session import Session
-from quadruped_env.live.text import check_field
-from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_STATES, TOPICS
 from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -87,7 +87,9 @@ def test_state_interrupted_answers_what_was_received(nodes):
 def test_subscribe_reads_an_example_before_the_first_message(topic, nodes, monkeypatch):
     """The cost of the first reading is paid before the subscription exists."""
     order = []
-    monkeypatch.setattr("quadruped_env.live.node.Subscription", lambda *_, **__: order.append("subscribed") or Made())
+    monkeypatch.setattr(
+        "quadruped_env.live.middleware.node.Subscription", lambda *_, **__: order.append("subscribed") or Made()
+    )
 
     class Made:
         condition = None

@@ -15,9 +15,17 @@ from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node, Topic
-from quadruped_env.live.joints import JointReader
+from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.middleware.topics import (
+    CMD_VEL,
+    IMU,
+    JOINT_COMMANDS,
+    JOINT_POSITIONS,
+    JOINT_STATES,
+    ODOMETRY,
+    PUSH,
+)
 from quadruped_env.live.single_publisher import CONTEST
-from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 

@@ -14,10 +14,10 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.sensors import Sensors
+from quadruped_env.live.messages.sensors import Sensors
+from quadruped_env.live.messages.stamps import read_stamp
+from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
-from quadruped_env.live.stamps import read_stamp
-from quadruped_env.live.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 from quadruped_env.ros import cdr
 from quadruped_env.simulation import build_model, find_terrain, flat

@@ -12,9 +12,9 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.live.commands import CommandWriter, positions_message, read_positions, read_target
-from quadruped_env.live.imu import read_imu
-from quadruped_env.live.joints import JointReader
+from quadruped_env.live.messages.commands import CommandWriter, positions_message, read_positions, read_target
+from quadruped_env.live.messages.imu import read_imu
+from quadruped_env.live.messages.joints import JointReader
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
 from quadruped_env.readings import Readings
 from quadruped_env.robot import MINI_QUADRUPED

@@ -5,9 +5,9 @@ from live_nodes import STAMP, joint_state
 from waiting import status_of, wait_until
 
 from quadruped_env.live import TOPICS, Topic
-from quadruped_env.live.dds import Network, open_participant
-from quadruped_env.live.topics import JOINT_STATES
-from quadruped_env.live.type_information import withhold_type_information
+from quadruped_env.live.middleware.dds import Network, open_participant
+from quadruped_env.live.middleware.topics import JOINT_STATES
+from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.ros import Qos
 
 pytest.importorskip("cyclonedds")

@@ -14,8 +14,8 @@ from quadruped_env.files import free_path
 from quadruped_env.robot import JOINT_NAMES
 
 pytest.importorskip("rosbags")
+from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.recorder import Recorder
-from quadruped_env.live.topics import JOINT_STATES
 from quadruped_env.ros import cdr
 
 

@@ -22,12 +22,12 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
 from quadruped_env.control.policy import Terms, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import CommandWriter, positions_message
-from quadruped_env.live.imu import Imu, read_imu
-from quadruped_env.live.joints import JointReader, Joints
-from quadruped_env.live.node import Subscription, message_reader
+from quadruped_env.live.messages.commands import CommandWriter, positions_message
+from quadruped_env.live.messages.imu import Imu, read_imu
+from quadruped_env.live.messages.joints import JointReader, Joints
+from quadruped_env.live.middleware.node import Subscription, message_reader
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.live.session import Session, add_realtime_argument
-from quadruped_env.live.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS

@@ -14,10 +14,10 @@ import io
 import sys
 
 from quadruped_env.live.listener import Listener
-from quadruped_env.live.node import Read, message_reader
+from quadruped_env.live.messages.text import as_csv, as_yaml, check_field, field_at, plain
+from quadruped_env.live.middleware.node import Read, message_reader
+from quadruped_env.live.middleware.topics import Topic
 from quadruped_env.live.session import Session
-from quadruped_env.live.text import as_csv, as_yaml, check_field, field_at, plain
-from quadruped_env.live.topics import Topic
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -24,15 +24,15 @@ from numpy.typing import NDArray
 from quadruped_env.control.joint_command import limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.commands import CommandWriter
-from quadruped_env.live.gaits import AdjustableGait, read_settings, settings_message
-from quadruped_env.live.joints import JointReader
-from quadruped_env.live.node import message_reader
+from quadruped_env.live.messages.commands import CommandWriter
+from quadruped_env.live.messages.gaits import AdjustableGait, read_settings, settings_message
+from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.middleware.node import message_reader
+from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
-from quadruped_env.live.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.joint_state import Encoder

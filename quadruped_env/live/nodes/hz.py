@@ -13,7 +13,7 @@ from collections import deque
 import numpy as np
 
 from quadruped_env.live.listener import Listener
-from quadruped_env.live.node import Subscription
+from quadruped_env.live.middleware.node import Subscription
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 

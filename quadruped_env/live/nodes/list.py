@@ -7,8 +7,8 @@ types, incompatible quality of service, or announced type structures that cannot
 import argparse
 import itertools
 
-from quadruped_env.live.graph import Endpoint, Graph
 from quadruped_env.live.listener import DISCOVERY
+from quadruped_env.live.middleware.graph import Endpoint, Graph
 from quadruped_env.live.session import Session
 
 

@@ -22,17 +22,17 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import Target
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.commands import read_positions, read_target
-from quadruped_env.live.joints import JointReader, Joints
-from quadruped_env.live.node import Received, message_reader
+from quadruped_env.live.messages.commands import read_positions, read_target
+from quadruped_env.live.messages.joints import JointReader, Joints
+from quadruped_env.live.messages.sensors import Sensors
+from quadruped_env.live.middleware.node import Received, message_reader
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.robot_option import add_robot_argument, robot_of
-from quadruped_env.live.sensors import Sensors
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
-from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 from quadruped_env.timestamps import NS_PER_SECOND
 
 STEPS_PER_STATE: Final = 2

@@ -8,11 +8,11 @@ fixed frame is `base_link`, or `odom` together with `sim`.
 import argparse
 import time
 
-from quadruped_env.live.joints import JointReader
+from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.transforms import TransformWriter, description_message, fixed_message
+from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
-from quadruped_env.live.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
-from quadruped_env.live.transforms import TransformWriter, description_message, fixed_message
 from quadruped_env.ros import SENSOR_DATA_QOS
 
 

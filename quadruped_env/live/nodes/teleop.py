@@ -14,10 +14,10 @@ from typing import Any
 
 from quadruped_env.control.config import COMMANDS
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
-from quadruped_env.live.node import Publisher
+from quadruped_env.live.middleware.node import Publisher
+from quadruped_env.live.middleware.topics import CMD_VEL
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.live.topics import CMD_VEL
 from quadruped_env.ros import cdr
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.joints import Joints
-from quadruped_env.live.topics import JOINT_COMMANDS, JOINT_POSITIONS
+from quadruped_env.live.messages.joints import Joints
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
 from quadruped_env.ros.joint_state import Encoder

@@ -7,7 +7,7 @@ bags.
 from functools import cache
 from typing import Any
 
-from quadruped_env.live.dds import import_dds
+from quadruped_env.live.middleware.dds import import_dds
 from quadruped_env.ros import Field, message_type
 
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.joints import MAX_VALUE
-from quadruped_env.live.stamps import read_stamp
+from quadruped_env.live.messages.joints import MAX_VALUE
+from quadruped_env.live.messages.stamps import read_stamp
 
 _NORM_ERROR = 0.05
 

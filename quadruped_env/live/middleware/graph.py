@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Final
 
-from quadruped_env.live.profiles import incompatible, read_qos, read_type_hash
-from quadruped_env.live.topics import ros_name
+from quadruped_env.live.middleware.profiles import incompatible, read_qos, read_type_hash
+from quadruped_env.live.middleware.topics import ros_name
 from quadruped_env.ros import Qos
 
 _TAKEN: Final = 256

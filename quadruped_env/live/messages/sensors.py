@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.live.node import Node
-from quadruped_env.live.stamps import write_stamp
-from quadruped_env.live.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
+from quadruped_env.live.messages.stamps import write_stamp
+from quadruped_env.live.middleware.node import Node
+from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
 from quadruped_env.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.transforms import ODOMETRY_FRAME
