@@ -20,8 +20,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
-from quadruped_env.viewer.controller import Offered
-from quadruped_env.viewer.robot import HISTORY_SECONDS, heading, world_velocity
+from quadruped_env.viewer.robot import HISTORY_SECONDS, Offered, heading, world_velocity
 from quadruped_env.viewer.sample import Sample
 
 NAME: Final = "live robot"

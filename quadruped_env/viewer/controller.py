@@ -13,8 +13,6 @@ from pathlib import Path
 from typing import Final
 
 import mujoco
-import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.episode import STILL
@@ -24,8 +22,8 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.task import CommandConfig, RandomizationConfig, Section
-from quadruped_env.viewer.robot import TaskRobot, ViewedRobot, contact_forces, heading
-from quadruped_env.viewer.sample import Sample
+from quadruped_env.viewer.robot import Offered, TaskRobot, ViewedRobot
+from quadruped_env.viewer.snapshot import View, robot_view
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
 
 MAX_ROBOTS: Final = 3
@@ -50,70 +48,6 @@ _MAX_LAG: Final = 0.25
 _MESSAGES: Final = 20
 
 Command = tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Offered:
-    """The controls that have an effect. Some have none on a robot that is only observed through messages."""
-
-    command: bool = True
-    push: bool = True
-    clock: bool = True
-    """Pause, step and reset."""
-    sources: bool = True
-    """Choice of the controllers, the playback speed and the randomization; fixed from the start."""
-
-
-@dataclass(frozen=True)
-class RobotView:
-    """Snapshot of a robot to draw; all arrays are copies."""
-
-    source: str
-    robot: Robot
-    body_position: NDArray[np.float64]
-    """Body positions in the world frame (bodies, 3), m."""
-    body_rotation: NDArray[np.float64]
-    """Body rotation matrices in the world frame (bodies, 3, 3)."""
-    heading: float
-    """Heading from the world's x axis, rad."""
-    contact_points: NDArray[np.float64]
-    """Contact points in the world frame (K, 3), m."""
-    contact_forces: NDArray[np.float64]
-    """Contact forces in the world frame (K, 3), N."""
-    history: tuple[Sample, ...]
-    """Samples of the last seconds, oldest first."""
-    timestep: float
-    """Time between samples, s."""
-    term_names: tuple[str, ...]
-    """Names of the samples' reward terms."""
-    gait: GaitSettings | None
-    complaints: tuple[str, ...]
-    """Descriptions of the joint limits that its gait exceeds."""
-    fell_at: float | None
-    """Episode time of the fall, s; None if it has not fallen."""
-
-    @property
-    def now(self) -> Sample:
-        """The latest sample."""
-        return self.history[-1]
-
-
-@dataclass(frozen=True)
-class View:
-    """Snapshot of the whole viewer state."""
-
-    time: float
-    """Time since the last reset, s."""
-    paused: bool
-    speed: float
-    command: Command
-    robots: tuple[RobotView, ...]
-    watched: int
-    """Index of the robot that plots and camera follow."""
-    recorded: float | None
-    """Duration of the current recording, s; None if there is none."""
-    lag: float
-    """Playback time skipped since the last reset because the machine was too slow, s."""
 
 
 @dataclass
@@ -404,7 +338,7 @@ class ViewController:
                 self._paused,
                 self._speed,
                 self._command,
-                tuple(_view(slot) for slot in self._slots),
+                tuple(robot_view(slot.robot, slot.scratch) for slot in self._slots),
                 self._watched,
                 None if self._take is None else self._take.seconds,
                 self._lag,
@@ -454,28 +388,6 @@ class ViewController:
             if index == self._watched:
                 self.stop_recording()
             robot.reset(self._seed, self._command)
-
-
-def _view(slot: _Slot) -> RobotView:
-    robot = slot.robot
-    # The contact forces of the last state are computed on a copy, since a control step ends before they are known.
-    mujoco.mj_copyState(robot.model, robot.data, slot.scratch, mujoco.mjtState.mjSTATE_INTEGRATION)
-    points, forces = contact_forces(robot.model, slot.scratch)
-    return RobotView(
-        robot.name,
-        robot.robot,
-        robot.data.xpos.copy(),
-        robot.data.xmat.reshape(-1, 3, 3).copy(),
-        heading(robot.data),
-        points,
-        forces,
-        tuple(robot.history),
-        robot.timestep,
-        robot.term_names,
-        robot.gait,
-        tuple(robot.complaints()),
-        robot.fell_at,
-    )
 
 
 def _cut(value: float, bounds: tuple[float, float]) -> float:

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any, Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.reporting.palette import GREY, INK, LIMIT
-from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, View, ViewController
+from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, ViewController
 from quadruped_env.viewer.keys import ARROWS_FIRST
 from quadruped_env.viewer.paths import without_directories
 from quadruped_env.viewer.scene import Scene
+from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.take import MAX_SECONDS
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LIMIT, VERMILION, joint_colours, leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.task import Section
-from quadruped_env.viewer.controller import RobotView
 from quadruped_env.viewer.robot import HISTORY_SECONDS
 from quadruped_env.viewer.sample import Sample, over_time
+from quadruped_env.viewer.snapshot import RobotView
 
 if TYPE_CHECKING:
     import viser

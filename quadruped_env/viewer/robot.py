@@ -1,7 +1,7 @@
 """One robot of the viewer: its source, its task, and its recent history."""
 
 from collections import deque
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final, Protocol
 
 import mujoco
@@ -22,6 +22,18 @@ from quadruped_env.viewer.sample import Sample, sample
 HISTORY_SECONDS: Final = 5.0
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
+
+
+@dataclass(frozen=True)
+class Offered:
+    """The controls that have an effect. Some have none on a robot that is only observed through messages."""
+
+    command: bool = True
+    push: bool = True
+    clock: bool = True
+    """Pause, step and reset."""
+    sources: bool = True
+    """Choice of the controllers, the playback speed and the randomization; fixed from the start."""
 
 
 class ViewedRobot(Protocol):

@@ -14,9 +14,9 @@ from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
-from quadruped_env.viewer.controller import RobotView, View
 from quadruped_env.viewer.sample import over_time
 from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, PUSH, rgb
+from quadruped_env.viewer.snapshot import RobotView, View
 
 if TYPE_CHECKING:
     import viser

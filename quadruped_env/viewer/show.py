@@ -11,11 +11,12 @@ from quadruped_env.policies import find_controllers
 from quadruped_env.simulation import find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.viewer.access import page_address
-from quadruped_env.viewer.controller import Command, View, ViewController
+from quadruped_env.viewer.controller import Command, ViewController
 from quadruped_env.viewer.panel import Panel
 from quadruped_env.viewer.plots import Plots
 from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_server, stop_server
+from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.take import RESULTS
 
 TICK: Final = 0.02

@@ -14,7 +14,7 @@ from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, J
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.controller import Offered
+from quadruped_env.viewer.robot import Offered
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")

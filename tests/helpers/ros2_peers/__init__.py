@@ -133,6 +133,6 @@ class RosNode:
 
 def colcon():
     """The program `colcon` that `make ros2` installs; the test skips without it."""
-    if not (ROOT / "colcon" / ".installed").exists():
+    if not (INSTALLED / "colcon" / ".installed").exists():
         pytest.skip("no colcon: make ros2")
-    return ROOT / "colcon" / "bin" / "colcon"
+    return INSTALLED / "colcon" / "bin" / "colcon"

@@ -1,0 +1,86 @@
+"""Snapshots of the viewer's state, which are drawn while the simulation continues."""
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.robot import Robot
+from quadruped_env.viewer.robot import ViewedRobot, contact_forces, heading
+from quadruped_env.viewer.sample import Sample
+
+
+@dataclass(frozen=True)
+class RobotView:
+    """Snapshot of a robot to draw; all arrays are copies."""
+
+    source: str
+    robot: Robot
+    body_position: NDArray[np.float64]
+    """Body positions in the world frame (bodies, 3), m."""
+    body_rotation: NDArray[np.float64]
+    """Body rotation matrices in the world frame (bodies, 3, 3)."""
+    heading: float
+    """Heading from the world's x axis, rad."""
+    contact_points: NDArray[np.float64]
+    """Contact points in the world frame (K, 3), m."""
+    contact_forces: NDArray[np.float64]
+    """Contact forces in the world frame (K, 3), N."""
+    history: tuple[Sample, ...]
+    """Samples of the last seconds, oldest first."""
+    timestep: float
+    """Time between samples, s."""
+    term_names: tuple[str, ...]
+    """Names of the samples' reward terms."""
+    gait: GaitSettings | None
+    complaints: tuple[str, ...]
+    """Descriptions of the joint limits that its gait exceeds."""
+    fell_at: float | None
+    """Episode time of the fall, s; None if it has not fallen."""
+
+    @property
+    def now(self) -> Sample:
+        """The latest sample."""
+        return self.history[-1]
+
+
+@dataclass(frozen=True)
+class View:
+    """Snapshot of the whole viewer state."""
+
+    time: float
+    """Time since the last reset, s."""
+    paused: bool
+    speed: float
+    command: tuple[float, float]
+    robots: tuple[RobotView, ...]
+    watched: int
+    """Index of the robot that plots and camera follow."""
+    recorded: float | None
+    """Duration of the current recording, s; None if there is none."""
+    lag: float
+    """Playback time skipped since the last reset because the machine was too slow, s."""
+
+
+def robot_view(robot: ViewedRobot, scratch: mujoco.MjData) -> RobotView:
+    """Snapshot of a robot; `scratch` is data of its model, which is overwritten."""
+    # The contact forces of the last state are computed on a copy, since a control step ends before they are known.
+    mujoco.mj_copyState(robot.model, robot.data, scratch, mujoco.mjtState.mjSTATE_INTEGRATION)
+    points, forces = contact_forces(robot.model, scratch)
+    return RobotView(
+        robot.name,
+        robot.robot,
+        robot.data.xpos.copy(),
+        robot.data.xmat.reshape(-1, 3, 3).copy(),
+        heading(robot.data),
+        points,
+        forces,
+        tuple(robot.history),
+        robot.timestep,
+        robot.term_names,
+        robot.gait,
+        tuple(robot.complaints()),
+        robot.fell_at,
+    )
