@@ -46,4 +46,4 @@ def leg_jacobians(robot: Robot) -> NDArray[np.float64]:
 
 def half_track(robot: Robot) -> float:
     """Mean distance of the feet from the middle plane in the stance, m."""
-    return math.fsum(np.abs(robot.foot_centres(robot.stance)[:, 1])) / robot.num_legs
+    return math.fsum(np.abs(robot.stance_feet[:, 1])) / robot.num_legs

@@ -131,14 +131,29 @@ class Robot:
         return self.skeleton.total_mass
 
     @functools.cached_property
+    def model(self) -> mujoco.MjModel:
+        """The robot alone, compiled once; it must not be changed."""
+        model = self.spec().compile()
+        self.check_model(model)
+        return model
+
+    @functools.cached_property
+    def stance_feet(self) -> Floats:
+        """Centres of the feet in the stance (L, 3), in the base frame, m."""
+        data = mujoco.MjData(self.model)
+        data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], self.stance
+        mujoco.mj_kinematics(self.model, data)
+        return np.array([data.site(site).xpos for site in self.foot_sites])
+
+    @functools.cached_property
     def fore_legs(self) -> NDArray[np.bool_]:
         """True for each leg whose foot is in front of the base's centre in the stance (L,)."""
-        return self.foot_centres(self.stance)[:, 0] > 0.0
+        return self.stance_feet[:, 0] > 0.0
 
     @functools.cached_property
     def left_legs(self) -> NDArray[np.bool_]:
         """True for each leg whose foot is to the left of the base's centre in the stance (L,)."""
-        return self.foot_centres(self.stance)[:, 1] > 0.0
+        return self.stance_feet[:, 1] > 0.0
 
     @property
     def leg_joints(self) -> tuple[tuple[int, ...], ...]:
@@ -167,10 +182,7 @@ class Robot:
     @functools.cached_property
     def skeleton(self) -> Skeleton:
         """Kinematics of the robot; computed once."""
-        spec = self.spec()
-        model = spec.compile()
-        self.check_model(model)
-        return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
+        return Skeleton(self.spec(), self.model, self.joint_names, self.link_names, self.foot_sites)
 
     def check_model(self, model: mujoco.MjModel) -> None:
         """Check that a compiled model holds this robot.

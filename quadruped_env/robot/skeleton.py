@@ -136,13 +136,9 @@ class Skeleton:
 
     def foot_jacobians(self, positions: ArrayLike) -> NDArray[np.float64]:
         """See `Robot.foot_jacobians`."""
-        data = mujoco.MjData(self.model)
-        data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
-        mujoco.mj_kinematics(self.model, data)
-        mujoco.mj_comPos(self.model, data)
-        centres = self.foot_centres(positions)
+        data = self._data(positions)
         found = np.zeros((len(self.feet), 3, self.model.nv))
-        for jacobian, (link, _), centre in zip(found, self.feet, centres, strict=True):
+        for jacobian, (link, _), centre in zip(found, self.feet, self.foot_centres(positions), strict=True):
             mujoco.mj_jac(self.model, data, jacobian, None, centre, self.model.body(link).id)
         return found[:, :, 6:]
 
@@ -158,11 +154,16 @@ class Skeleton:
 
     def centre_of_mass(self, positions: ArrayLike) -> NDArray[np.float64]:
         """See `Robot.centre_of_mass`."""
+        data = self._data(positions)
+        return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
+
+    def _data(self, positions: ArrayLike) -> mujoco.MjData:
+        """Kinematics and centres of mass for joint positions (J,) in rad, with the base at the origin."""
         data = mujoco.MjData(self.model)
         data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
         mujoco.mj_kinematics(self.model, data)
         mujoco.mj_comPos(self.model, data)
-        return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
+        return data
 
     @staticmethod
     def _points(points: Sequence[tuple[str, NDArray[np.float64]]], poses: dict[str, Pose]) -> NDArray[np.float64]:

@@ -128,8 +128,12 @@ class TestEnv:
             assert_same(copied.reset(seed=3)[0], observation)
             assert_same(again.reset(seed=3)[0], observation)
 
+    @pytest.mark.slow
     def test_workers_get_the_robot(self):
-        env = gymnasium.make_vec("MiniQuadruped-v0", num_envs=2, vectorization_mode="async", robot=ROBOT)
+        vector_kwargs = {"context": "spawn"}  # a fork of a process with threads may hang
+        env = gymnasium.make_vec(
+            "MiniQuadruped-v0", num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, robot=ROBOT
+        )
         try:
             observation, info = env.reset(seed=0)
         finally:
