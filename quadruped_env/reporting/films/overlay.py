@@ -65,6 +65,7 @@ class Overlay:
         self._to_image, self._pen_for = Image.fromarray, ImageDraw.Draw
         self._font, self._small = ImageFont.load_default(16), ImageFont.load_default(13)
         self._robot = robot
+        self._names_width = max(math.ceil(self._small.getlength(name)) for name in robot.leg_names)
         self._title = title
         self._timestep = timestep
         self._command = command
@@ -90,8 +91,7 @@ class Overlay:
                 for row in range(len(_QUANTITIES)):
                     self._draw_velocity(pen, row, sample, 14 + 28 * row)
             if self._gait is not None:
-                names = max(math.ceil(self._small.getlength(name)) for name in self._robot.leg_names)
-                width = max(1, min(_GAIT_WIDTH, image.width - _MARGIN - _GAIT_LEFT - names - 6))
+                width = max(1, min(_GAIT_WIDTH, image.width - _MARGIN - _GAIT_LEFT - self._names_width - 6))
                 left = image.width - _MARGIN - width
                 for (top, bottom), name in zip(_bands(self._robot), self._robot.leg_names, strict=True):
                     at = left - 6, _GAIT_TOP + (top + bottom) // 2
