@@ -117,9 +117,16 @@ def snippets(page):
     return [block for language, block in FENCED.findall(page.read_text()) if language == "python"]
 
 
+TALKER, LISTENER, HEAVIER_ROBOT, EXERCISE = snippets(ROOT / "docs" / "from-the-tutorial.md")
+
+
+def test_the_robot_of_the_tutorials_page_is_heavier_by_its_shanks():
+    exec(HEAVIER_ROBOT, names := {})  # noqa: S102
+    assert names["HEAVY"].robot().total_mass == pytest.approx(4.0 + 4 * 0.1)
+
+
 def test_the_exercise_of_the_tutorials_page_runs(capsys):
-    *_, exercise = snippets(ROOT / "docs" / "from-the-tutorial.md")
-    exec(exercise, names := {})  # noqa: S102
+    exec(EXERCISE, names := {})  # noqa: S102
     assert "[]" in capsys.readouterr().out
     expected = SinusoidalGait.preset("article").positions(1.0)[1::2]
     np.testing.assert_allclose(names["faster"].positions(0.5)[1::2], expected)
@@ -127,11 +134,10 @@ def test_the_exercise_of_the_tutorials_page_runs(capsys):
 
 @pytest.mark.slow
 def test_nodes_of_the_tutorials_page_exchange_messages(domain_id, tmp_path):
-    talker, listener, _ = snippets(ROOT / "docs" / "from-the-tutorial.md")
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
     with (
-        subprocess.Popen([sys.executable, "-c", talker], cwd=tmp_path, **pipes) as talking,
-        subprocess.Popen([sys.executable, "-c", listener], cwd=tmp_path, **pipes) as listening,
+        subprocess.Popen([sys.executable, "-c", TALKER], cwd=tmp_path, **pipes) as talking,
+        subprocess.Popen([sys.executable, "-c", LISTENER], cwd=tmp_path, **pipes) as listening,
     ):
         try:
             output, _ = output_of(listening)
