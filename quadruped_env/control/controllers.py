@@ -70,13 +70,10 @@ class CommandedGaitController:
     def __init__(self, gait: CommandedGait | None = None, name: str = "tuned") -> None:
         self.name = name
         self._gait = gait
-        self._own = gait is None
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
-        if self._gait is None or (self._own and self._gait.robot != control.robot):
-            self._gait = CommandedGait.tuned(control.robot)
-        gait = self._gait
+        gait = self._gait or CommandedGait.tuned(control.robot)
         return gait.positions(gait.angular_frequency * control.time, control.command)
 
 

@@ -95,32 +95,30 @@ def _terrain_schema(terrain: Terrain) -> Schema:
     return {"name": Entry(DEFAULT_TERRAIN, name), "seed": whole_entry(terrain.seed), **own}
 
 
-def _schema(name: str, values: Any, definition: TaskDefinition) -> Schema:
-    """Fields of a section with these values."""
+def _schema(name: str, terrain: Any, definition: TaskDefinition) -> Schema:
+    """Fields of a section; `terrain` is the name of the terrain."""
     if name != "terrain":
         return _schemas(definition)[name]
-    return _terrain_schema(find_terrain(_chosen(values), definition.terrains))
+    return _terrain_schema(find_terrain(terrain, definition.terrains))
 
 
-def _chosen(values: Any) -> Any:
-    """Name of the terrain that a section's values select."""
+def _terrain_in(values: Any) -> Any:
+    """Name of the terrain that values of the section `terrain` select."""
     return values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
 
 
-def _section(name: str, values: Any, definition: TaskDefinition, schema: Schema | None = None) -> Section:
-    if schema is None:
-        schema = _schema(name, values, definition)
-    terrain = _chosen(values) if name == "terrain" else None
-    section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain=terrain))
+def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
+    return _remade(name, definition, _terrain_in(values), values)
+
+
+def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) -> Section:
+    """A section of the config; that of a terrain stays one of this terrain when it is changed."""
+    schema = _schema(name, terrain, definition)
+    section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain))
     if name == "command":
         shares = section.standing_fraction + section.straight_fraction
         check(shares <= 1, "command.standing_fraction + straight_fraction", shares, "at most 1")
     return section
-
-
-def _remade(name: str, definition: TaskDefinition, values: dict[str, Any], terrain: str | None = None) -> Section:
-    schema = None if terrain is None else _terrain_schema(find_terrain(terrain, definition.terrains))
-    return _section(name, values, definition, schema)
 
 
 def CommandConfig(**values: Any) -> Section:  # noqa: N802  named like the class of a section
@@ -179,7 +177,7 @@ class TaskConfig(PlainFields):
         check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
         for name in (*_schemas(self.definition), "terrain"):
             section = getattr(self, name)
-            schema = _schema(name, section, self.definition)
+            schema = _schema(name, _terrain_in(section), self.definition)
             if not section.has(schema):
                 # A section of the built-in task, in a task with other terms.
                 values = {field: value for field, value in section.to_dict().items() if field in schema}

@@ -70,7 +70,9 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     terms = Terms() if arguments.task is None else load_terms(arguments.task)
     load = functools.partial(load_policy, terms=terms)
     robot = terms.robot
-    pilot = LiveController(find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot)
+    live_controller = LiveController(
+        find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
+    )
     node = session.node
     outbox = _Outbox(session, arguments.arrays, robot)
     # Drivers of real robots may offer only best-effort delivery.
@@ -80,18 +82,20 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     inbox = _Inbox(session, states, attitudes)
     while session.running:
         session.wait(_POLL_PERIOD)
-        _take_command(session, pilot, velocities)
+        _take_command(session, live_controller, velocities)
         received = inbox.measurement()
         answer = None
         if received is not None:
             try:
-                answer = pilot.measured(*received)
+                answer = live_controller.measured(*received)
             except QuadrupedError as error:
                 session.refuse(str(error))
         now = time.monotonic()
-        outbox.send(answer or pilot.silent(now))
-        session.wait_for(_missing(pilot, states, attitudes))
-        session.report("" if pilot.mode is not Mode.WALKING or pilot.moving(now) else "standing: no /cmd_vel")
+        outbox.send(answer or live_controller.silent(now))
+        session.wait_for(_missing(live_controller, states, attitudes))
+        session.report(
+            "" if live_controller.mode is not Mode.WALKING or live_controller.moving(now) else "standing: no /cmd_vel"
+        )
     outbox.let_go()
     return 0
 
@@ -126,13 +130,13 @@ class _Inbox:
         return measurement, received.taken
 
 
-def _take_command(session: Session, pilot: LiveController, velocities: Subscription[Any]) -> None:
+def _take_command(session: Session, live_controller: LiveController, velocities: Subscription[Any]) -> None:
     newest = velocities.newest(session.refuse)
     if newest is None:
         return
     received, twist = newest
     try:
-        pilot.command(twist.linear.x, twist.angular.z, received.taken)
+        live_controller.command(twist.linear.x, twist.angular.z, received.taken)
     except QuadrupedError as error:
         session.refuse(str(error))
 
@@ -169,8 +173,8 @@ class _Outbox:
             self._commands.wait_until_read(0.5)
 
 
-def _missing(pilot: LiveController, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
-    if pilot.mode is not Mode.WAITING:
+def _missing(live_controller: LiveController, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
+    if live_controller.mode is not Mode.WAITING:
         return ""
     silent = [one.topic.name for one in (states, attitudes) if not one.writers]
     return f"a publisher of {' and of '.join(silent)}" if silent else "fresh states"

@@ -1,0 +1,184 @@
+"""Terrain in the task and its config: heights over the ground, one ground for every env, a user's own terrain."""
+
+import copy
+import json
+import pickle
+import subprocess
+import sys
+
+import gymnasium
+import numpy as np
+import pytest
+from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT
+from environments import ROUGH, assert_same, episodes, make, make_native, make_sync
+from grounds import ray_heights, slope
+
+from quadruped_env import QuadrupedError
+from quadruped_env.envs import ENV_ID, make_sb3_vec_env
+from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
+from quadruped_env.simulation.terrain import hills, rough
+from quadruped_env.task import Task, TaskConfig, TerrainConfig, load_task_file
+
+UNEVEN = ("rough", "hills")
+
+
+# --- the task
+
+
+def test_heights_of_the_task_are_over_the_ground_below():
+    task = make_native(6, terrain="hills").task
+    task.reset(np.arange(6), list(range(6)))
+    simulation, field = task.simulation, task.simulation.height_field
+    qpos = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, *STANCE], (6, 1))
+    qpos[:, :2] = np.random.default_rng(0).uniform(-10.0, 10.0, (6, 2))
+    qpos[:, 2] = STANCE_HEIGHT + field.at(qpos)
+    simulation.reset(np.arange(6), qpos, np.zeros((6, 14)))
+    assert np.ptp(simulation.readings.base_position[:, 2]) > 0.02
+    np.testing.assert_allclose(task.context.base_height, STANCE_HEIGHT, atol=1e-9)
+    feet = simulation.readings.foot_position
+    ground = np.reshape(ray_heights(simulation.model, feet[..., :2].reshape(-1, 2)), (6, 4))
+    expected = feet[..., 2] - FOOT_RADIUS - ground
+    np.testing.assert_allclose(task.context.sole_height, expected, atol=1e-9)
+    np.testing.assert_allclose(task.context.ground_height(feet), field.at(feet))
+    assert not make_native(2).task.context.ground_height(feet[:2]).any()
+
+
+def test_start_is_over_the_highest_ground_below_the_robot():
+    config = TaskConfig.from_dict({"randomization": {"start_joint_position": 0.0, "start_tilt": 0.0}})
+    for shape in (hills, slope, slope.variant(angle=0.4, direction=1.0)):
+        task = Task(BatchSimulation(build_model(terrain=shape), 4), config)
+        task.reset(np.arange(4), list(range(4)))
+        expected = STANCE_HEIGHT + task.simulation.height_field.highest(np.zeros(2))
+        np.testing.assert_allclose(task.simulation.readings.base_position[:, 2], expected)
+        assert (task.context.sole_height > -1e-9).all()
+        assert (expected > STANCE_HEIGHT + 0.01) == (shape is not hills)
+
+
+@pytest.mark.parametrize("name", UNEVEN)
+def test_single_and_vector_environment_on_a_terrain_are_bit_identical(name):
+    kwargs = {"config": ROUGH | {"terrain": {"name": name, "seed": 3}}, "max_episode_steps": 60}
+    expected = episodes(make_sync(3, **kwargs), 150)
+    for threads in (1, 2):
+        assert_same(episodes(make_native(3, num_threads=threads, **kwargs), 150), expected)
+
+
+def walk(env, steps):
+    """Rewards of an env that walks by the scripted gait, from its present state."""
+    return [float(env.step(np.zeros(8, np.float32))[1]) for _ in range(steps)]
+
+
+def test_copied_and_pickled_env_on_a_terrain_continues_identically():
+    env = make(action_mode="residual", terrain="hills")
+    env.reset(seed=1, options={"command": (0.5, 0.0)})
+    walk(env, 150)
+    state, copied, pickled = env.unwrapped.get_state(), copy.deepcopy(env), pickle.loads(pickle.dumps(env))  # noqa: S301
+    other = make(action_mode="residual", terrain="hills")
+    other.reset(seed=5)
+    other.unwrapped.set_state(state)
+    expected = walk(env, 50)
+    task = env.unwrapped.task
+    assert np.abs(task.context.ground_height(task.simulation.readings.foot_position)).max() > 0.0
+    for again in (copied, pickled, other):
+        assert walk(again, 50) == expected
+    np.testing.assert_array_equal(pickled.unwrapped.task.context.base_height, task.context.base_height)
+
+
+def test_env_on_a_terrain_is_made_again_from_its_spec_and_in_workers():
+    env = gymnasium.make(ENV_ID, terrain="rough", config={"terrain": {"seed": 2}})
+    again = gymnasium.make(gymnasium.envs.registration.EnvSpec.from_json(env.spec.to_json()))
+    for one in (env, again):
+        assert dict(one.unwrapped.task.config.terrain) == {"name": "rough", "seed": 2, "height": 0.01, "distance": 0.2}
+    np.testing.assert_array_equal(again.unwrapped.model.hfield_data, env.unwrapped.model.hfield_data)
+    # Not forked: other tests leave threads in this process.
+    vector_kwargs = {"context": "spawn"}
+    workers = gymnasium.make_vec(
+        ENV_ID, num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, terrain="rough"
+    )
+    try:
+        native = make_native(2, terrain="rough")
+        np.testing.assert_array_equal(workers.reset(seed=0)[0], native.reset(seed=0)[0])
+        action = np.full((2, 8), 0.3, np.float32)
+        for _ in range(30):
+            np.testing.assert_array_equal(workers.step(action)[0], native.step(action)[0])
+    finally:
+        workers.close()
+
+
+def test_sb3_env_and_native_vector_env_share_the_ground():
+    pytest.importorskip("stable_baselines3")
+    env = make_sb3_vec_env(2, seed=0, terrain="hills")
+    native = make_native(2, terrain="hills")
+    np.testing.assert_array_equal(env.env.task.simulation.model.hfield_data, native.task.simulation.model.hfield_data)
+
+
+# --- the config
+
+
+def test_terrain_of_a_config_is_saved_and_validated():
+    config = TaskConfig.from_dict({"terrain": {"name": "hills", "height": np.float32(0.5), "seed": 7}})
+    document = json.loads(json.dumps(config.to_dict()))
+    assert document["terrain"] == {"name": "hills", "seed": 7, "height": 0.5, "distance": 2.5}
+    assert TaskConfig.from_dict(document) == config == pickle.loads(pickle.dumps(config))  # noqa: S301
+    assert config.ground == hills.variant(7, height=0.5)
+    assert config.on_terrain("hills") == config
+    assert config.on_terrain("rough").ground == rough.variant(7)
+    assert config.on_terrain("hills", 1).ground == hills.variant(1, height=0.5)
+    assert "name='hills'" in repr(config.terrain)
+    assert TaskConfig().ground == find_terrain("flat")
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"name": "moon"}, "terrain: 'moon' is unknown; there are flat, rough, hills"),
+        ({"name": ["rough"]}, r"terrain: \['rough'\] is unknown"),
+        ({"height": 0.1}, "config.terrain: unknown field 'height'; valid fields are name, seed"),
+        ({"name": "rough", "height": -1.0}, r"terrain.height must be at least 0 \(m\); found -1.0"),
+        ({"seed": -1}, "terrain.seed must be a whole number, 0 or more; found -1"),
+        ("rough", "config.terrain: expected a mapping of fields; found 'rough'"),
+    ],
+)
+def test_invalid_terrain_of_a_config_is_refused_with_the_valid_values(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        gymnasium.make(ENV_ID, config={"terrain": values})
+
+
+def test_section_of_one_terrain_does_not_become_another_ones():
+    with pytest.raises(QuadrupedError, match=r"terrain.name: this section is for 'rough'; found 'hills'"):
+        TerrainConfig(name="rough").replace(name="hills")
+
+
+OWN = """
+import numpy as np
+from quadruped_env.task import terrain
+
+@terrain(size=6.0, cell=0.05)
+def steps(grid, height: float = 0.02):
+    "Steps of 0.5 m."
+    return height * (grid.x // 0.5)
+"""
+STEP = """
+import pickle, sys
+env = pickle.load(open(sys.argv[1], "rb"))
+print(float(env.step([0.1] * 8)[1]).hex())
+"""
+
+
+def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text(OWN)
+    env = gymnasium.make(ENV_ID, task_file=file, config={"terrain": {"name": "steps", "height": 0.05}})
+    env.reset(seed=0)
+    field = env.unwrapped.task.simulation.height_field
+    assert field.heights.shape == (121, 121)
+    assert field.at(np.array([0.75, 0.3])) == pytest.approx(0.05)
+    assert gymnasium.make(ENV_ID, task_file=file).unwrapped.model.nhfield == 0
+    config = env.unwrapped.task.config
+    assert TaskConfig.from_dict(config.to_dict(), load_task_file(file)) == config
+    pickled = tmp_path / "env.pickle"
+    pickled.write_bytes(pickle.dumps(env))
+    expected = float(env.step(np.full(8, 0.1))[1]).hex()
+    done = subprocess.run([sys.executable, "-c", STEP, pickled], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == expected
+    with pytest.raises(QuadrupedError, match="'steps' is unknown; there are flat, rough, hills"):
+        gymnasium.make(ENV_ID, terrain="steps")
