@@ -16,6 +16,11 @@ def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
     for sensor in list(spec.sensors):
         if sensor.name not in wanted:
             spec.delete(sensor)
+    # A fit compiles thousands of models, and the textures' pixels would take nine tenths of that.
+    for geom in spec.geoms:
+        geom.material = ""
+    for looks in [*spec.materials, *spec.textures]:
+        spec.delete(looks)
     if base == "fixed":
         for key in list(spec.keys):
             spec.delete(key)
