@@ -32,6 +32,9 @@ _KEYS: Final = (
 _WIDTH: Final = 310
 """Panel width, pixels."""
 _SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
+# viser fades a scene in when its light has been loaded. On a slow machine the page's own light is loaded during the
+# fade of viser's default light, which ends the fade and leaves the scene pale.
+_UNFADED: Final = "<style>canvas[data-engine] { opacity: 1 !important }</style>"
 
 
 class Panel:
@@ -54,7 +57,7 @@ class Panel:
         gui = server.gui
         gui.main_panel.dock_right()
         gui.main_panel.set_width(_WIDTH)
-        gui.add_html(ARROWS_FIRST)
+        gui.add_html(ARROWS_FIRST + _UNFADED)
         self._status = gui.add_html("")
         self._clock_buttons = gui.add_button_group("", (PAUSE, STEP, RESET))
         self._on(self._clock_buttons, lambda: self._press(self._clock_buttons.value))

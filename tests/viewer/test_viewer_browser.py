@@ -114,6 +114,18 @@ def test_robot_is_shown_moves_and_stands_still_in_a_pause(stage):
     until(lambda: not show.controller.paused)
 
 
+def test_scene_is_not_pale_although_viser_has_not_faded_it_in(stage):
+    _, page = stage
+    opacity = """() => {
+        const canvas = document.querySelector("canvas[data-engine]"), before = canvas.style.opacity;
+        canvas.style.opacity = "0.05";
+        const shown = getComputedStyle(canvas).opacity;
+        canvas.style.opacity = before;
+        return shown;
+    }"""
+    assert page.evaluate(opacity) == "1"
+
+
 @pytest.mark.slow
 def test_hidden_overlays_are_not_drawn(paused):
     controller, page = paused
