@@ -19,6 +19,7 @@ from quadruped_env.reporting.films.video import save_film
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trace import Trace
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.viewer.sample import Sample, over_time
 
@@ -63,17 +64,17 @@ class Take:
 
     def motion(self) -> Motion:
         """The motion for a film."""
-        return Motion(
-            self.title,
-            self.robot,
-            self.timestep,
-            over_time(self.samples, "base_pose"),
-            over_time(self.samples, "joint_position"),
-            over_time(self.samples, "velocity"),
-            over_time(self.samples, "command"),
-            over_time(self.samples, "contact") > 0,
-            self.terrain,
+        trace = Trace(
+            robot=self.robot,
+            timestep=self.timestep,
+            base_pose=over_time(self.samples, "base_pose"),
+            joint_position=over_time(self.samples, "joint_position"),
+            velocity=over_time(self.samples, "velocity"),
+            command=over_time(self.samples, "command"),
+            contact=over_time(self.samples, "contact") > 0,
+            terrain=self.terrain,
         )
+        return Motion(self.title, trace)
 
 
 class TakeSaver:
