@@ -6,8 +6,8 @@ declaration, and every trace is checked against it.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
-from typing import Annotated, Any, Final, Generic, Self, TypeVar, get_args
+from functools import cache, cached_property
+from typing import Annotated, Any, Generic, Literal, Self, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -19,23 +19,19 @@ from quadruped_env.simulation import Terrain, flat
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
-JOINTS: Final = "joints"
-LEGS: Final = "legs"
-TERMS: Final = "terms"
-
 
 @dataclass(frozen=True)
 class Quantity:
     """Shape and type of a quantity of one env at one time."""
 
-    shape: tuple[int | str, ...] = ()
-    """Lengths; `JOINTS` and `LEGS` of the robot, or any number of `TERMS`"""
+    shape: tuple[int | Literal["joints", "legs", "terms"], ...] = ()
+    """Lengths; `joints` and `legs` are the robot's numbers of them, `terms` is any number"""
     truth: bool = False
     """True for truth values, False for floating-point numbers"""
 
     def shape_for(self, robot: Robot) -> tuple[int | None, ...]:
         """Lengths for a robot; None for any number."""
-        lengths = {JOINTS: robot.num_joints, LEGS: robot.num_legs, TERMS: None}
+        lengths = {"joints": robot.num_joints, "legs": robot.num_legs, "terms": None}
         return tuple(lengths[axis] if isinstance(axis, str) else axis for axis in self.shape)
 
 
@@ -43,20 +39,20 @@ _Floats = NDArray[np.floating[Any]]
 Scalar = Annotated[_Floats, Quantity()]
 Velocity = Annotated[_Floats, Quantity((2,))]
 Pose = Annotated[_Floats, Quantity((7,))]
-PerJoint = Annotated[_Floats, Quantity((JOINTS,))]
-PerLeg = Annotated[_Floats, Quantity((LEGS,))]
-PositionPerLeg = Annotated[_Floats, Quantity((LEGS, 3))]
-PerTerm = Annotated[_Floats, Quantity((TERMS,))]
+PerJoint = Annotated[_Floats, Quantity(("joints",))]
+PerLeg = Annotated[_Floats, Quantity(("legs",))]
+PositionPerLeg = Annotated[_Floats, Quantity(("legs", 3))]
+PerTerm = Annotated[_Floats, Quantity(("terms",))]
 Flag = Annotated[NDArray[np.bool_], Quantity(truth=True)]
-FlagPerLeg = Annotated[NDArray[np.bool_], Quantity((LEGS,), truth=True)]
+FlagPerLeg = Annotated[NDArray[np.bool_], Quantity(("legs",), truth=True)]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Trace:
     """A robot with J joints and L legs over time: T samples of N envs.
 
-    Arrays have the shape (T, N, ...), or (T, ...) in a trace of one env. None stands for a quantity that is not known.
-    The arrays of a view are those of its trace, not copies.
+    Arrays have the shape (T, N, ...), or (T, ...) in a trace of one env, or (...) in a single sample of one env. None
+    stands for a quantity that is not known.
 
     Raises:
         QuadrupedError: if an array does not have the shape of its quantity.
@@ -86,10 +82,21 @@ class Trace:
 
     def __post_init__(self) -> None:
         axes = np.shape(self.base_pose)[:-1]
-        for name, quantity in quantities(type(self)).items():
+        for name, quantity in self.quantities().items():
             array = getattr(self, name)
             if array is not None:
                 _check_shape(name, np.shape(array), (*axes, *quantity.shape_for(self.robot)))
+
+    @classmethod
+    @cache
+    def quantities(cls) -> dict[str, Quantity]:
+        """Declared quantities: name -> quantity."""
+        return {
+            field.name: note
+            for field in fields(cls)
+            for part in (field.type, *get_args(field.type))
+            for note in getattr(part, "__metadata__", ())
+        }
 
     def __len__(self) -> int:
         return len(self.base_pose)
@@ -110,20 +117,20 @@ class Trace:
         return self.base_pose[..., 3:]
 
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
-        """Some of the envs, by indices or mask (N,); an index alone gives a trace of one env."""
+        """Copy of some of the envs, by indices or mask (N,); an index alone is `env`."""
         return self._view((slice(None), envs))
 
     def env(self, index: int) -> Self:
-        """Trace of one env."""
+        """Trace of one env. It shares the arrays."""
         return self.select(index)
 
     def window(self, start: int = 0, stop: int | None = None) -> Self:
-        """The samples from index `start` up to, but without, `stop`; None is the end."""
+        """The samples from index `start` up to, but without, `stop`; None is the end. It shares the arrays."""
         first, *_ = slice(start, stop).indices(len(self))
         return self._view(slice(start, stop), first_stamp=self.first_stamp + int(self._stamps(np.array(first))))
 
     def _view(self, index: Any, **changes: Any) -> Self:
-        arrays: dict[str, Any] = {name: getattr(self, name) for name in quantities(type(self))}
+        arrays: dict[str, Any] = {name: getattr(self, name) for name in self.quantities()}
         views = {name: array[index] for name, array in arrays.items() if array is not None}
         return replace(self, **views, **changes)
 
@@ -136,8 +143,8 @@ class Trace:
             every: distance of the samples to keep; the last one is kept.
         """
         kept = samples[::-1][::every][::-1]
-        known = [name for name in quantities(cls) if getattr(kept[0], name) is not None]
-        arrays: dict[str, Any] = {name: np.stack([getattr(sample, name) for sample in kept]) for name in known}
+        known = [name for name in cls.quantities() if getattr(kept[0], name) is not None]
+        arrays: dict[str, Any] = {name: np.array([getattr(sample, name) for sample in kept]) for name in known}
         return replace(kept[0], **arrays, timestep=every * kept[0].timestep)
 
     @cached_property
@@ -147,7 +154,11 @@ class Trace:
         Raises:
             QuadrupedError: if the trace has several envs, or a value is not finite.
         """
-        _check_shape("joint_position", np.shape(self.joint_position), (len(self), self.robot.num_joints))
+        if self.joint_position.ndim != 2:
+            raise QuadrupedError(
+                f"joints: expected a trace of one env over time; found joint positions of shape "
+                f"{self.joint_position.shape}; take one env with env(index)"
+            )
         stamps = self.first_stamp + self._stamps(np.arange(len(self)))
         names = self.robot.joint_names
         return JointTrajectory(stamps, names, self.joint_position, self.joint_velocity, self.joint_torque)
@@ -155,16 +166,6 @@ class Trace:
     def _stamps(self, samples: NDArray[np.intp]) -> NDArray[np.int64]:
         """Timestamps of samples (indices) from the first one, ns."""
         return np.rint(samples * self.timestep * NS_PER_SECOND).astype(np.int64)
-
-
-def quantities(kind: type[Trace]) -> dict[str, Quantity]:
-    """Quantities that a kind of trace declares: name -> quantity."""
-    return {
-        field.name: note
-        for field in fields(kind)
-        for part in (field.type, *get_args(field.type))
-        for note in getattr(part, "__metadata__", ())
-    }
 
 
 def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:
@@ -225,7 +226,7 @@ class Recorder(Generic[TraceT]):
         self.written += 1
 
     def _allocate(self, sample: dict[str, NDArray[Any]]) -> None:
-        declared, envs = quantities(self._kind), len(sample["base_pose"])
+        declared, envs = self._kind.quantities(), len(sample["base_pose"])
         unknown = ", ".join(sorted(sample.keys() - declared.keys()))
         if unknown:
             raise QuadrupedError(
@@ -239,11 +240,15 @@ class Recorder(Generic[TraceT]):
         }
 
     def trace(self, **values: Any) -> TraceT:
-        """The trace of all T samples; `values` are its fields that are not recorded."""
+        """The trace of all T samples, read-only, which ends the recording; `values` are its fields not recorded."""
+        for array in self._arrays.values():
+            array.flags.writeable = False
         return self._kind(robot=self._robot, **self._arrays, **values)
 
 
 def _check_shape(name: str, found: tuple[int, ...], expected: tuple[int | None, ...]) -> None:
+    if found == expected:
+        return
     fits = len(found) == len(expected) and all(want in (None, got) for got, want in zip(found, expected, strict=True))
     if not fits:
         lengths = ", ".join("any" if length is None else str(length) for length in expected)

@@ -8,7 +8,7 @@ from tasks import random_readings
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.trace import Flag, PerTerm, Quantity, Recorder, Trace, Velocity, measured, quantities
+from quadruped_env.trace import Flag, PerTerm, Quantity, Recorder, Trace, Velocity, measured
 
 STEPS, ENVS, JOINTS, LEGS, TERMS = 5, 3, 8, 4, 2
 
@@ -31,10 +31,8 @@ def numbers(*shape):
 
 def samples(trace):
     """Single samples of a trace of one env, as they come from a robot."""
-    arrays = {name: getattr(trace, name) for name in quantities(type(trace)) if getattr(trace, name) is not None}
-    return [
-        dataclasses.replace(trace, **{name: array[i] for name, array in arrays.items()}) for i in range(len(trace))
-    ]
+    arrays = {name: getattr(trace, name) for name in trace.quantities() if getattr(trace, name) is not None}
+    return [dataclasses.replace(trace, **{name: array[i] for name, array in arrays.items()}) for i in range(len(trace))]
 
 
 @pytest.fixture
@@ -100,7 +98,7 @@ class TestViews:
     def test_stack_of_samples_is_a_trace_again(self, trace):
         one = trace.env(0)
         again = Scored.stack(samples(one))
-        for name in quantities(Scored):
+        for name in Scored.quantities():
             np.testing.assert_array_equal(getattr(again, name), getattr(one, name))
         assert (again.timestep, again.label) == (0.02, "kept")
 
@@ -127,15 +125,15 @@ class TestJoints:
         np.testing.assert_array_equal(joints.stamps, [60_001_000, 80_001_000])
 
     def test_joints_of_several_envs_are_refused(self, trace):
-        with pytest.raises(QuadrupedError, match=r"joint_position must have shape \(5, 8\); found \(5, 3, 8\)"):
+        with pytest.raises(QuadrupedError, match=r"shape \(5, 3, 8\); take one env with env\(index\)"):
             _ = trace.joints
 
 
 class TestDeclaration:
     def test_quantities_of_a_subclass_are_those_of_the_trace_and_its_own(self):
         own = {"valid": Quantity(truth=True), "scores": Quantity(("terms",))}
-        assert quantities(Scored) == quantities(Trace) | own
-        assert quantities(Trace) == {
+        assert Scored.quantities() == Trace.quantities() | own
+        assert Trace.quantities() == {
             "base_pose": Quantity((7,)),
             **dict.fromkeys(("joint_position", "joint_velocity", "joint_torque"), Quantity(("joints",))),
             **dict.fromkeys(("velocity", "command"), Quantity((2,))),
@@ -190,6 +188,14 @@ class TestRecorder:
         assert trace.contact is trace.command is None
         assert trace.label == "recorded"
 
+    def test_joint_states_of_a_recorded_trace_share_its_arrays(self, readings):
+        recorder = Recorder(Trace, MINI_QUADRUPED, 1)
+        recorder.write(readings[0])
+        one = recorder.trace(timestep=0.02).env(1)
+        assert np.shares_memory(one.joints.positions, one.joint_position)
+        with pytest.raises(ValueError, match="read-only"):
+            one.joint_position[:] = 0.0
+
     def test_samples_are_copies_of_the_live_readings(self, readings):
         recorder = Recorder(Trace, MINI_QUADRUPED, 1)
         before = readings[0].joint_position.copy()
@@ -234,4 +240,4 @@ class TestRecorder:
             Scored(robot=MINI_QUADRUPED, timestep=0.02, valid=np.ones((2, 1), bool), scores=numbers(2, 1, 1), **poses)
 
     def test_measured_quantities_are_declared(self, readings):
-        assert measured(readings[0]).keys() <= quantities(Trace).keys()
+        assert measured(readings[0]).keys() <= Trace.quantities().keys()

@@ -57,7 +57,7 @@ class Rollout(Trace):
         return ~self.valid[-1]
 
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
-        """Some of the episodes, by indices or mask (N,); an index alone gives a trace of one episode."""
+        """Copy of some of the episodes, by indices or mask (N,); an index alone is `env`."""
         return replace(super().select(envs), seeds=self.seeds[envs])
 
 

@@ -344,7 +344,7 @@ class TestViewer:
     def test_viewed_robot_is_the_one_of_the_file(self, controller):
         controller.advance(0.2)
         (view,) = controller.view().robots
-        assert view.robot == ROBOT
+        assert view.now.robot == ROBOT
         assert view.now.base_pose[2] > 0.2
         with pytest.raises(QuadrupedError, match="mini_quadruped"):
             controller.set_source(0, "policy flat")
