@@ -124,6 +124,10 @@ class TestJoints:
         np.testing.assert_array_equal(joints.efforts, torque[3:, 0])
         np.testing.assert_array_equal(joints.stamps, [60_001_000, 80_001_000])
 
+    def test_timestamps_are_the_nearest_nanoseconds(self, trace):
+        joints = dataclasses.replace(trace, timestep=1 / 30).env(0).joints
+        np.testing.assert_array_equal(joints.stamps - 1_000, [0, 33_333_333, 66_666_667, 100_000_000, 133_333_333])
+
     def test_joints_of_several_envs_are_refused(self, trace):
         with pytest.raises(QuadrupedError, match=r"shape \(5, 3, 8\); take one env with env\(index\)"):
             _ = trace.joints

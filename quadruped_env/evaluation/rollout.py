@@ -24,7 +24,7 @@ FIRST_SEED: Final = 1_000_000
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rollout(Trace):
-    """N episodes of T control steps of one controller, each with its command.
+    """N episodes of T control steps of one controller, each with its command, which is the same in all samples.
 
     Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
     `valid` masks them.
