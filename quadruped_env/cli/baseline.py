@@ -89,8 +89,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:
-        motion = Motion.of_recording(baseline.recording, arguments.preset)
-        save_film(arguments.video, [motion], ProgressLine("filming"))
+        save_film(arguments.video, [Motion(arguments.preset, baseline.recording)], ProgressLine("filming"))
     print(baseline.table())
     print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
     if arguments.video:

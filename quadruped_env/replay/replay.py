@@ -18,6 +18,7 @@ from quadruped_env.reporting.films.film import FRAME_RATE, Motion
 from quadruped_env.reporting.results import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.skeleton import Pose
+from quadruped_env.trace import Trace
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
 
@@ -95,12 +96,13 @@ class Replay:
         """Motion for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
         name = Path(self.recorded.source.name).name
         if self.motion is not None:
-            return Motion.of_recording(self.motion, name)
+            return Motion(name, self.motion)
         times = np.arange(0.0, self.played.duration + 1e-9, 1.0 / FRAME_RATE)
         positions = self.played.positions_at(times)
         base_pose = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], (len(times), 1))
         base_pose[:, 2] = -self.robot.sole_heights(positions, base_pose).min(axis=-1)
-        return Motion(f"{name}, kinematic", self.robot, 1.0 / FRAME_RATE, base_pose, positions)
+        trace = Trace(robot=self.robot, timestep=1.0 / FRAME_RATE, base_pose=base_pose, joint_position=positions)
+        return Motion(f"{name}, kinematic", trace)
 
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""

@@ -1,5 +1,6 @@
 """Uneven ground in evaluation, pictures, viewer, live nodes and programs: the same as in the env."""
 
+import dataclasses
 import json
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, terrain
+from quadruped_env.trace import Trace
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.show import open_show
@@ -77,9 +79,9 @@ def test_baseline_on_a_terrain_measures_and_records_on_it():
 
 def test_motion_on_uneven_ground_stays_where_it_is():
     rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
-    motion = Motion.of_rollout(rollout, 0, "")
-    np.testing.assert_array_equal(motion.base_pose[:, :3], rollout.base_position[:, 0])
-    assert motion.terrain == HILLS.ground
+    trace = Motion.of_rollout(rollout, 0, "").trace
+    np.testing.assert_array_equal(trace.base_position, rollout.base_position[:, 0])
+    assert trace.terrain == HILLS.ground
 
 
 def test_camera_shows_the_ground_of_each_motion(opengl):
@@ -88,10 +90,12 @@ def test_camera_shows_the_ground_of_each_motion(opengl):
     raised = pose.copy()
     raised[:, 2] += FIELD.at(pose) * 0.5 / 0.08
     joints = np.tile([0.6, -0.72], (1, 4))
+    on_level = Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=joints)
+    on_hill = dataclasses.replace(on_level, base_pose=raised, terrain=high)
     with Camera(MINI_QUADRUPED) as camera:
-        level = camera.picture(Motion("", MINI_QUADRUPED, 0.02, pose, joints), 0)
-        uneven = camera.picture(Motion("", MINI_QUADRUPED, 0.02, raised, joints, terrain=high), 0)
-        again = camera.picture(Motion("", MINI_QUADRUPED, 0.02, pose, joints), 0)
+        level = camera.picture(on_level, 0)
+        uneven = camera.picture(on_hill, 0)
+        again = camera.picture(on_level, 0)
     np.testing.assert_array_equal(again, level)
     assert not np.array_equal(uneven, level)
     # The camera rises with the ground, by 0.2 m here, so that the robot stays where it was in the picture.
@@ -133,7 +137,7 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     controller.start_recording()
     controller.advance(0.2)
     controller.close()
-    assert [motion.terrain for motion in filmed] == [HILLS.ground]
+    assert [motion.trace.terrain for motion in filmed] == [HILLS.ground]
 
 
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
