@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.live.messages.gaits import read_settings, settings_message
 from quadruped_env.live.messages.joints import JointReader, Joints
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
