@@ -18,7 +18,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
@@ -158,8 +158,7 @@ def record(
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
     qpos = _start(robot, start)
-    if task.simulation.height_field is not None:
-        qpos[2] += task.simulation.height_field.highest(qpos[:2])
+    qpos[2] += highest_ground(task.simulation, qpos[:2])
     task.simulation.reset(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)

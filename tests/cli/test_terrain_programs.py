@@ -53,7 +53,7 @@ def test_recording_on_a_terrain_starts_over_the_highest_ground():
     flat = record(ZeroController(), 0.1, config=config)
     hills = record(ZeroController(), 0.1, config=HILLS)
     assert flat.base_pose[0, 2] == STANCE_HEIGHT
-    assert hills.base_pose[0, 2] == pytest.approx(STANCE_HEIGHT + FIELD.highest(np.zeros(2)))
+    assert hills.base_pose[0, 2] == pytest.approx(STANCE_HEIGHT + FIELD.highest(np.zeros(2), MINI_QUADRUPED.footprint))
     assert hills.terrain == HILLS.ground
 
 
@@ -170,8 +170,8 @@ def test_scene_draws_robots_at_their_places_on_the_ground(tmp_path):
 
 def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
     simulated = SimulatedRobot(3, ramp)
-    field = HeightField.of(build_model(terrain=ramp))
-    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(np.zeros(2)))
+    field, footprint = HeightField.of(build_model(terrain=ramp)), MINI_QUADRUPED.footprint
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(np.zeros(2), footprint))
     for _ in range(200):
         simulated.step()
     simulated.push(np.array([2.0, 0.0, 1.0]))
@@ -179,7 +179,7 @@ def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
         simulated.step()
     place = simulated.state.base_position[0, :2].copy()
     simulated.pick_up()
-    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(place))
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(place, footprint))
 
 
 def test_training_on_a_terrain_records_it_in_the_run(tmp_path):

@@ -81,6 +81,12 @@ class TestModel:
         assert ROBOT.stance_height == pytest.approx(height, abs=1e-7)
         np.testing.assert_allclose(ROBOT.resting_pose(ROBOT.stance)[2], height, atol=1e-6)
 
+    @pytest.mark.parametrize("robot", [MINI_QUADRUPED, ROBOT], ids=lambda robot: robot.name)
+    def test_feet_are_within_the_footprint_also_near_the_stance(self, robot):
+        near = robot.stance + np.random.default_rng(0).uniform(-0.1, 0.1, (1000, robot.num_joints))
+        reach = np.linalg.norm(robot.foot_centres(near)[..., :2], axis=-1) + robot.foot_radius
+        assert 0.9 * robot.footprint < reach.max() < robot.footprint
+
     def test_urdf_is_the_same_robot(self, tmp_path):
         import yourdfpy
 
