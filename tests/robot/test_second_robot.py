@@ -156,6 +156,27 @@ class TestEnv:
         assert (motor.hip.kp, motor.hip.stall_torque, motor.knee) == (50.0, 14.0, ROBOT.motors.knee)
         assert TaskConfig(motor=motor).for_robot(ROBOT).motor == motor
 
+    def test_lengths_of_the_rewards_are_in_proportion_to_the_stance(self):
+        size = ROBOT.stance_height / MINI_QUADRUPED.stance_height
+        expected = {"base_height": size * 0.175, "foot_lift": size * 0.02}
+        defined = TaskConfig(definition=BUILT_IN.with_robot(ROBOT))
+        for config in (CONFIG, defined, make(robot=ROBOT).unwrapped.task.config):
+            assert {name: config.reward[name] for name in expected} == pytest.approx(expected, rel=1e-12)
+            assert config == TaskConfig.from_dict({}, BUILT_IN.with_robot(ROBOT))
+        assert CONFIG.for_robot(MINI_QUADRUPED) == TaskConfig()
+        assert (TaskConfig().reward.base_height, TaskConfig().reward.foot_lift) == (0.175, 0.02)
+
+    def test_lengths_that_the_config_gives_are_kept(self):
+        given = {"reward": {"base_height": 0.21, "weights": {"upright": -4.0}}}
+        for config in (
+            TaskConfig.from_dict(given).for_robot(ROBOT),
+            make(robot=ROBOT, config=given).unwrapped.task.config,
+        ):
+            assert config.reward.base_height == 0.21
+            assert config.reward.foot_lift == CONFIG.reward.foot_lift
+            assert config.reward.weights.upright == -4.0
+            assert TaskConfig.from_dict(config.to_dict(), config.definition) == config
+
     @pytest.mark.parametrize("robot", ["tall", 3, {"name": "tall"}])
     def test_no_robot_is_refused(self, robot):
         with pytest.raises(QuadrupedError, match="robot: expected"):

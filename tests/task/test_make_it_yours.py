@@ -17,7 +17,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.control.policy import load_terms
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
-from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
+from quadruped_env.task import BUILT_IN, RewardConfig, TaskConfig, load_task_file
 
 PAGE = ROOT / "docs" / "make-it-yours.md"
 EXAMPLES = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S)
@@ -130,6 +130,25 @@ def test_term_with_a_built_in_name_replaces_the_built_in_term(tmp_path):
     env = gymnasium.make(ENV_ID, task_file=file)
     env.reset(seed=0)
     assert env.step(np.zeros(8))[4]["reward_upright"] == pytest.approx(3.0 * 0.02)
+
+
+def test_defaults_of_a_users_file_are_those_of_its_config(tmp_path):
+    file = write(
+        tmp_path,
+        "from quadruped_env.task import Command, reward\n"
+        "speed = Command('forward_velocity', 'm/s', (0.0, 0.3))\n"
+        "@reward(weight=-7.0)\n"
+        "def upright(context):\n"
+        "    return context.readings.up_b[:, 0] ** 2\n",
+    )
+    definition = load_task_file(file)
+    config = TaskConfig(definition=definition)
+    assert config == TaskConfig.from_dict({}, definition) == TaskConfig().with_definition(definition)
+    assert (config.reward.weights.upright, config.command.forward_velocity) == (-7.0, (0.0, 0.3))
+    changed = TaskConfig(reward=RewardConfig(foot_lift=0.03)).with_definition(definition)
+    assert (changed.reward.weights.upright, changed.reward.foot_lift) == (-7.0, 0.03)
+    # A section that is given counts as it is.
+    assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -2.0
 
 
 REFUSED = {
