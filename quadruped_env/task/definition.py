@@ -1,10 +1,11 @@
 """Definition of a task: lists of terms, built-in or from a user's file."""
 
 import dataclasses
+import functools
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from pathlib import Path
+from types import ModuleType
 from typing import Any, Final, Self
 
 from quadruped_env.control.config import COMMANDS, Command
@@ -108,13 +109,20 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
             one robot, or defines nothing of a task.
     """
     file, module = execute(path, expected)
+    return _defined(module, file)
+
+
+@functools.cache
+def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
+    """The built-in task, extended by what an executed file defines."""
+    path = str(module.__file__)
     built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
     terms = [
         value
         for value in vars(module).values()
         if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
     ]
-    robot = robot_in(module, path)
+    robot = robot_in(module)
     if not terms and robot is None:
         raise QuadrupedError(
             f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @termination or "
@@ -122,7 +130,7 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
             f"(docs/make-it-yours.md)"
         )
     definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
-    return definition.extended(terms, file, str(Path(path).resolve()))
+    return definition.extended(terms, file, path)
 
 
 def _again(path: str | None, file: TaskFile | None, robot: Robot) -> TaskDefinition:
