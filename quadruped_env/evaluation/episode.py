@@ -92,7 +92,7 @@ def play(
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     robot: Robot = MINI_QUADRUPED,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Recording:
     """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
@@ -104,7 +104,7 @@ def play(
         progress: called with the fraction done.
         motors: motors to use instead of the robot's.
         robot: robot that plays them.
-        terrain: name of a built-in terrain; None is level ground.
+        terrain: a terrain, or the name of a built-in one; None is level ground.
 
     Raises:
         QuadrupedError: if a joint or the terrain is unknown, a joint is missing, or the trajectory is too long.
@@ -116,11 +116,11 @@ def play(
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
             f"cut it there, or fix the timestamps"
         )
-    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot)
+    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot).on_terrain(terrain or flat)
     return record(
         TrajectoryController(targets, name),
         targets.duration,
-        config=task_config(None, config if motors is None else replace(config, motor=motors), terrain=terrain),
+        config=config if motors is None else replace(config, motor=motors),
         first_stamp=int(targets.stamps[0]),
         progress=progress,
         start=targets.positions[0],

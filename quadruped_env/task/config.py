@@ -227,16 +227,21 @@ class TaskConfig(PlainFields):
         parameters = {name: value for name, value in values.items() if name not in ("name", "seed")}
         return find_terrain(self.terrain["name"], self.definition.terrains).variant(seed, **parameters)
 
-    def on_terrain(self, name: str, seed: int | None = None) -> Self:
+    def on_terrain(self, terrain: str | Terrain, seed: int | None = None) -> Self:
         """A copy of the config on another terrain; the terrain that it already has keeps its parameters.
 
         Args:
-            name: name of a terrain of the task's definition.
+            terrain: name of a terrain of the task's definition, or any terrain; it may be a variant.
             seed: seed of the terrain; None keeps that of the config.
 
         Raises:
             QuadrupedError: if there is no such terrain; the message names those that there are.
         """
+        if isinstance(terrain, Terrain):
+            with_it = dataclasses.replace(self, definition=self.definition.with_terrain(terrain))
+            on_it = with_it.on_terrain(terrain.name, seed if seed is not None else terrain.seed or None)
+            return dataclasses.replace(on_it, terrain=on_it.terrain.replace(**dict(terrain.values)))
+        name = terrain
         kept = self.terrain if name == self.terrain["name"] else {"name": name, "seed": self.terrain["seed"]}
         values = {**kept, **({} if seed is None else {"seed": seed})}
         return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))

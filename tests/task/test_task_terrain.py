@@ -1,6 +1,7 @@
 """Terrain in the task and its config: heights over the ground, one ground for every env, a user's own terrain."""
 
 import copy
+import dataclasses
 import json
 import pickle
 import subprocess
@@ -53,6 +54,21 @@ def test_start_is_over_the_highest_ground_below_the_robot():
         np.testing.assert_allclose(task.simulation.readings.base_position[:, 2], expected)
         assert (task.context.sole_height > -1e-9).all()
         assert (expected > STANCE_HEIGHT + 0.01) == (shape is not hills)
+
+
+def test_config_on_a_terrain_that_its_definition_lacks_has_its_seed_and_parameters():
+    on_slope = TaskConfig().on_terrain(slope.variant(4, angle=0.1))
+    assert on_slope.ground == slope.variant(4, angle=0.1)
+    assert on_slope.terrain.to_dict() == {"name": "slope", "seed": 4, "angle": 0.1, "direction": 0.0}
+    assert on_slope.on_terrain("rough").on_terrain("slope").ground == slope.variant(4)
+    assert on_slope.on_terrain(slope, seed=5).ground == slope.variant(5, angle=0.1)
+    assert on_slope == pickle.loads(pickle.dumps(on_slope)) == copy.deepcopy(on_slope)  # noqa: S301
+    assert on_slope.definition != TaskConfig().definition
+    assert TaskConfig().on_terrain(rough.variant(3)) == TaskConfig().on_terrain("rough", 3)
+    steep = dataclasses.replace(slope, name="rough")
+    assert TaskConfig().on_terrain("rough").on_terrain(steep).ground == steep
+    with pytest.raises(QuadrupedError, match="'slope' is unknown; there are flat, rough, hills"):
+        TaskConfig().on_terrain("slope")
 
 
 @pytest.mark.parametrize("name", UNEVEN)
