@@ -76,7 +76,7 @@ def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
     parser.add_argument(
         "--terrain",
         metavar="NAME",
-        help=f"the ground: {summary()}; or a terrain of the file of --task (default: {default})",
+        help=f"the ground: {summary()}; or one from --task's file (default: {default})",
     )
 
 

@@ -18,7 +18,7 @@ def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
         "--terrain",
         metavar="NAME",
         default=flat.name,
-        help=f"the ground: {summary()}; or a terrain of the file of --task (%(default)s)",
+        help=f"the ground: {summary()}; or one from --task's file (%(default)s)",
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{seed} (%(default)s)")
 
