@@ -18,7 +18,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
-from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trace import Recorder, Trace
@@ -83,7 +83,7 @@ def play(
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     robot: Robot = MINI_QUADRUPED,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Recording:
     """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
@@ -95,7 +95,7 @@ def play(
         progress: called with the fraction done.
         motors: motors to use instead of the robot's.
         robot: robot that plays them.
-        terrain: name of a built-in terrain; None is level ground.
+        terrain: a terrain, or the name of a built-in one; None is level ground.
 
     Raises:
         QuadrupedError: if a joint or the terrain is unknown, a joint is missing, or the trajectory is too long.
@@ -107,11 +107,11 @@ def play(
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
             f"cut it there, or fix the timestamps"
         )
-    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot)
+    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot).on_terrain(terrain or flat)
     return record(
         TrajectoryController(targets, name),
         targets.duration,
-        config=task_config(None, config if motors is None else replace(config, motor=motors), terrain=terrain),
+        config=config if motors is None else replace(config, motor=motors),
         first_stamp=int(targets.stamps[0]),
         progress=progress,
         start=targets.positions[0],
@@ -149,8 +149,7 @@ def record(
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
     qpos = _start(robot, start)
-    if task.simulation.height_field is not None:
-        qpos[2] += task.simulation.height_field.highest(qpos[:2])
+    qpos[2] += highest_ground(task.simulation, qpos[:2])
     task.simulation.reset(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.live.messages.gaits import read_settings, settings_message
 from quadruped_env.live.messages.joints import JointReader, Joints
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
@@ -19,7 +19,7 @@ from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, J
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.viewer.robot import HISTORY_SECONDS, Offered, heading, world_velocity
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
@@ -124,8 +124,7 @@ class LiveRobot:
         assert positions is not None
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
             resting = self.robot.resting_pose(positions)
-            if self._simulation.height_field is not None:
-                resting[2] += self._simulation.height_field.highest(self._pose[:2])
+            resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
         return self._place()

@@ -67,7 +67,7 @@ class progress:  # noqa: N801
 class gait_clock:  # noqa: N801
     """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = max(0, 1 - sole height / 0.02 m)."""
 
-    def __init__(self, context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.02) -> None:
+    def __init__(self, context: TaskContext, foot_lift: Annotated[float, Parameter.length()] = 0.02) -> None:
         self._lift = quantities.FootLift(foot_lift, context.xp)
 
     def __call__(self, context: TaskContext) -> Any:
@@ -87,7 +87,7 @@ def upright(context: TaskContext) -> Any:
 class base_height:  # noqa: N801
     """max(0, 0.175 m - height)^2: standing taller is not penalized."""
 
-    def __init__(self, context: TaskContext, base_height: Annotated[float, Positive("m")] = 0.175) -> None:
+    def __init__(self, context: TaskContext, base_height: Annotated[float, Parameter.length()] = 0.175) -> None:
         self._target = context.xp.constant(base_height)
 
     def __call__(self, context: TaskContext) -> Any:

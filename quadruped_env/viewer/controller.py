@@ -16,7 +16,7 @@ import mujoco
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.episode import STILL
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain

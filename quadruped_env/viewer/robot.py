@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.editable_gait import HasGait
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.viewer.robot import ViewedRobot, contact_forces, heading
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
