@@ -18,11 +18,18 @@ class Parameter:
     high: float = math.inf
     exclusive: bool = False
     """True if `low` itself is not valid."""
+    scales: bool = False
+    """True if the default is that of the built-in robot; other robots' is in proportion to the height of the stance."""
 
     @classmethod
     def positive(cls, unit: str = "1") -> "Parameter":
         """Parameter whose values must be greater than 0."""
         return cls(unit, 0.0, exclusive=True)
+
+    @classmethod
+    def length(cls) -> "Parameter":
+        """Length of a robot in m, whose default scales with the height of the robot's stance."""
+        return cls("m", 0.0, exclusive=True, scales=True)
 
     def accepts(self, value: float) -> bool:
         """True if a number is valid."""

@@ -1,7 +1,7 @@
 """Measure a scripted gait, and record the joints of a robot that walks with it.
 
 The metrics come from several episodes with random starts. The recorded episode starts with the robot at rest in its
-stance and is deterministic, so `replay`, which plays on level ground, can repeat it to the last bit:
+stance and is deterministic, so `replay`, on the same terrain, can repeat it to the last bit:
 
     mini-quadruped baseline --preset tuned --commands -o results/tuned.csv
     mini-quadruped replay results/tuned.csv --mode dynamic
@@ -14,7 +14,15 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file, add_terrain, add_video
+from quadruped_env.cli.options import (
+    NEXT_FREE,
+    add_output,
+    add_overwrite,
+    add_robot_file,
+    add_terrain,
+    add_video,
+    named_terrain,
+)
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.files import free_path
@@ -85,12 +93,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.seed,
         ProgressLine("measuring"),
         load_robot(arguments.task),
-        arguments.terrain,
+        named_terrain(arguments),
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:
-        motion = Motion.of_recording(baseline.recording, arguments.preset)
-        save_film(arguments.video, [motion], ProgressLine("filming"))
+        save_film(arguments.video, [Motion(arguments.preset, baseline.recording)], ProgressLine("filming"))
     print(baseline.table())
     print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
     if arguments.video:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.evaluate import print_results
-from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options, task_option, terrain_option
+from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options, named_terrain, task_option, terrain_option
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.files import free_path
 
@@ -36,7 +36,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     policies = {name: subject.policy for name, subject in subjects.items()}
     progress = ProgressLine("running")
     comparison = compare_policies(
-        policies, arguments.seeds, arguments.seconds, progress=progress, terrain=arguments.terrain
+        policies, arguments.seeds, arguments.seconds, progress=progress, terrain=named_terrain(arguments)
     )
     sources = shlex.join(subject.source for subject in subjects.values())
     report, numbers, missing = write_comparison(

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_evaluation_options, task_option, terrain_option
+from quadruped_env.cli.options import add_evaluation_options, named_terrain, task_option, terrain_option
 from quadruped_env.cli.progress import ProgressLine
 
 
@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print(f"evaluating {subject.name}")
     progress = ProgressLine("running")
     comparison = compare(
-        subject.policy, arguments.seeds, arguments.seconds, progress=progress, terrain=arguments.terrain
+        subject.policy, arguments.seeds, arguments.seconds, progress=progress, terrain=named_terrain(arguments)
     )
     report, numbers, missing = write_report(
         subject,

@@ -3,12 +3,12 @@
 import argparse
 import shlex
 from pathlib import Path
-from typing import Final
+from typing import Final, cast
 
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
-from quadruped_env.simulation.terrain import summary
+from quadruped_env.simulation.terrain import Terrain, find_terrain, summary
 
 NEXT_FREE: Final = "or that name with the next free number"
 
@@ -61,7 +61,8 @@ def add_robot_file(parser: argparse.ArgumentParser) -> None:
         "--task",
         type=Path,
         metavar="FILE",
-        help="Python file that defines another robot than the built-in one; it is executed (docs/make-it-yours.md)",
+        help="Python file that defines another robot or terrain than the built-in ones; it is executed "
+        "(docs/make-it-yours.md)",
     )
 
 
@@ -72,7 +73,24 @@ def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
         parser: of the command.
         default: ground without the option, in words.
     """
-    parser.add_argument("--terrain", metavar="NAME", help=f"the ground: {summary()} (default: {default})")
+    parser.add_argument(
+        "--terrain",
+        metavar="NAME",
+        help=f"the ground: {summary()}; or one from --task's file (default: {default})",
+    )
+
+
+def named_terrain(arguments: argparse.Namespace) -> str | Terrain | None:
+    """The terrain of `--terrain`: its name, or the terrain of that name with the file of `--task`; None without one.
+
+    Raises:
+        QuadrupedError: if the file has no such terrain, or cannot be loaded.
+    """
+    if arguments.terrain is None or arguments.task is None:
+        return cast("str | None", arguments.terrain)
+    from quadruped_env.task import load_task_file
+
+    return find_terrain(arguments.terrain, load_task_file(arguments.task).terrains)
 
 
 def terrain_option(terrain: str | None) -> str:

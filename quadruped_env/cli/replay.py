@@ -25,7 +25,15 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import NEXT_FREE, add_output, add_overwrite, add_robot_file, add_video
+from quadruped_env.cli.options import (
+    NEXT_FREE,
+    add_output,
+    add_overwrite,
+    add_robot_file,
+    add_terrain,
+    add_video,
+    named_terrain,
+)
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.cli.reading import add_reading_options, load_with
 from quadruped_env.files import check_free, free_path
@@ -54,6 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--motors", type=Path, metavar="MOTORS.json", help="motors of the robot, a result of `identify`"
     )
     add_robot_file(parser)
+    add_terrain(parser, "flat")
     add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {NEXT_FREE})")
     parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")
     add_video(parser)
@@ -82,6 +91,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         None if arguments.motors is None else read_motors(arguments.motors, robot),
         load_with(arguments.compare, arguments) if isinstance(arguments.compare, Path) else None,
         robot,
+        named_terrain(arguments),
     )
     result.save(output, arguments.overwrite, ProgressLine("writing"), compare)
     if not arguments.no_report:

@@ -1,7 +1,8 @@
 """Search the parameters of the scripted gaits on the simulated robot.
 
 They are the table of the `tuned` gait over speed, and the presets trot, walk, bound and pace. Prints the numbers that
-belong in quadruped_env/gait.py, and the velocities that the tuned gait reaches. Takes about four minutes on two cores.
+belong in quadruped_env/gait/presets.py, and the velocities that the tuned gait reaches. Takes about four minutes on two
+cores.
 """
 
 import argparse

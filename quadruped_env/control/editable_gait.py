@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.gait import CommandedGait, SinusoidalGait
-from quadruped_env.gait_settings import GaitSettings, edited
+from quadruped_env.gait.settings import GaitSettings, edited
 from quadruped_env.robot.robot import Robot
 
 _COMMANDED: Final = "tuned"

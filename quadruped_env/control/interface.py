@@ -7,6 +7,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.capture import Functions
 from quadruped_env.control.config import ControlConfig
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
@@ -81,10 +82,13 @@ class ControlInterface:
         self._observation_low, self._observation_high = self.layout.low[None], self.layout.high[None]
         self._clock = np.zeros((num_envs, 2))
         self._raw = np.zeros((num_envs, self.layout.width))
+        self._observed: Readings | None = None
+        self._fields: Functions | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        # `command` is a view, and unpickling would turn it into a copy.
-        return {name: value for name, value in self.__dict__.items() if name != "command"}
+        # `command` is a view, and unpickling would turn it into a copy; captured fields refer to other arrays then.
+        kept = {name: value for name, value in self.__dict__.items() if name != "command"}
+        return {**kept, "_observed": None, "_fields": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -111,6 +115,14 @@ class ControlInterface:
     def time(self) -> Floats:
         """Time since the reset at which the current control step began, (N,), s."""
         return np.maximum(self.steps - 1, 0) * self.config.timestep
+
+    def _captured(self, readings: Readings) -> Functions:
+        """The observation's fields, as functions of these readings and this interface."""
+        return Functions(
+            [(entry.read, entry.pure, (self.num_envs, entry.width(self.robot))) for entry in self.layout.fields],
+            lambda capture: (capture.stand_in(readings), capture.stand_in(self)),
+            np.float64,
+        )
 
     def advance(self) -> None:
         """Begin a control step: advance the clock and set the action to zero."""
@@ -140,8 +152,7 @@ class ControlInterface:
 
     def leg_clock(self) -> Floats:
         """Sine of each leg's phase, (N, L); positive while the foot should swing."""
-        angle = self.phase[:, None] + self._leg_phases
-        return np.sin(angle, angle)
+        return np.sin(self.phase[:, None] + self._leg_phases)
 
     @property
     def clock(self) -> Floats:
@@ -158,8 +169,11 @@ class ControlInterface:
             readings: readings of the N robots.
             noise: added to the unscaled readings, (N, layout.width).
         """
-        layout, raw = self.layout, self._raw
-        np.concatenate([field.read(readings, self) for field in layout.fields], 1, raw)
+        raw = self._raw
+        if readings is not self._observed or self._fields is None:
+            self._observed, self._fields = readings, self._captured(readings)
+        self._fields.update(readings, self)
+        np.concatenate(self._fields.results, 1, raw)
         if noise is not None:
             raw += noise
         np.multiply(raw, self._observation_scale, raw)

@@ -214,7 +214,7 @@ def load_terms(path: str | os.PathLike[str]) -> Terms:
     return Terms(
         merged(OBSERVATIONS, [value for value in values if isinstance(value, ObservationField)]),
         merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
-        robot_in(module, path) or MINI_QUADRUPED,
+        robot_in(module) or MINI_QUADRUPED,
         file,
     )
 

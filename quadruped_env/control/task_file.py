@@ -1,6 +1,7 @@
 """A user's Python file of terms and robots: read, verified, and executed only if the user names it."""
 
 import dataclasses
+import functools
 import hashlib
 import importlib.util
 import os
@@ -92,8 +93,11 @@ def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
     return tuple(terms)
 
 
-def robot_in(module: ModuleType, path: str | os.PathLike[str]) -> Robot | None:
-    """The robot that a file defines: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
+@functools.cache
+def robot_in(module: ModuleType) -> Robot | None:
+    """The robot of an executed file: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
+
+    It is built once, so that everything that names the file shares its compiled model.
 
     Raises:
         QuadrupedError: if there are several.
@@ -105,7 +109,9 @@ def robot_in(module: ModuleType, path: str | os.PathLike[str]) -> Robot | None:
             found.append(robot)
     if len(found) > 1:
         names = " and ".join(repr(robot.name) for robot in found)
-        raise QuadrupedError(f"{path}: defines the robots {names}; a task has one robot, so keep one at the top level")
+        raise QuadrupedError(
+            f"{module.__file__}: defines the robots {names}; a task has one robot, so keep one at the top level"
+        )
     return next(iter(found), None)
 
 
@@ -120,11 +126,11 @@ def load_robot(path: str | os.PathLike[str] | None) -> Robot:
     if path is None:
         return MINI_QUADRUPED
     _, module = execute(path)
-    return robot_in(module, path) or MINI_QUADRUPED
+    return robot_in(module) or MINI_QUADRUPED
 
 
 def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> tuple[TaskFile, ModuleType]:
-    """Execute a file of terms, once per process and content.
+    """Execute a file of terms, once per process, path and content.
 
     Args:
         path: path of the file.
@@ -146,26 +152,27 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
             f"{file}: its SHA-256 is {found.sha256[:12]}..., and the task was made with {expected.name} of "
             f"{expected.sha256[:12]}...; name that version of the file"
         )
-    return found, _executed(file, content, found)
+    return found, _executed(file, content)
 
 
-def _executed(file: Path, content: bytes, found: TaskFile) -> ModuleType:
-    name = f"quadruped_env_task_{found.sha256[:16]}"
+def _executed(file: Path, content: bytes) -> ModuleType:
+    path = str(file.resolve())
+    name = f"quadruped_env_task_{hashlib.sha256(os.fsencode(path) + content).hexdigest()[:16]}"
     if name in sys.modules:
         return sys.modules[name]
-    spec = importlib.util.spec_from_loader(name, loader=None, origin=str(file))
+    spec = importlib.util.spec_from_loader(name, loader=None, origin=path)
     assert spec is not None
     module = importlib.util.module_from_spec(spec)
-    module.__file__ = str(file)
+    module.__file__ = path
     # Registered, because unpickling an env looks up the file's classes by their module.
     sys.modules[name] = module
     try:
         # Compiled from the bytes that were hashed.
-        exec(compile(content, str(file), "exec"), vars(module))  # noqa: S102
+        exec(compile(content, path, "exec"), vars(module))  # noqa: S102
     except Exception as error:
         del sys.modules[name]
         frames = traceback.extract_tb(error.__traceback__)
-        lines = [frame.lineno for frame in frames if frame.filename == str(file)]
+        lines = [frame.lineno for frame in frames if frame.filename == path]
         line = lines[-1] if lines else getattr(error, "lineno", None)
         where = f", line {line}" if line else ""
         raise QuadrupedError(f"{file}{where}: {type(error).__name__}: {error}") from error

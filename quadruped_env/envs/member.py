@@ -1,6 +1,6 @@
 """View of one env in a native vector environment, for `call`, `get_attr` and `set_attr`."""
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final, Protocol
 
 import gymnasium
 import mujoco
@@ -9,9 +9,7 @@ from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-
-if TYPE_CHECKING:
-    from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
+from quadruped_env.task import Task
 
 _OWN: Final = ("_env", "_index")
 
@@ -20,13 +18,35 @@ class UnknownAttributeError(QuadrupedError, AttributeError):
     """Raised if the envs of a native vector environment have no such attribute."""
 
 
+class Members(Protocol):
+    """Vector environment whose envs have a view each: the parts that the views use."""
+
+    single_action_space: gymnasium.Space[NDArray[np.float32]]
+    single_observation_space: gymnasium.Space[NDArray[np.float32]]
+    render_mode: str | None
+    task: Task
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """Specification for creating it again."""
+        ...
+
+    def env_data(self, index: int) -> mujoco.MjData:
+        """Copy of one env's MuJoCo data."""
+        ...
+
+    def render_one(self, index: int) -> NDArray[np.uint8]:
+        """Image (height, width, 3) of one env."""
+        ...
+
+
 class MemberEnv:
     """Attributes of env `index` of a native vector environment, named as in the single environment.
 
     Other names refer to attributes of the vector environment, which all its envs share.
     """
 
-    def __init__(self, env: "MiniQuadrupedVectorEnv", index: int) -> None:
+    def __init__(self, env: Members, index: int) -> None:
         self._env = env
         self._index = index
 

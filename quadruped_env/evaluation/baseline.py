@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
-from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.episode import Recording, play, publish
@@ -21,6 +20,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.simulation import Terrain, flat
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory, saving
 
@@ -151,7 +151,7 @@ def run_baseline(
     seed: int = FIRST_SEED,
     progress: Progress | None = None,
     robot: Robot = MINI_QUADRUPED,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Baseline:
     """Measure a preset over random starts, and record it once.
 
@@ -166,7 +166,7 @@ def run_baseline(
         seed: seed of the first episode; each further episode uses the next one.
         progress: called with the fraction done.
         robot: robot to measure.
-        terrain: name of a built-in terrain; None is level ground.
+        terrain: a terrain, or the name of a built-in one; None is level ground.
 
     Raises:
         QuadrupedError: if the preset or the terrain is unknown, or a number is out of range.
@@ -179,7 +179,7 @@ def run_baseline(
     commands = publish(gait, seconds, rate)
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
-    config = task_config(None, TaskConfig().for_robot(robot), terrain=terrain)
+    config = TaskConfig().for_robot(robot).on_terrain(terrain or flat)
     rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, _part(progress, 0.0))
     recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot, terrain=terrain)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))

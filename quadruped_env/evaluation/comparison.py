@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.config import Range
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
-from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
@@ -27,6 +26,7 @@ from quadruped_env.policies import (
 )
 from quadruped_env.progress import Progress
 from quadruped_env.robot import Robot
+from quadruped_env.simulation import Terrain
 from quadruped_env.task import RandomizationConfig, TaskConfig
 
 Command = tuple[float, float]
@@ -167,7 +167,7 @@ def compare(
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Comparison:
     """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
@@ -180,7 +180,7 @@ def compare(
         seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s.
         progress: called with the fraction done.
-        terrain: name of a terrain in place of the task's own.
+        terrain: a terrain, or the name of one of the task's, in place of the task's own.
 
     Raises:
         QuadrupedError: if there is no seed or no such terrain, or the episodes are too short to measure.
@@ -194,7 +194,7 @@ def compare_policies(
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Comparison:
     """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
 
@@ -216,7 +216,7 @@ def compare_policies(
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
     configs = {
-        name: _evaluation_task(task_config(None, policy.config, terrain=terrain), commands)
+        name: _evaluation_task(policy.config if terrain is None else policy.config.on_terrain(terrain), commands)
         for name, policy in policies.items()
     }
     config = next(iter(configs.values()))

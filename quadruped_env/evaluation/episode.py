@@ -18,9 +18,10 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.task import RandomizationConfig, Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trace import Recorder, Trace
 from quadruped_env.trajectory import JointTrajectory
 
 MAX_RATE: Final = 1000.0
@@ -35,26 +36,16 @@ STILL: Final = RandomizationConfig(
 """Randomization with every start perturbation switched off."""
 
 
-@dataclass(frozen=True)
-class Recording:
-    """Recording of one robot from its start: K + 1 samples for K control steps.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recording(Trace):
+    """Trace of one robot from its start: K + 1 samples for K control steps.
 
     The recording continues after a fall and stops if the simulation diverges.
     """
 
     controller: str
-    robot: Robot
-    joints: JointTrajectory
-    """Measured positions, velocities and motor torques"""
-    base_pose: NDArray[np.float64]
-    """Position in m and quaternion wxyz of the base in the world (K + 1, 7)"""
-    velocity: NDArray[np.float64]
-    """Forward velocity in m/s and yaw rate in rad/s, in the body frame (K + 1, 2)"""
-    contact: NDArray[np.bool_]
-    """True for each foot on the ground (K + 1, L)"""
     fell_at: float | None
     """Time of the fall from the start, s; None without a fall"""
-    terrain: Terrain = flat
 
     def outcome(self) -> str:
         """Outcome in one sentence: fall or no fall, and displacement."""
@@ -92,7 +83,7 @@ def play(
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     robot: Robot = MINI_QUADRUPED,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Recording:
     """Play joint positions as motor targets, with gravity and ground, and record the motion.
 
@@ -104,7 +95,7 @@ def play(
         progress: called with the fraction done.
         motors: motors to use instead of the robot's.
         robot: robot that plays them.
-        terrain: name of a built-in terrain; None is level ground.
+        terrain: a terrain, or the name of a built-in one; None is level ground.
 
     Raises:
         QuadrupedError: if a joint or the terrain is unknown, a joint is missing, or the trajectory is too long.
@@ -116,11 +107,11 @@ def play(
             f"{trajectory.times[gap] - trajectory.times[gap - 1]:g} s, ends at {trajectory.source.row(gap)}; "
             f"cut it there, or fix the timestamps"
         )
-    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot)
+    targets, config = trajectory.in_joint_order(robot), TaskConfig().for_robot(robot).on_terrain(terrain or flat)
     return record(
         TrajectoryController(targets, name),
         targets.duration,
-        config=task_config(None, config if motors is None else replace(config, motor=motors), terrain=terrain),
+        config=config if motors is None else replace(config, motor=motors),
         first_stamp=int(targets.stamps[0]),
         progress=progress,
         start=targets.positions[0],
@@ -158,25 +149,19 @@ def record(
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.
     qpos = _start(robot, start)
-    if task.simulation.height_field is not None:
-        qpos[2] += task.simulation.height_field.highest(qpos[:2])
+    qpos[2] += highest_ground(task.simulation, qpos[:2])
     task.simulation.reset(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
-    position, velocity, torque = np.empty((3, steps + 1, robot.num_joints))
-    base_pose, velocity_b = np.empty((steps + 1, 7)), np.empty((steps + 1, 2))
-    contact = np.empty((steps + 1, robot.num_legs), np.bool_)
-    state = task.simulation.readings
+    recorder = Recorder(Recording, robot, steps + 1)
+    readings = task.simulation.readings
 
-    def keep(row: int) -> None:
-        position[row], velocity[row], torque[row] = state.joint_position, state.joint_velocity, state.joint_torque
-        base_pose[row, :3], base_pose[row, 3:] = state.base_position, state.orientation
-        velocity_b[row] = state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]
-        contact[row] = state.foot_force > config.reward.contact_threshold
+    def write() -> None:
+        recorder.write(readings, contact=readings.foot_force > config.reward.contact_threshold)
 
     observation = task.observe()
-    rows, fell_at = 1, None
-    keep(0)
+    fell_at = None
+    write()
     for step in range(1, steps + 1):
         transition = task.act(controller, observation)
         observation = transition.observation
@@ -184,15 +169,17 @@ def record(
             fell_at = step * config.control_timestep
         if transition.diverged[0]:
             break
-        keep(step)
-        rows += 1
+        write()
         if progress is not None:
             progress(step / steps)
-    stamps = first_stamp + _stamps(np.arange(rows) * config.control_timestep)
-    joints = JointTrajectory(stamps, robot.joint_names, position[:rows], velocity[:rows], torque[:rows])
-    return Recording(
-        controller.name, robot, joints, base_pose[:rows], velocity_b[:rows], contact[:rows], fell_at, config.ground
+    recording = recorder.trace(
+        controller=controller.name,
+        timestep=config.control_timestep,
+        terrain=config.ground,
+        first_stamp=first_stamp,
+        fell_at=fell_at,
     )
+    return recording.env(0).window(stop=recorder.written)
 
 
 def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.float64]:

@@ -63,15 +63,14 @@ def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Fa
     one = rollout.select([row])
     alive = int(one.valid[:, 0].sum())
     fell_at = (alive + 1) * one.timestep if one.fallen[0] else None
-    velocity = np.stack([one.linear_velocity_b[..., 0], one.yaw_rate], axis=-1)
-    means, whole = window_means(velocity, one.valid, one.timestep)
+    means, whole = window_means(one.velocity, one.valid, one.timestep)
     off = np.abs(means[:, 0] - command) / _TOLERANCES
     off[~whole[:, 0]] = 0.0
     moment = fell_at
     if moment is None:
         start = int(off.max(axis=-1).argmax()) if len(off) else 0
         moment = (start + (alive - len(means)) / 2) * one.timestep
-    done = velocity[: max(alive, 1), 0].mean(axis=0)
+    done = one.velocity[: max(alive, 1), 0].mean(axis=0)
     parts = [_fall(one, alive, fell_at)] if fell_at is not None else ["It stayed on its feet."]
     parts.append(_velocities(command, done))
     if fell_at is None:

@@ -109,7 +109,7 @@ METRICS: Final[dict[str, Metric]] = {
 def measure(rollout: Rollout) -> dict[str, Floats]:
     """Every metric of `METRICS`, in SI units, one number per episode: name -> (N,); NaN where undefined."""
     r, dt, counted = rollout, rollout.timestep, counted_samples(rollout)
-    forward, command = r.linear_velocity_b[..., 0], r.command
+    forward, yaw_rate, command = r.velocity[..., 0], r.velocity[..., 1], r.command[0]
     straight = np.abs(command[:, 1]) <= MOVING_THRESHOLD
     heading = heading_of(r.orientation)
     speed = masked_mean(forward, counted)
@@ -118,9 +118,9 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
     return {
         "fall_rate": r.fallen * 1.0,
         "forward_velocity_error": tracking_error(forward, command[:, 0], counted, dt),
-        "yaw_rate_error": tracking_error(r.yaw_rate, command[:, 1], counted, dt),
+        "yaw_rate_error": tracking_error(yaw_rate, command[:, 1], counted, dt),
         "forward_velocity": speed,
-        "yaw_rate": masked_mean(r.yaw_rate, counted),
+        "yaw_rate": masked_mean(yaw_rate, counted),
         "distance": distance(forward, r.valid, dt),
         "lateral_drift": np.where(straight, lateral_drift(r.base_position, heading, counted, dt), np.nan),
         "heading_drift": np.where(straight, heading_drift(heading, counted, dt), np.nan),

@@ -1,7 +1,7 @@
 """Run a controller on fixed commands, many episodes at once, and record the readings that the metrics need."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Final, Self
 
 import numpy as np
@@ -11,79 +11,54 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
-from quadruped_env.robot import Robot
-from quadruped_env.simulation import BatchSimulation, Terrain, build_model, flat
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
+from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.trace import Flag, FlagPerLeg, PerJoint, PerLeg, PerTerm, Recorder, Trace, Velocity
 
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = 1_000_000
 """First seed of an evaluation, far from the small seeds of trainings: no evaluation episode was a training episode."""
 
 
-@dataclass(frozen=True)
-class Rollout:
-    """N episodes of T control steps of one controller on a robot with J joints and L legs, each with its command.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rollout(Trace):
+    """N episodes of T control steps of one controller, each with its command, which is the same in all samples.
 
     Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
     `valid` masks them.
     """
 
     controller: str
-    robot: Robot
-    timestep: float
-    """Time between samples, s"""
-    command: NDArray[np.float64]
-    """Forward velocity in m/s and yaw rate in rad/s, (N, 2)"""
     seeds: NDArray[np.int64]
     """Seed of each episode (N,)"""
-    valid: NDArray[np.bool_]
+    valid: Flag
     """True until the robot falls, (T, N)"""
-    base_position: NDArray[np.float32]
-    """Position of the base in the world, m (T, N, 3)"""
-    orientation: NDArray[np.float32]
-    """Quaternion wxyz of the base (T, N, 4)"""
-    linear_velocity_b: NDArray[np.float32]
-    """Linear velocity of the base in its own frame, m/s (T, N, 3)"""
-    yaw_rate: NDArray[np.float32]
-    """Angular velocity about the base's own vertical axis, rad/s (T, N)"""
-    joint_position: NDArray[np.float32]
-    """Joint positions, rad (T, N, J)"""
-    joint_velocity: NDArray[np.float32]
-    """Joint velocities, rad/s (T, N, J)"""
-    joint_torque: NDArray[np.float32]
-    """Motor torques in the last physics step of each control step, N m (T, N, J)"""
-    contact: NDArray[np.bool_]
-    """True for each foot on the ground (T, N, L)"""
-    slip_speed: NDArray[np.float32]
+    # Always known in a rollout.
+    joint_velocity: PerJoint = field()
+    joint_torque: PerJoint = field()
+    velocity: Velocity = field()
+    command: Velocity = field()
+    contact: FlagPerLeg = field()
+
+    slip_speed: PerLeg
     """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, L); 0 for a foot in the air"""
-    foot_height: NDArray[np.float32]
+    foot_height: PerLeg
     """Height of each sole's lowest point over the ground below it, m (T, N, L); negative where it penetrates it"""
-    reward_terms: NDArray[np.float32]
+    reward_terms: PerTerm
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
     """Names of the K reward terms"""
-    terrain: Terrain = flat
-    """Ground of the episodes"""
 
     @property
     def fallen(self) -> NDArray[np.bool_]:
         """True for episodes that ended in a fall or diverged, (N,)."""
         return ~self.valid[-1]
 
-    @property
-    def seconds(self) -> float:
-        """Length of an episode that does not end in a fall, s."""
-        return len(self.valid) * self.timestep
-
-    def select(self, rows: Any) -> Self:
-        """The rollout with some of its episodes, by index or mask (N,)."""
-        over_time = {
-            f.name: getattr(self, f.name)[:, rows]
-            for f in fields(self)
-            if f.name not in ("controller", "robot", "timestep", "command", "seeds", "term_names", "terrain")
-        }
-        return replace(self, command=self.command[rows], seeds=self.seeds[rows], **over_time)
+    def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
+        """Copy of some of the episodes, by indices or mask (N,); an index alone is `env`."""
+        return replace(super().select(envs), seeds=self.seeds[envs])
 
 
 def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -137,69 +112,34 @@ def roll_out(
         block = np.arange(start, start + len(seeds))
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])
 
-    record = _empty_record(robot, steps, rows, len(task.term_names))
+    recorder = Recorder(Rollout, robot, steps, np.float32)
     alive = np.ones(rows, dtype=np.bool_)
     observation = task.observe()
     for t in range(steps):
         transition = task.act(controller, observation)
         observation = transition.observation
         alive &= ~transition.terminated
-        record["valid"][t] = alive
-        record["reward_terms"][t] = transition.terms
-        _write(record, t, task)
+        readings, radius = task.simulation.readings, robot.foot_radius
+        contact = readings.foot_force > config.reward.contact_threshold
+        slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, np.array([-radius, radius]))
+        recorder.write(
+            readings,
+            valid=alive,
+            contact=contact,
+            slip_speed=np.sqrt(slip * contact),
+            foot_height=task.context.sole_height,
+            reward_terms=transition.terms,
+        )
         if progress is not None:
             progress((t + 1) / steps)
         if not alive.any():
             break
-    return Rollout(
-        controller.name,
-        robot,
-        config.control_timestep,
-        command,
-        seed,
+    return recorder.trace(
+        controller=controller.name,
+        timestep=config.control_timestep,
+        command=np.broadcast_to(command, (steps, *command.shape)),
+        seeds=seed,
         term_names=task.term_names,
         terrain=config.ground,
-        **record,
+        first_stamp=round(config.control_timestep * NS_PER_SECOND),
     )
-
-
-def _empty_record(robot: Robot, steps: int, rows: int, terms: int) -> dict[str, NDArray[Any]]:
-    joints, feet = robot.num_joints, robot.num_legs
-    shapes = {
-        "base_position": (3,),
-        "orientation": (4,),
-        "linear_velocity_b": (3,),
-        "yaw_rate": (),
-        "joint_position": (joints,),
-        "joint_velocity": (joints,),
-        "joint_torque": (joints,),
-        "slip_speed": (feet,),
-        "foot_height": (feet,),
-        "reward_terms": (terms,),
-    }
-    record: dict[str, NDArray[Any]] = {
-        name: np.zeros((steps, rows, *tail), np.float32) for name, tail in shapes.items()
-    }
-    record["valid"] = np.zeros((steps, rows), np.bool_)
-    record["contact"] = np.zeros((steps, rows, feet), np.bool_)
-    return record
-
-
-def _write(record: dict[str, NDArray[Any]], t: int, task: Task) -> None:
-    state = task.simulation.readings
-    for name in (
-        "base_position",
-        "orientation",
-        "linear_velocity_b",
-        "joint_position",
-        "joint_velocity",
-        "joint_torque",
-    ):
-        record[name][t] = getattr(state, name)
-    record["foot_height"][t] = task.context.sole_height
-    record["yaw_rate"][t] = state.angular_velocity_b[:, 2]
-    contact = state.foot_force > task.config.reward.contact_threshold
-    record["contact"][t] = contact
-    radius = task.control.robot.foot_radius
-    squared = sliding_squared(state.foot_velocity, state.foot_angular_velocity, np.array([-radius, radius]))
-    record["slip_speed"][t] = np.sqrt(squared * contact)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.live.messages.gaits import read_settings, settings_message
 from quadruped_env.live.messages.joints import JointReader, Joints
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
@@ -19,9 +19,9 @@ from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, J
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.viewer.robot import HISTORY_SECONDS, Offered, heading, world_velocity
-from quadruped_env.viewer.sample import Sample
+from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 NAME: Final = "live robot"
 _ROW: Final = np.zeros(1, dtype=np.intp)
@@ -85,7 +85,7 @@ class LiveRobot:
         self._simulation = SingleSimulation(build_model(terrain=terrain, robot=robot), robot)
         self._steps = 0
         self._smooth_velocity = np.zeros(2)
-        self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
+        self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
         self.reset(0, (0.0, 0.0))
 
     @property
@@ -115,7 +115,7 @@ class LiveRobot:
         x, y, z = world_velocity(velocity, heading(self.data)).tolist()
         self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
 
-    def step(self) -> Sample:
+    def step(self) -> ViewedTrace:
         """Take the newest state from the topics, and send the command."""
         now = time.monotonic()
         self._listen(now)
@@ -124,13 +124,12 @@ class LiveRobot:
         assert positions is not None
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
             resting = self.robot.resting_pose(positions)
-            if self._simulation.height_field is not None:
-                resting[2] += self._simulation.height_field.highest(self._pose[:2])
+            resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
         return self._place()
 
-    def _place(self) -> Sample:
+    def _place(self) -> ViewedTrace:
         """Set the model to the last received state."""
         positions, velocities, efforts = self._joints.positions, self._joints.velocities, self._joints.efforts
         assert positions is not None
@@ -140,21 +139,20 @@ class LiveRobot:
         readings = self._simulation.readings
         velocity = np.array([readings.linear_velocity_b[0, 0], readings.angular_velocity_b[0, 2]])
         self._smooth_velocity += _SMOOTHING * (velocity - self._smooth_velocity)
-        sample = Sample(
-            time=self._steps * self.timestep,
-            command=self._command.copy(),
-            velocity=velocity,
-            smooth_velocity=self._smooth_velocity.copy(),
-            base_pose=self._pose.copy(),
-            joint_position=readings.joint_position[0].copy(),
-            joint_velocity=readings.joint_velocity[0].copy(),
-            joint_torque=np.zeros(self.robot.num_joints) if efforts is None else efforts.copy(),
-            foot_position=readings.foot_position[0].copy(),
-            contact=readings.foot_force[0] > _CONTACT,
-            reward_terms=np.zeros(0),
+        moment = sample(
+            self.robot,
+            self.timestep,
+            self.terrain,
+            readings,
+            time=np.array([self._steps * self.timestep]),
+            command=self._command[None],
+            smooth_velocity=self._smooth_velocity[None],
+            joint_torque=np.zeros((1, self.robot.num_joints)) if efforts is None else efforts[None],
+            contact=readings.foot_force > _CONTACT,
+            reward_terms=np.zeros((1, 0)),
         )
-        self.history.append(sample)
-        return sample
+        self.history.append(moment)
+        return moment
 
     @property
     def gait(self) -> GaitSettings | None:

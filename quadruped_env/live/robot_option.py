@@ -11,7 +11,8 @@ def add_robot_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--task",
         metavar="FILE",
-        help="Python file that defines your robot (docs/make-it-yours.md); it is executed (default: built-in robot)",
+        help="Python file that defines your robot or terrain (docs/make-it-yours.md); it is executed (default: the "
+        "built-in ones)",
     )
 
 

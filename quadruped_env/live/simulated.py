@@ -10,7 +10,7 @@ from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.rotations import from_yaw
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat
+from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 
 TIMESTEP: Final = 0.005
 """Duration of a physics step, s."""
@@ -73,8 +73,7 @@ class SimulatedRobot:
 
     def _standing_height(self, place: NDArray[np.float64]) -> float:
         """Height of the base's centre in the stance, over the highest ground around a position (2,), m."""
-        field = self._simulation.height_field
-        return self.robot.stance_height + (0.0 if field is None else float(field.highest(place)))
+        return self.robot.stance_height + float(highest_ground(self._simulation, place))
 
     def _facing(self) -> NDArray[np.float64]:
         """Quaternion wxyz (4,) of the base's yaw alone."""

@@ -2,8 +2,9 @@
 
 import argparse
 
-from quadruped_env.simulation import TERRAINS, Terrain, find_terrain, flat
+from quadruped_env.simulation import Terrain, find_terrain, flat
 from quadruped_env.simulation.terrain import summary
+from quadruped_env.task.definition import BUILT_IN, load_task_file
 
 
 def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
@@ -15,13 +16,18 @@ def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
     """
     parser.add_argument(
         "--terrain",
-        choices=[entry.name for entry in TERRAINS],
+        metavar="NAME",
         default=flat.name,
-        help=f"the ground, level around the start: {summary()} (%(default)s)",
+        help=f"the ground: {summary()}; or one from --task's file (%(default)s)",
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{seed} (%(default)s)")
 
 
 def chosen_terrain(arguments: argparse.Namespace) -> Terrain:
-    """The terrain that the arguments name."""
-    return find_terrain(arguments.terrain).variant(arguments.seed)
+    """The terrain that the arguments name.
+
+    Raises:
+        QuadrupedError: if there is no such terrain, or the file of `--task` cannot be loaded.
+    """
+    definition = BUILT_IN if arguments.task is None else load_task_file(arguments.task)
+    return find_terrain(arguments.terrain, definition.terrains).variant(arguments.seed)

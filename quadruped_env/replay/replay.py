@@ -18,6 +18,9 @@ from quadruped_env.reporting.films.film import FRAME_RATE, Motion
 from quadruped_env.reporting.results import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.skeleton import Pose
+from quadruped_env.simulation import Terrain, build_model
+from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.trace import Trace
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
 
@@ -26,7 +29,7 @@ LIMIT_TOLERANCE: Final = 0.01
 """Distance beyond a limit that still counts as at the limit, rad: mechanical stops yield and encoders are inexact."""
 
 TOUCHING: Final = 1e-4
-"""Height of a sole below which it touches the ground, m."""
+"""Height of a sole over the ground below which it touches it, m."""
 
 MAX_CLIP: Final = 100.0
 """Distance beyond a limit above which a position is corrupt and is not clipped, rad."""
@@ -95,12 +98,13 @@ class Replay:
         """Motion for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
         name = Path(self.recorded.source.name).name
         if self.motion is not None:
-            return Motion.of_recording(self.motion, name)
+            return Motion(name, self.motion)
         times = np.arange(0.0, self.played.duration + 1e-9, 1.0 / FRAME_RATE)
         positions = self.played.positions_at(times)
         base_pose = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], (len(times), 1))
         base_pose[:, 2] = -self.robot.sole_heights(positions, base_pose).min(axis=-1)
-        return Motion(f"{name}, kinematic", self.robot, 1.0 / FRAME_RATE, base_pose, positions)
+        trace = Trace(robot=self.robot, timestep=1.0 / FRAME_RATE, base_pose=base_pose, joint_position=positions)
+        return Motion(f"{name}, kinematic", trace)
 
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""
@@ -135,12 +139,16 @@ class Replay:
         if self.motion is None:
             return None
         start = self.motion.base_pose[0]
+        feet = self.robot.foot_centres(self.played.positions[0], start)
+        field = HeightField.of(build_model(terrain=self.motion.terrain, robot=self.robot))
+        clearance = feet[:, 2] - self.robot.foot_radius - (0.0 if field is None else field.at(feet))
         return {
+            "terrain": self.motion.terrain.name,
             "seconds": self.motion.joints.duration,
             "fell_at": self.motion.fell_at,
             "base_pose_start": start.tolist(),
             "base_pose_end": self.motion.base_pose[-1].tolist(),
-            "feet_on_ground_at_start": int((self.robot.sole_heights(self.played.positions[0], start) < TOUCHING).sum()),
+            "feet_on_ground_at_start": int((clearance < TOUCHING).sum()),
         }
 
     @cached_property
@@ -252,6 +260,7 @@ def replay(
     motors: MotorConfig | None = None,
     measured: JointTrajectory | None = None,
     robot: Robot = MINI_QUADRUPED,
+    terrain: str | Terrain | None = None,
 ) -> Replay:
     """Play a recording.
 
@@ -265,10 +274,12 @@ def replay(
         motors: motors to use instead of the robot's, in dynamic mode.
         measured: recording of the real robot on the same clock, for the comparison.
         robot: robot that plays it.
+        terrain: a terrain, or the name of a built-in one, in dynamic mode; None is level ground.
 
     Raises:
         QuadrupedError: if a joint is missing, a position is outside its joint's limits and `clip` is
-            false (or so far outside that it is corrupt), or the mode is unknown.
+            false (or so far outside that it is corrupt), the mode or the terrain is unknown, or a kinematic replay is
+            given a terrain.
     """
     if mode not in MODES:
         raise QuadrupedError(f"replay: unknown mode {mode!r}; valid modes are {', '.join(MODES)}")
@@ -277,8 +288,10 @@ def replay(
     motors = motors or robot.motors
     measured = None if measured is None else measured.in_joint_order(robot)
     if mode == "kinematic":
+        if terrain is not None:
+            raise QuadrupedError("replay: kinematic mode has no ground; leave the terrain out, or use mode dynamic")
         return Replay(robot, mode, recorded, playable, None, clipped, playable, motors, measured)
-    motion = play(playable, progress=progress, motors=motors, robot=robot)
+    motion = play(playable, progress=progress, motors=motors, robot=robot, terrain=terrain)
     return Replay(robot, mode, recorded, motion.joints, motion, clipped, playable, motors, measured)
 
 

@@ -27,29 +27,12 @@ def ground_mesh(
     """
     import trimesh
 
-    rows, columns = (slice(None), slice(None)) if around is None else _covering(field, around, margin)
-    y, x = (
-        np.linspace(-half, half, points)
-        for half, points in zip(field.half_size[::-1], field.heights.shape, strict=True)
-    )
-    x, y = np.meshgrid(x[columns], y[rows])
-    vertices = np.stack([x, y, field.heights[rows, columns]], axis=-1)
+    points = field.points(around, margin)
     # Two triangles per cell, divided as in MuJoCo.
-    index = np.arange(x.size).reshape(x.shape)
+    index = np.arange(points[..., 0].size).reshape(points.shape[:2])
     corner, right, above, opposite = index[:-1, :-1], index[:-1, 1:], index[1:, :-1], index[1:, 1:]
     faces = np.stack([np.stack([corner, right, opposite], -1), np.stack([corner, opposite, above], -1)])
-    squares = (np.floor(x / _SQUARE) + np.floor(y / _SQUARE)).astype(int) % 2
+    squares = np.floor(points[..., :2] / _SQUARE).sum(axis=-1).astype(int) % 2
     return trimesh.Trimesh(
-        vertices.reshape(-1, 3), faces.reshape(-1, 3), vertex_colors=_COLOURS[squares.ravel()], process=False
+        points.reshape(-1, 3), faces.reshape(-1, 3), vertex_colors=_COLOURS[squares.ravel()], process=False
     )
-
-
-def _covering(field: HeightField, around: NDArray[np.floating], margin: float) -> tuple[slice, slice]:
-    """Rows and columns of the grid that cover the surroundings of positions (N, 2)."""
-    points = np.array(field.heights.shape[::-1])
-    cell = 2.0 * field.half_size / (points - 1)
-    first = np.floor((around.min(axis=0) - margin + field.half_size) / cell).astype(int)
-    last = np.ceil((around.max(axis=0) + margin + field.half_size) / cell).astype(int)
-    first, last = np.clip(first, 0, points - 2), np.clip(last, 1, points - 1)
-    columns, rows = (slice(int(low), int(high) + 1) for low, high in zip(first, last, strict=True))
-    return rows, columns

@@ -23,6 +23,8 @@ from quadruped_env.robot.transforms import Transform
 Floats = NDArray[np.float64]
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
+_FOOTPRINT = 4.0 / 3.0
+"""Footprint as a multiple of the distance of the farthest foot in the stance; at a start the legs deviate from it."""
 _LIMIT_TOLERANCE = 1e-9
 """Difference between a limit in the model and in the robot, rad."""
 
@@ -144,6 +146,11 @@ class Robot:
         data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], self.stance
         mujoco.mj_kinematics(self.model, data)
         return np.array([data.site(site).xpos for site in self.foot_sites])
+
+    @functools.cached_property
+    def footprint(self) -> float:
+        """Horizontal distance from the base's centre within which the feet touch the ground near the stance, m."""
+        return _FOOTPRINT * float(np.hypot(self.stance_feet[:, 0], self.stance_feet[:, 1]).max())
 
     @functools.cached_property
     def fore_legs(self) -> NDArray[np.bool_]:

@@ -1,8 +1,8 @@
 """Fast serialization of `tf2_msgs/msg/TFMessage` with the same frames in every message."""
 
 import struct
-from collections.abc import Sequence
-from typing import Final
+from collections.abc import Iterable, Sequence
+from typing import Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,26 @@ _STAMP: Final = struct.Struct("<iI")
 _COUNT: Final = struct.Struct("<I")
 _NUMBERS: Final = 7
 """Numbers per transform: x, y, z, and the quaternion x, y, z, w."""
+
+
+class FrameTransform(Protocol):
+    """Pose of a frame in its parent, over time or constant, such as a `quadruped_env.robot.Transform`."""
+
+    @property
+    def parent(self) -> str:
+        """Name of the parent frame."""
+
+    @property
+    def child(self) -> str:
+        """Name of the frame."""
+
+    @property
+    def translation(self) -> NDArray[np.float64]:
+        """Translation (..., 3), m."""
+
+    @property
+    def rotation(self) -> NDArray[np.float64]:
+        """Quaternion wxyz (..., 4)."""
 
 
 class TfEncoder:
@@ -54,3 +74,17 @@ class TfEncoder:
             data[at : at + _STAMP.size] = time
             data[start : start + size] = values[i * size : (i + 1) * size]
         return bytes(data)
+
+
+def tf_encoder(transforms: Iterable[FrameTransform]) -> TfEncoder:
+    """Encoder of messages with these transforms."""
+    return TfEncoder([(transform.parent, transform.child) for transform in transforms])
+
+
+def tf_numbers(transforms: Iterable[FrameTransform], count: int) -> NDArray[np.float64]:
+    """Numbers of `count` messages for their encoder: (count, F, 7), quaternions in ROS's order xyzw."""
+    parts = [
+        np.concatenate([one.translation, one.rotation[..., [1, 2, 3, 0]]], axis=-1).reshape(-1, _NUMBERS)
+        for one in transforms
+    ]
+    return np.stack(parts, axis=1) if parts else np.empty((count, 0, _NUMBERS))

@@ -3,6 +3,7 @@
 from quadruped_env.simulation.batch import BatchSimulation
 from quadruped_env.simulation.interface import Simulation
 from quadruped_env.simulation.model import build_model
+from quadruped_env.simulation.placement import highest_ground
 from quadruped_env.simulation.single import SingleSimulation
 from quadruped_env.simulation.terrain import TERRAINS, Grid, Terrain, find_terrain, flat
 
@@ -16,4 +17,5 @@ __all__ = [
     "build_model",
     "find_terrain",
     "flat",
+    "highest_ground",
 ]

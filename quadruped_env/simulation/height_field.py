@@ -13,8 +13,6 @@ GROUND: Final = "ground"
 """Name of the geom that is the ground: a plane or a height field."""
 SURROUNDINGS: Final = "surroundings"
 """Name of the plane around a height field."""
-FOOTPRINT: Final = 0.25
-"""Maximum horizontal distance from a robot's centre to the ground under its feet, m."""
 
 
 class HeightField:
@@ -50,15 +48,25 @@ class HeightField:
         # The model is usually pickled with it, and only once.
         return type(self), (self._model,)
 
-    @property
-    def heights(self) -> Floats:
-        """Heights of the grid points (along y, along x), m."""
-        return self._heights.reshape(self._rows, self._columns)
+    def points(self, around: NDArray[np.floating] | None = None, margin: float = 0.0) -> Floats:
+        """Grid points (along y, along x, 3) in the world, m.
 
-    @property
-    def half_size(self) -> Floats:
-        """Half the side lengths (2,) along x and y, m."""
-        return self._half
+        Args:
+            around: positions (N, 2 or 3) whose surroundings the points cover, m; None: all points.
+            margin: distance around these positions that is covered, m.
+        """
+        rows = columns = slice(None)
+        if around is not None:
+            place = around[..., :2]
+            first, _ = self._cell_of(place.min(axis=0) - margin)
+            last, _ = self._cell_of(place.max(axis=0) + margin)
+            columns, rows = (slice(int(low), int(high) + 2) for low, high in zip(first, last, strict=True))
+        x, y = (
+            np.linspace(-half, half, points)
+            for half, points in zip(self._half, (self._columns, self._rows), strict=True)
+        )
+        heights = self._heights.reshape(self._rows, self._columns)
+        return np.stack([*np.meshgrid(x[columns], y[rows]), heights[rows, columns]], axis=-1)
 
     def at(self, positions: Floats) -> Floats:
         """Height of the ground (...,) below or above positions (..., 2 or 3), m."""
@@ -74,12 +82,12 @@ class HeightField:
         height = (1.0 - high) * heights[first] + low * heights[first + self._columns + 1] + (high - low) * heights[side]
         return np.where(self._inside(place, 0.0), height, self._outside)
 
-    def highest(self, positions: Floats, radius: float = FOOTPRINT) -> Floats:
+    def highest(self, positions: Floats, radius: float) -> Floats:
         """Maximum height (...,) of the grid points around positions (..., 2 or 3), m.
 
         Args:
             positions: world coordinates, m.
-            radius: half the side of the square that is covered, m; by default that of a standing robot.
+            radius: half the side of the square that is covered, m.
         """
         place = positions[..., :2]
         first, _ = self._cell_of(place - radius)

@@ -40,6 +40,8 @@ ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
 
 _POSITIVE_SECONDS: Final = Parameter.positive("s")
+_OF_THE_DEFINITION: Final[Any] = None
+"""Default of the fields whose defaults depend on the task's definition."""
 
 
 @functools.cache
@@ -56,10 +58,11 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
         "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
     }
     termination: dict[str, Entry] = {}
+    size = definition.robot.stance_height / BUILT_IN.robot.stance_height
     for section, terms in ((reward, definition.rewards), (termination, definition.terminations)):
         for term in terms:
             for name, (parameter, default) in term.parameters.items():
-                entry = parameter_entry(parameter, default)
+                entry = parameter_entry(parameter, size * default if parameter.scales else default)
                 if name in section and (section[name].default, section[name].unit) != (entry.default, entry.unit):
                     raise QuadrupedError(
                         f"config: two terms have a parameter {name!r} with different defaults or units; rename one"
@@ -105,6 +108,16 @@ def _schema(name: str, terrain: Any, definition: TaskDefinition) -> Schema:
 def _terrain_in(values: Any) -> Any:
     """Name of the terrain that values of the section `terrain` select."""
     return values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
+
+
+def _sections(definition: TaskDefinition) -> tuple[str, ...]:
+    """Names of the sections that depend on the task's definition."""
+    return (*_schemas(definition), "terrain")
+
+
+def _known(values: dict[str, Any], schema: Schema) -> dict[str, Any]:
+    """The values of a section that another schema has, too."""
+    return {name: value for name, value in values.items() if name in schema}
 
 
 def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
@@ -157,13 +170,13 @@ class TaskConfig(PlainFields):
     clock_frequency: float = 2.2
     """Frequency of the gait clock and, in residual mode, of the scripted gait, cycles per second."""
     action: ActionConfig = field(default_factory=ActionConfig)
-    command: Section = field(default_factory=CommandConfig)
-    reward: Section = field(default_factory=RewardConfig)
-    termination: Section = field(default_factory=TerminationConfig)
-    randomization: Section = field(default_factory=RandomizationConfig)
-    motor: MotorConfig = typing.cast(MotorConfig, None)  # noqa: RUF009
+    command: Section = _OF_THE_DEFINITION
+    reward: Section = _OF_THE_DEFINITION
+    termination: Section = _OF_THE_DEFINITION
+    randomization: Section = _OF_THE_DEFINITION
+    motor: MotorConfig = _OF_THE_DEFINITION
     """Motors of the robot, or motors identified by `evaluate/identify.py`. Default: those of the definition's robot."""
-    terrain: Section = field(default_factory=TerrainConfig)
+    terrain: Section = _OF_THE_DEFINITION
     """Name, seed and parameters of the ground."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)
     """Robot and terms of the task; `load_task_file` adds those of a user's file."""
@@ -175,12 +188,12 @@ class TaskConfig(PlainFields):
         check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
         check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
-        for name in (*_schemas(self.definition), "terrain"):
+        for name in _sections(self.definition):
             section = getattr(self, name)
             schema = _schema(name, _terrain_in(section), self.definition)
-            if not section.has(schema):
+            if section is None or not section.has(schema):
                 # A section of the built-in task, in a task with other terms.
-                values = {field: value for field, value in section.to_dict().items() if field in schema}
+                values = {} if section is None else _known(section.to_dict(), schema)
                 object.__setattr__(self, name, _section(name, values, self.definition))
 
     @property
@@ -189,13 +202,17 @@ class TaskConfig(PlainFields):
         return self.definition.robot
 
     def with_definition(self, definition: TaskDefinition) -> Self:
-        """A copy with other terms or another robot, whose motors replace those of the old one."""
-        own = self.motor == self.robot.motors
-        motor = definition.robot.motors if own else self.motor
-        return dataclasses.replace(self, motor=motor, definition=definition)
+        """A copy with other terms or another robot, whose motors and defaults replace those of the old one."""
+        motor = _OF_THE_DEFINITION if self.motor == self.robot.motors else self.motor
+        sections: dict[str, Any] = {}
+        for name in _sections(definition):
+            section = getattr(self, name)
+            changes = _known(section.changes(), _schema(name, _terrain_in(section), definition))
+            sections[name] = _section(name, changes, definition)
+        return dataclasses.replace(self, motor=motor, definition=definition, **sections)
 
     def for_robot(self, robot: Robot) -> Self:
-        """A copy for another robot."""
+        """A copy for another robot; see `with_definition`."""
         return self.with_definition(self.definition.with_robot(robot))
 
     @property
@@ -210,16 +227,21 @@ class TaskConfig(PlainFields):
         parameters = {name: value for name, value in values.items() if name not in ("name", "seed")}
         return find_terrain(self.terrain["name"], self.definition.terrains).variant(seed, **parameters)
 
-    def on_terrain(self, name: str, seed: int | None = None) -> Self:
+    def on_terrain(self, terrain: str | Terrain, seed: int | None = None) -> Self:
         """A copy of the config on another terrain; the terrain that it already has keeps its parameters.
 
         Args:
-            name: name of a terrain of the task's definition.
+            terrain: name of a terrain of the task's definition, or any terrain; it may be a variant.
             seed: seed of the terrain; None keeps that of the config.
 
         Raises:
             QuadrupedError: if there is no such terrain; the message names those that there are.
         """
+        if isinstance(terrain, Terrain):
+            with_it = dataclasses.replace(self, definition=self.definition.with_terrain(terrain))
+            on_it = with_it.on_terrain(terrain.name, seed if seed is not None else terrain.seed or None)
+            return dataclasses.replace(on_it, terrain=on_it.terrain.replace(**dict(terrain.values)))
+        name = terrain
         kept = self.terrain if name == self.terrain["name"] else {"name": name, "seed": self.terrain["seed"]}
         values = {**kept, **({} if seed is None else {"seed": seed})}
         return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))

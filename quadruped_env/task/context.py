@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.arrays import NUMPY, Namespace
+from quadruped_env.capture import Capture
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.readings import Readings
@@ -73,6 +74,13 @@ class TaskContext:
         """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
         self.moving = control.moving
         """1.0 where a motion is commanded, else 0.0, (N,)."""
+
+    def stand_ins(self, capture: Capture) -> tuple["TaskContext"]:
+        """This context with stand-ins for its arrays, as the argument of functions that are captured."""
+        context = capture.stand_in(self)
+        context.readings = capture.stand_in(self.readings)
+        context.control = capture.stand_in(self.control)
+        return (context,)
 
     def update(self) -> None:
         """Update the velocities from the readings after a control step."""

@@ -1,10 +1,11 @@
 """Definition of a task: lists of terms, built-in or from a user's file."""
 
 import dataclasses
+import functools
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from pathlib import Path
+from types import ModuleType
 from typing import Any, Final, Self
 
 from quadruped_env.control.config import COMMANDS, Command
@@ -24,7 +25,8 @@ from quadruped_env.task.terms import RewardTerm, Termination
 class TaskDefinition:
     """Robot, and ordered lists of rewards, observations, terminations, randomizations, commands and terrains.
 
-    Two definitions are equal if they have the same robot and come from files with the same content.
+    Two definitions are equal if they have the same robot, come from files with the same content, and were given the
+    same terrains.
     """
 
     rewards: tuple[RewardTerm, ...] = REWARDS
@@ -37,6 +39,8 @@ class TaskDefinition:
     file: TaskFile | None = None
     """File that defines what is not built in."""
     path: str | None = None
+    added_terrains: tuple[Terrain, ...] = ()
+    """Terrains that are neither built in nor defined by the file."""
 
     @property
     def weights(self) -> dict[str, float]:
@@ -44,18 +48,18 @@ class TaskDefinition:
         return {name: weight for term in self.rewards for name, weight in term.weights.items()}
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, TaskDefinition) and (self._digest, self.robot) == (other._digest, other.robot)
+        return isinstance(other, TaskDefinition) and self._identity == other._identity
 
     def __hash__(self) -> int:
-        return hash((self._digest, self.robot))
+        return hash(self._identity)
 
     @property
-    def _digest(self) -> str | None:
-        return None if self.file is None else self.file.sha256
+    def _identity(self) -> tuple[Any, ...]:
+        return None if self.file is None else self.file.sha256, self.robot, self.added_terrains
 
     def __reduce__(self) -> Any:
         # Functions of a user's file do not support pickling: unpickling loads the file again.
-        return _again, (self.path, self.file, self.robot)
+        return _again, (self.path, self.file, self.robot, self.added_terrains)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self
@@ -63,6 +67,14 @@ class TaskDefinition:
     def with_robot(self, robot: Robot) -> Self:
         """A copy for another robot."""
         return dataclasses.replace(self, robot=robot)
+
+    def with_terrain(self, terrain: Terrain) -> Self:
+        """A copy with one more terrain, in place of one of the same name; its seed and parameters are not kept."""
+        plain = terrain.variant()
+        if plain in self.terrains:
+            return self
+        terrains = merged(self.terrains, [plain])
+        return dataclasses.replace(self, terrains=terrains, added_terrains=(*self.added_terrains, plain))
 
     def extended(self, terms: Iterable[Any], file: TaskFile, path: str) -> Self:
         """A copy with a user's terms appended to the lists, in order; a term replaces a built-in one of the same name.
@@ -108,13 +120,20 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
             one robot, or defines nothing of a task.
     """
     file, module = execute(path, expected)
+    return _defined(module, file)
+
+
+@functools.cache
+def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
+    """The built-in task, extended by what an executed file defines."""
+    path = str(module.__file__)
     built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
     terms = [
         value
         for value in vars(module).values()
         if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
     ]
-    robot = robot_in(module, path)
+    robot = robot_in(module)
     if not terms and robot is None:
         raise QuadrupedError(
             f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @termination or "
@@ -122,10 +141,14 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
             f"(docs/make-it-yours.md)"
         )
     definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
-    return definition.extended(terms, file, str(Path(path).resolve()))
+    return definition.extended(terms, file, path)
 
 
-def _again(path: str | None, file: TaskFile | None, robot: Robot) -> TaskDefinition:
+def _again(
+    path: str | None, file: TaskFile | None, robot: Robot, added_terrains: tuple[Terrain, ...]
+) -> TaskDefinition:
     """Definition from the arguments that were pickled."""
     definition = BUILT_IN if path is None or file is None else load_task_file(path, file)
+    for terrain in added_terrains:
+        definition = definition.with_terrain(terrain)
     return definition if definition.robot == robot else definition.with_robot(robot)

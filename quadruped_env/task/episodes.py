@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from quadruped_env import rotations
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
-from quadruped_env.simulation import Simulation
+from quadruped_env.simulation import Simulation, highest_ground
 from quadruped_env.task.commands import CommandSampler
 from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.draws import Draws, Purposes
@@ -101,8 +101,7 @@ class Randomizer:
         event.qpos[:, 7:] = robot.stance
         for start in self._starts:
             start.carry_out(event, draws)
-        if self._simulation.height_field is not None:
-            event.qpos[:, 2] += self._simulation.height_field.highest(event.qpos[:, :2])
+        event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])
         event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         self._simulation.reset(env_ids, event.qpos, event.qvel)
         self.memory.clear(env_ids)

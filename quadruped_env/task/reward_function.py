@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.capture import Functions
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.settings import Section
@@ -28,19 +29,16 @@ class RewardFunction:
     def __init__(self, terms: Sequence[RewardTerm], config: Section, context: TaskContext) -> None:
         self.names = tuple(name for term in terms for name in term.names)
         self._weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
-        self._single: list[tuple[int, Callable[[TaskContext], Any]]] = []
-        self._joint: list[tuple[slice, Callable[[TaskContext], Any]]] = []
-        self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = []
-        index = 0
-        for term in terms:
-            function = _with_parameters(term, config, context)
-            if hasattr(function, "command_changed"):
-                self._listeners.append(function.command_changed)
-            if len(term.names) == 1:
-                self._single.append((index, function))
-            else:
-                self._joint.append((slice(index, index + len(term.names)), function))
-            index += len(term.names)
+        self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
+        self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = [
+            function.command_changed for _, function in self._functions if hasattr(function, "command_changed")
+        ]
+        self._values: Functions | None = None
+        self._rows: list[Floats] = []
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Captured operations refer to arrays, which are others after unpickling.
+        return {**self.__dict__, "_values": None, "_rows": []}
 
     def command_changed(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
         """Notify the terms with a method `command_changed` of new velocity commands (R, 2) of some envs (R,)."""
@@ -49,11 +47,13 @@ class RewardFunction:
 
     def __call__(self, context: TaskContext) -> Floats:
         """Weighted terms (T, N) in a new array."""
+        if self._values is None:
+            functions = [(f, term.pure, _shape(term, context)) for term, f in self._functions]
+            self._values = Functions(functions, context.stand_ins, np.float64)
+            self._rows = [result.T if result.ndim == 2 else result[None] for result in self._values.results]
+        self._values.update(context)
         values = np.empty((len(self.names), len(context.velocity)))
-        for indices, function in self._joint:
-            values[indices] = function(context).T
-        for index, function in self._single:
-            values[index] = function(context)
+        np.concatenate(self._rows, out=values)
         values *= self._weights
         return values
 
@@ -63,12 +63,14 @@ class RewardFunction:
         Raises:
             QuadrupedError: if a term raises an error or its result does not have shape (N,), or (N, K) for K names.
         """
-        n = len(context.velocity)
-        for index, function in self._single:
-            checked(f"reward {self.names[index]}", (n,), functools.partial(function, context))
-        for indices, function in self._joint:
-            names = self.names[indices]
-            checked(f"reward {' and '.join(names)}", (n, len(names)), functools.partial(function, context))
+        for term, function in self._functions:
+            call = functools.partial(function, context)
+            checked(f"reward {' and '.join(term.names)}", _shape(term, context), call)
+
+
+def _shape(term: RewardTerm, context: TaskContext) -> tuple[int, ...]:
+    n, columns = len(context.velocity), len(term.names)
+    return (n,) if columns == 1 else (n, columns)
 
 
 def checked(what: str, shape: tuple[int, ...], call: Callable[[], Any]) -> None:
@@ -95,19 +97,28 @@ class Terminations:
     """
 
     def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
-        self._functions = [(term.name, _with_parameters(term, config, context)) for term in terms]
+        self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
+        self._values: Functions | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        # See `RewardFunction`.
+        return {**self.__dict__, "_values": None}
 
     def __call__(self, context: TaskContext, diverged: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Mask (N,) of the envs in which a condition holds or the simulation diverged, in a new array."""
+        if self._values is None:
+            functions = [(f, term.pure, diverged.shape) for term, f in self._functions]
+            self._values = Functions(functions, context.stand_ins, np.bool_)
+        self._values.update(context)
         ended = diverged.copy()
-        for _, function in self._functions:
-            ended |= function(context)
+        for result in self._values.results:
+            ended |= result
         return ended
 
     def check(self, context: TaskContext) -> None:
         """Compute every termination once, to check its result; see `RewardFunction.check`."""
-        for name, function in self._functions:
-            checked(f"termination {name}", (len(context.velocity),), functools.partial(function, context))
+        for term, function in self._functions:
+            checked(f"termination {term.name}", (len(context.velocity),), functools.partial(function, context))
 
 
 def _with_parameters(term: RewardTerm | Termination, config: Section, context: TaskContext) -> Any:

@@ -17,7 +17,7 @@ from quadruped_env.task.terms import RewardTerm, reward, reward_group
 Positive = Parameter.positive
 
 
-@reward_group(track_forward_velocity=6.0, track_yaw_rate=3.0)
+@reward_group(pure=True, track_forward_velocity=6.0, track_yaw_rate=3.0)
 class tracking:  # noqa: N801  named like the other terms
     """Tracking of the velocity command.
 
@@ -38,7 +38,7 @@ class tracking:  # noqa: N801  named like the other terms
         return quantities.tracking_kernel(context.tracking_error, self._std, context.xp)
 
 
-@reward_group(forward_progress=4.0, turn_progress=2.0)
+@reward_group(pure=True, forward_progress=4.0, turn_progress=2.0)
 class progress:  # noqa: N801
     """Share of the commanded velocity that is reached.
 
@@ -63,11 +63,11 @@ class progress:  # noqa: N801
         return quantities.progress(share, self._whole, self._overshoot, context.xp)
 
 
-@reward(weight=5.0)
+@reward(weight=5.0, pure=True)
 class gait_clock:  # noqa: N801
     """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = max(0, 1 - sole height / 0.02 m)."""
 
-    def __init__(self, context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.02) -> None:
+    def __init__(self, context: TaskContext, foot_lift: Annotated[float, Parameter.length()] = 0.02) -> None:
         self._lift = quantities.FootLift(foot_lift, context.xp)
 
     def __call__(self, context: TaskContext) -> Any:
@@ -76,18 +76,18 @@ class gait_clock:  # noqa: N801
         return agreement * context.moving
 
 
-@reward(weight=-2.0)
+@reward(weight=-2.0, pure=True)
 def upright(context: TaskContext) -> Any:
     """Squared horizontal part of the base's up axis."""
     horizontal = context.readings.up_b[:, :2]
     return context.xp.dot(horizontal, horizontal)
 
 
-@reward(weight=-20.0, unit="m^2")
+@reward(weight=-20.0, unit="m^2", pure=True)
 class base_height:  # noqa: N801
     """max(0, 0.175 m - height)^2: standing taller is not penalized."""
 
-    def __init__(self, context: TaskContext, base_height: Annotated[float, Positive("m")] = 0.175) -> None:
+    def __init__(self, context: TaskContext, base_height: Annotated[float, Parameter.length()] = 0.175) -> None:
         self._target = context.xp.constant(base_height)
 
     def __call__(self, context: TaskContext) -> Any:
@@ -96,47 +96,47 @@ class base_height:  # noqa: N801
         return missing * missing
 
 
-@reward(weight=-0.5, unit="m^2/s^2")
+@reward(weight=-0.5, unit="m^2/s^2", pure=True)
 def vertical_velocity(context: TaskContext) -> Any:
     """v_z^2."""
     velocity = context.readings.linear_velocity_b[:, 2]
     return velocity * velocity
 
 
-@reward(weight=-0.03, unit="rad^2/s^2")
+@reward(weight=-0.03, unit="rad^2/s^2", pure=True)
 def roll_pitch_rate(context: TaskContext) -> Any:
     """w_x^2 + w_y^2."""
     rate = context.readings.angular_velocity_b[:, :2]
     return context.xp.dot(rate, rate)
 
 
-@reward(weight=-0.5, unit="m^2/s^2")
+@reward(weight=-0.5, unit="m^2/s^2", pure=True)
 def lateral_velocity(context: TaskContext) -> Any:
     """v_y^2."""
     velocity = context.readings.linear_velocity_b[:, 1]
     return velocity * velocity
 
 
-@reward(weight=-0.08)
+@reward(weight=-0.08, pure=True)
 def action_rate(context: TaskContext) -> Any:
     """Sum of (action - previous action)^2."""
     change = context.action - context.previous_action
     return context.xp.dot(change, change)
 
 
-@reward(weight=-0.005, unit="W")
+@reward(weight=-0.005, unit="W", pure=True)
 def mechanical_power(context: TaskContext) -> Any:
     """Sum of max(0, torque * joint velocity)."""
     return quantities.mechanical_power(context.readings.joint_torque, context.readings.joint_velocity, context.xp)
 
 
-@reward(weight=-0.3, unit="m^2/s^2")
+@reward(weight=-0.3, unit="m^2/s^2", pure=True)
 class foot_slip:  # noqa: N801
     """Sum over the feet on the ground of the squared velocity of the sole's lowest point."""
 
     def __init__(self, context: TaskContext) -> None:
         radius = context.robot.foot_radius
-        self._sole = context.xp.constant([-radius, radius])
+        self._sole = context.xp.constant([[[-radius, radius]] * context.robot.num_legs])
 
     def __call__(self, context: TaskContext) -> Any:
         """Values (N,)."""
@@ -147,19 +147,19 @@ class foot_slip:  # noqa: N801
         return context.xp.dot(sliding, context.contact)
 
 
-@reward(weight=-1.0, unit="rad^2")
+@reward(weight=-1.0, unit="rad^2", pure=True)
 def stand_still(context: TaskContext) -> Any:
     """Sum of (joint position - stance)^2 while standing is commanded: at most 0.02 m/s and 0.02 rad/s."""
     offset = context.joint_offset
     return context.xp.dot(offset, offset) * (context.xp.one - context.moving)
 
 
-@reward(weight=-1.0, unit="rad^2/s^2")
+@reward(weight=-1.0, unit="rad^2/s^2", pure=True)
 class joint_speed:  # noqa: N801
     """Sum of max(0, joint speed - 4 rad/s)^2: a motor at its top speed of 5 rad/s has no torque left."""
 
     def __init__(self, context: TaskContext, joint_speed_margin: Annotated[float, Parameter("rad/s")] = 1.0) -> None:
-        self._free = context.xp.constant(context.robot.velocity_limit - joint_speed_margin)
+        self._free = context.xp.constant(context.robot.velocity_limit - joint_speed_margin)[None]
 
     def __call__(self, context: TaskContext) -> Any:
         """Values (N,)."""
@@ -167,7 +167,7 @@ class joint_speed:  # noqa: N801
         return context.xp.dot(excess, excess)
 
 
-@reward(weight=-50.0)
+@reward(weight=-50.0, pure=True)
 def fall(context: TaskContext) -> Any:
     """1 where the episode ends in a fall."""
     return context.fallen

@@ -83,8 +83,7 @@ class Section(Mapping[str, Any]):
         return hash((self._name, repr(self._values)))
 
     def __repr__(self) -> str:
-        changed = {field: value for field, value in self._values.items() if value != self._schema[field].default}
-        return f"{self._name}({', '.join(f'{field}={value!r}' for field, value in changed.items())})"
+        return f"{self._name}({', '.join(f'{field}={value!r}' for field, value in self.changes().items())})"
 
     def __or__(self, changes: Mapping[str, Any]) -> dict[str, Any]:
         return {**self._values, **changes}
@@ -100,6 +99,11 @@ class Section(Mapping[str, Any]):
         if self._remake is None:
             return type(self)(self._name, self._schema, self._values | changes)
         return cast(Self, self._remake(self._values | changes))
+
+    def changes(self) -> dict[str, Any]:
+        """The values that are not the defaults; of a section within the section, its changes."""
+        changed = {field: value for field, value in self._values.items() if value != self._schema[field].default}
+        return {field: value.changes() if isinstance(value, Section) else value for field, value in changed.items()}
 
     def has(self, schema: Schema) -> bool:
         """True if the section was created with this schema."""

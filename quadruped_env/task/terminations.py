@@ -11,7 +11,7 @@ from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import Termination, termination
 
 
-@termination
+@termination(pure=True)
 class tilted:  # noqa: N801  named like functions, as all terms
     """The base leans more than 1 rad."""
 
@@ -25,7 +25,7 @@ class tilted:  # noqa: N801  named like functions, as all terms
         return context.readings.up_b[:, 2] < self._lowest
 
 
-@termination
+@termination(pure=True)
 class trunk_contact:  # noqa: N801
     """The base or a hip presses on the ground with more than 1 N."""
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ class RewardTerm:
     unit: str
     parameters: dict[str, tuple[Parameter, float]]
     description: str
+    pure: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -46,13 +47,14 @@ class Termination:
     function: Callable[..., NDArray[np.bool_]]
     parameters: dict[str, tuple[Parameter, float]]
     description: str
+    pure: bool = False
 
     def __call__(self, *args: Any, **kwargs: Any) -> NDArray[np.bool_]:
         """Mask (N,) of the envs whose episode ends."""
         return self.function(*args, **kwargs)
 
 
-def reward(weight: float, unit: str = "1") -> Callable[[Callable[..., Any]], RewardTerm]:
+def reward(weight: float, unit: str = "1", pure: bool = False) -> Callable[[Callable[..., Any]], RewardTerm]:
     """Decorator: a function (context) -> (N,) becomes a reward term of the same name.
 
     Arguments with a default, after the context, are parameters that the config can change. A class in place of a
@@ -62,34 +64,51 @@ def reward(weight: float, unit: str = "1") -> Callable[[Callable[..., Any]], Rew
     Args:
         weight: default weight, per second; negative for a penalty.
         unit: unit of the function's result.
+        pure: True if the function only applies NumPy's ufuncs to the context's arrays and to constants, the same at
+            every step, and takes views of them. It is then called once, and its ufuncs are replayed (see `capture`),
+            which is faster for a single env.
     """
 
     def decorate(function: Callable[..., Any]) -> RewardTerm:
-        return _term({function.__name__: weight}, unit, function)
+        return _term({function.__name__: weight}, unit, function, pure)
 
     return decorate
 
 
-def reward_group(unit: str = "1", **weights: float) -> Callable[[Callable[..., Any]], RewardTerm]:
+def reward_group(unit: str = "1", pure: bool = False, **weights: float) -> Callable[[Callable[..., Any]], RewardTerm]:
     """Decorator: a function (context) -> (N, K) becomes K reward terms that are computed together.
 
     Args:
         unit: unit of the function's result.
+        pure: see `reward`.
         weights: default weight of each column by name, per second.
     """
 
     def decorate(function: Callable[..., Any]) -> RewardTerm:
-        return _term(weights, unit, function)
+        return _term(weights, unit, function, pure)
 
     return decorate
 
 
-def _term(weights: dict[str, float], unit: str, function: Callable[..., Any]) -> RewardTerm:
+def _term(weights: dict[str, float], unit: str, function: Callable[..., Any], pure: bool) -> RewardTerm:
     stay_importable(function)
-    return RewardTerm(weights, function, unit, parameters_of(function), described(function))
+    return RewardTerm(weights, function, unit, parameters_of(function), described(function), pure)
 
 
-def termination(function: Callable[..., Any]) -> Termination:
-    """Decorator: a function (context) -> bool (N,) becomes a termination of the same name."""
-    stay_importable(function)
-    return Termination(function.__name__, function, parameters_of(function), described(function))
+@overload
+def termination(function: Callable[..., Any], /) -> Termination: ...
+@overload
+def termination(*, pure: bool) -> Callable[[Callable[..., Any]], Termination]: ...
+def termination(function: Callable[..., Any] | None = None, /, *, pure: bool = False) -> Any:
+    """Decorator: a function (context) -> bool (N,) becomes a termination of the same name.
+
+    Args:
+        function: the function.
+        pure: see `reward`.
+    """
+
+    def decorate(function: Callable[..., Any]) -> Termination:
+        stay_importable(function)
+        return Termination(function.__name__, function, parameters_of(function), described(function), pure)
+
+    return decorate if function is None else decorate(function)

@@ -1,4 +1,4 @@
-"""Interpolation between rows, filtered derivatives, and gaps between timestamps."""
+"""Calculations on rows over time: interpolation, even timestamps, filtered derivatives, gaps."""
 
 from dataclasses import dataclass
 from typing import Final
@@ -37,25 +37,41 @@ def interpolate(
     return np.where(fraction == 0.0, values[before], values[before] + fraction * (values[after] - values[before]))
 
 
-def derivative(seconds: NDArray[np.float64], values: NDArray[np.float64], rows: int) -> NDArray[np.float64]:
+def nanoseconds_of(seconds: NDArray[np.float64], last: float) -> NDArray[np.float64]:
+    """Times (...,) in s as ns, within a recording from 0 to `last` ns.
+
+    In floating point, k times a period in s is rarely a whole number of ns, but is meant to be: such times are rounded.
+    """
+    times = (seconds * NS_PER_SECOND).clip(0.0, last)
+    whole = np.rint(times)
+    return np.where(np.abs(times - whole) <= 1e-15 * whole, whole, times)
+
+
+def even_stamps(stamps: NDArray[np.int64], rate: float) -> NDArray[np.int64]:
+    """Timestamps in ns at a rate in Hz, from the first of increasing timestamps (T,) on and up to the last."""
+    count = int(float(stamps[-1] - stamps[0]) * rate / NS_PER_SECOND + 1e-6) + 1
+    nanoseconds = np.rint(np.arange(count) * (NS_PER_SECOND / rate)).astype(np.int64)
+    return np.minimum(stamps[0] + nanoseconds, stamps[-1])
+
+
+def derivative(seconds: NDArray[np.float64], values: NDArray[np.float64], window: float) -> NDArray[np.float64]:
     """Rate of change, filtered without delay; exact for parabolas.
 
-    A parabola is fitted by least squares to each row and its neighbours, `rows` in all, and its slope taken at the row;
-    near an end the window stops at the end. On evenly spaced rows this is the filter of Savitzky and Golay (1964),
+    A parabola is fitted by least squares to the rows of a window around each row, and its slope taken at the row; near
+    an end the window stops at the end. A window has the same odd number of rows everywhere, three or more: as many as
+    fit at the median spacing. On evenly spaced rows this is the filter of Savitzky and Golay (1964),
     https://doi.org/10.1021/ac60214a047; here rows may be spaced unevenly.
 
     Args:
-        seconds: increasing times (T,).
+        seconds: increasing times (T,), two or more.
         values: (T, J).
-        rows: length of the window.
+        window: length of the window, s.
 
     Returns:
         Rates of change (T, J).
     """
     count = len(seconds)
-    rows = min(rows, count)
-    if rows == 1:
-        return np.zeros_like(values)
+    rows = min(max(3, 2 * round(window / (2.0 * float(np.median(np.diff(seconds))))) + 1), count)
     degree = min(_DEGREE, rows - 1)
     result = np.empty_like(values)
     starts = np.clip(np.arange(count) - rows // 2, 0, count - rows)

@@ -4,7 +4,7 @@ import builtins
 import operator
 import warnings
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
@@ -17,7 +17,8 @@ from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import conversion, saving
-from quadruped_env.trajectory.interpolation import Gap, derivative, find_gaps, interpolate
+from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
+from quadruped_env.trajectory.joint_state import JointState
 from quadruped_env.trajectory.loading import Stream
 from quadruped_env.trajectory.maps import ColumnMap, JointMap
 from quadruped_env.trajectory.options import ReadOptions
@@ -28,25 +29,10 @@ from quadruped_env.trajectory.validation import (
     check_finite,
     checked_names,
     checked_stamps,
+    checked_stamps_within,
     checked_values,
     read_only,
 )
-
-
-@dataclass(frozen=True, eq=False)
-class JointState:
-    """One row of a trajectory: in ROS, a `sensor_msgs/JointState`."""
-
-    stamp: int
-    """ns"""
-    names: tuple[str, ...]
-    """(J,)"""
-    position: NDArray[np.float64]
-    """rad (J,)"""
-    velocity: NDArray[np.float64] | None
-    """rad/s (J,)"""
-    effort: NDArray[np.float64] | None
-    """N m (J,); NaN where it was not measured"""
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
@@ -303,14 +289,10 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if a time is NaN.
         """
-        time = np.asarray(seconds, dtype=np.float64) * NS_PER_SECOND
+        time = np.asarray(seconds, dtype=np.float64)
         if np.isnan(time).any():
             raise QuadrupedError(f"{self.source.name}: positions_at: a time is NaN; give numbers, in s")
-        time = time.clip(0.0, self._nanoseconds[-1])
-        # In floating point, k times a period in s is rarely a whole number of ns, but is meant to be.
-        whole = np.rint(time)
-        time = np.where(np.abs(time - whole) <= 1e-15 * whole, whole, time)
-        return interpolate(self._nanoseconds, self.positions, time)
+        return interpolate(self._nanoseconds, self.positions, nanoseconds_of(time, self._nanoseconds[-1]))
 
     def at(self, stamps: ArrayLike) -> "JointTrajectory":
         """The trajectory at other timestamps, interpolated linearly.
@@ -321,13 +303,7 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if the timestamps do not increase, or lie outside the recording.
         """
-        wanted = checked_stamps(stamps, Source(f"{self.source.name}: at"))
-        if wanted[0] < self.stamps[0] or wanted[-1] > self.stamps[-1]:
-            outside = wanted[0] if wanted[0] < self.stamps[0] else wanted[-1]
-            raise QuadrupedError(
-                f"{self.source.name}: at: timestamp {outside} ns lies outside the recording, {self.stamps[0]} to "
-                f"{self.stamps[-1]} ns; choose timestamps within it"
-            )
+        wanted = checked_stamps_within(self.stamps, stamps, Source(f"{self.source.name}: at"))
         nanoseconds = (wanted - self.stamps[0]).astype(np.float64)
         return self._changed(
             stamps=wanted,
@@ -348,9 +324,7 @@ class JointTrajectory:
         """
         if not 0.0 < rate <= NS_PER_SECOND:
             raise QuadrupedError(f"{self.source.name}: resample: expected a rate above 0 Hz; found {rate!r}")
-        count = int(self._nanoseconds[-1] * rate / NS_PER_SECOND + 1e-6) + 1
-        nanoseconds = np.rint(np.arange(count) * (NS_PER_SECOND / rate)).astype(np.int64)
-        return self.at(np.minimum(self.stamps[0] + nanoseconds, self.stamps[-1]))
+        return self.at(even_stamps(self.stamps, rate))
 
     def slice(self, start: float | None = None, stop: float | None = None) -> "JointTrajectory":
         """The rows from `start` on and before `stop`, in s from the first timestamp; None means unbounded.
@@ -375,14 +349,8 @@ class JointTrajectory:
         start, stop, step = rows.indices(len(self))
         if step != 1 or start >= stop:
             raise QuadrupedError(f"{self.source.name}: rows: expected one row or more, and no step; found {rows}")
-        known = self.source.rows
-        source = replace(
-            self.source,
-            first_row=self.source.first_row + start,
-            rows=None if known is None else known[start:stop],
-        )
         arrays = {kind: array[start:stop] for kind, array in self._arrays().items()}
-        return self._changed(stamps=self.stamps[start:stop], source=source, **arrays)
+        return self._changed(stamps=self.stamps[start:stop], source=self.source.part(start, stop), **arrays)
 
     def differentiate(self, window: float = 0.05) -> "JointTrajectory":
         """The trajectory with velocities computed from its positions, filtered without delay.
@@ -398,8 +366,7 @@ class JointTrajectory:
                 f"{self.source.name}: differentiate: expected a window above 0 s and two rows or more; found "
                 f"{window!r} and {len(self)}"
             )
-        rows = max(3, 2 * round(window / (2.0 * float(np.median(np.diff(self.times))))) + 1)
-        return self._changed(velocities=derivative(self.times, self.positions, rows))
+        return self._changed(velocities=derivative(self.times, self.positions, window))
 
     def retarget(self, joint_map: JointMap | str | Path) -> "JointTrajectory":
         """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.maps`.

@@ -1,7 +1,7 @@
 """Validation of joint states, and the wording of errors about a row."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -39,6 +39,11 @@ class Source:
         """Name of a row, for error messages."""
         number = self.first_row + index if self.rows is None else int(self.rows[index])
         return f"{self.name}: {self.row_name} {number}"
+
+    def part(self, start: int, stop: int) -> "Source":
+        """The source of the rows from index `start` on and before `stop`."""
+        rows = None if self.rows is None else self.rows[start:stop]
+        return replace(self, first_row=self.first_row + start, rows=rows)
 
 
 IN_MEMORY: Final = Source()
@@ -92,6 +97,23 @@ def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
     array = raw if raw.dtype == np.int64 and not raw.flags.writeable else raw.astype(np.int64)
     _check_order(array, source)
     return read_only(array)
+
+
+def checked_stamps_within(recorded: NDArray[np.int64], stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
+    """Timestamps as of `checked_stamps`, none before the first of `recorded` (T,) or after the last.
+
+    Raises:
+        QuadrupedError: if they are invalid or lie outside.
+    """
+    wanted = checked_stamps(stamps, source)
+    first, last = recorded[0], recorded[-1]
+    if wanted[0] < first or wanted[-1] > last:
+        outside = wanted[0] if wanted[0] < first else wanted[-1]
+        raise QuadrupedError(
+            f"{source.name}: timestamp {outside} ns lies outside the recording, {first} to {last} ns; choose "
+            f"timestamps within it"
+        )
+    return wanted
 
 
 def _check_order(stamps: NDArray[np.int64], source: Source) -> None:

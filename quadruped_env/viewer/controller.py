@@ -16,7 +16,7 @@ import mujoco
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.episode import STILL
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain
@@ -301,7 +301,7 @@ class ViewController:
             if self._take is None:
                 self._saver.check_room()
                 robot = self._watched_robot
-                self._take = Take(robot.name, robot.robot, robot.timestep, [robot.history[-1]], robot.terrain)
+                self._take = Take(robot.name, [robot.history[-1]])
 
     def stop_recording(self) -> None:
         """End the current recording, if any, and save it in the background."""
@@ -383,7 +383,7 @@ class ViewController:
             if self._take.seconds >= MAX_SECONDS:
                 self._messages.append(f"The recording has ended: the maximum is {MAX_SECONDS:g} s; record again")
                 self.stop_recording()
-        fallen_for = 0.0 if robot.fell_at is None else moment.time - robot.fell_at
+        fallen_for = 0.0 if robot.fell_at is None else float(moment.time) - robot.fell_at
         if robot.diverged or (self.restart_after_fall and fallen_for >= RESTART_AFTER):
             if index == self._watched:
                 self.stop_recording()

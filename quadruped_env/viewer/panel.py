@@ -9,7 +9,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait_settings import AMPLITUDES, FREQUENCIES
+from quadruped_env.gait.settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.reporting.palette import GREY, INK, LIMIT
 from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, ViewController
 from quadruped_env.viewer.keys import ARROWS_FIRST

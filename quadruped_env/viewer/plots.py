@@ -12,8 +12,8 @@ from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LIMIT, VERMI
 from quadruped_env.robot import Robot
 from quadruped_env.task import Section
 from quadruped_env.viewer.robot import HISTORY_SECONDS
-from quadruped_env.viewer.sample import Sample, over_time
 from quadruped_env.viewer.snapshot import RobotView
+from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 if TYPE_CHECKING:
     import viser
@@ -41,7 +41,7 @@ class Plots:
         with panel.add_tab("Walk"):
             self._forward = _Chart(server, "Forward velocity, m/s", _VELOCITY_LINES, ahead)
             self._yaw = _Chart(server, "Yaw rate, rad/s", _VELOCITY_LINES, turn)
-            self._gait = server.gui.add_html(gait_diagram(robot, (), 0.02))
+            self._gait = server.gui.add_html(gait_diagram(robot, np.zeros((0, robot.num_legs), np.bool_), 0.02))
         with panel.add_tab("Joints"):
             self._kinds = [_JointChart(server, robot, kind) for kind in robot.joints_by_kind]
             self._fastest = float(robot.velocity_limit.max())
@@ -53,26 +53,25 @@ class Plots:
 
     def update(self, robot: RobotView) -> None:
         """Show the last seconds of a robot."""
-        shown = robot.source, robot.now.time, len(robot.history)
+        shown = robot.source, float(robot.now.time), len(robot.history)
         if shown == self._shown:
             return
         self._shown = shown
-        stride = max(1, round(HISTORY_SECONDS / robot.timestep / _POINTS))
+        timestep, description = robot.now.timestep, robot.now.robot
         # Counted from the present, so that the drawn samples do not change as they age.
-        drawn = robot.history[::-1][::stride][::-1]
-        times = over_time(drawn, "time")
-        command, velocity, smooth = (over_time(drawn, name) for name in ("command", "velocity", "smooth_velocity"))
+        drawn = ViewedTrace.stack(robot.history, max(1, round(HISTORY_SECONDS / timestep / _POINTS)))
+        times = drawn.time
         for i, chart in enumerate((self._forward, self._yaw)):
-            chart.show(times, velocity[:, i], smooth[:, i], command[:, i])
-        joints = over_time(drawn, "joint_position")
+            chart.show(times, drawn.velocity[:, i], drawn.smooth_velocity[:, i], drawn.command[:, i])
         for kind in self._kinds:
-            kind.show(times, joints)
-        speeds = np.abs(over_time(drawn, "joint_velocity"))
-        by_leg = [speeds[:, list(leg)].max(axis=1) for leg in robot.robot.leg_joints]
+            kind.show(times, drawn.joint_position)
+        speeds = np.abs(drawn.joint_velocity)
+        by_leg = [speeds[:, list(leg)].max(axis=1) for leg in description.leg_joints]
         self._speeds.show(times, *by_leg, np.full(len(times), self._fastest))
-        self._gait.content = gait_diagram(robot.robot, robot.history, robot.timestep)
-        recent = robot.history[-round(_REWARD_SECONDS / robot.timestep) :]
-        terms = over_time(recent, "reward_terms").mean(axis=0) / robot.timestep
+        contact = np.array([sample.contact for sample in robot.history[-round(GAIT_SECONDS / timestep) :]])
+        self._gait.content = gait_diagram(description, contact, timestep)
+        recent = [sample.reward_terms for sample in robot.history[-round(_REWARD_SECONDS / timestep) :]]
+        terms = np.mean(recent, axis=0) / timestep
         self._reward.content = reward_bars(robot.term_names, terms)
 
 
@@ -113,7 +112,7 @@ class _Chart:
             padding=(8, 10, 0, 0),
         )
 
-    def show(self, times: NDArray[np.float64], *lines: NDArray[np.float64]) -> None:
+    def show(self, times: NDArray[np.floating], *lines: NDArray[np.floating]) -> None:
         """Draw lines over times (s) (T,)."""
         self._handle.data = (times, *lines)
 
@@ -132,20 +131,24 @@ class _JointChart:
         lines += [("limits", LIMIT, (4, 4)), ("", LIMIT, (4, 4))]
         self._chart = _Chart(server, f"{kind.capitalize()} positions, rad", lines, _padded(self._limits))
 
-    def show(self, times: NDArray[np.float64], positions: NDArray[np.float64]) -> None:
+    def show(self, times: NDArray[np.floating], positions: NDArray[np.floating]) -> None:
         """Draw positions (T, J) over times (s) (T,)."""
         limits = (np.full(len(times), limit) for limit in self._limits)
         self._chart.show(times, *positions[:, self._joints].T, *limits)
 
 
-def gait_diagram(robot: Robot, history: Sequence[Sample], timestep: float) -> str:
-    """Gait diagram as SVG: one bar per foot and stance phase, time to the right, the present at the right edge."""
+def gait_diagram(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> str:
+    """Gait diagram as SVG: one bar per foot and stance phase, time to the right, the present at the right edge.
+
+    Args:
+        robot: robot that moves.
+        contact: True for each foot on the ground (T, L), over `GAIT_SECONDS` or less.
+        timestep: time between samples, s.
+    """
     left, right, top, row, bar = 30, 360, 4, 22, 14
     bottom = top + row * robot.num_legs
     scale = (right - left) / GAIT_SECONDS
-    recent = history[-round(GAIT_SECONDS / timestep) :]
     parts = []
-    contact = over_time(recent, "contact").astype(bool).reshape(-1, robot.num_legs)
     for leg, (name, colour) in enumerate(leg_colours(robot).items()):
         y = top + row * leg
         parts.append(f'<text x="{left - 8}" y="{y + bar - 2}" text-anchor="end">{name}</text>')

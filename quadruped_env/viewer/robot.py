@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from quadruped_env.control.editable_gait import HasGait
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait_settings import GaitSettings
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model
-from quadruped_env.task import BUILT_IN, Section, Task
-from quadruped_env.viewer.sample import Sample, sample
+from quadruped_env.task import BUILT_IN, Section, Task, Transition
+from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 HISTORY_SECONDS: Final = 5.0
 
@@ -45,7 +45,7 @@ class ViewedRobot(Protocol):
     """Its description."""
     timestep: float
     """Time between samples, s."""
-    history: deque[Sample]
+    history: deque[ViewedTrace]
     """Samples of the last seconds, the latest last."""
     fell_at: float | None
     """Episode time of the fall, s; None if it has not fallen."""
@@ -90,7 +90,7 @@ class ViewedRobot(Protocol):
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
         ...
 
-    def step(self) -> Sample:
+    def step(self) -> ViewedTrace:
         """Advance by one sample."""
         ...
 
@@ -130,7 +130,7 @@ class TaskRobot:
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
         self.timestep = config.control_timestep
-        self.history: deque[Sample] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
+        self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
         self.fell_at: float | None = None
         """Episode time of the fall, s; None if it has not fallen."""
         self.diverged = False
@@ -149,7 +149,7 @@ class TaskRobot:
     @property
     def time(self) -> float:
         """Time since its episode began, s."""
-        return self.history[-1].time
+        return float(self.history[-1].time)
 
     @property
     def gait(self) -> GaitSettings | None:
@@ -172,7 +172,7 @@ class TaskRobot:
         self._face_ahead()
         self.observation = self.task.observe()
         self.history.clear()
-        self.history.append(sample(self.task))
+        self.history.append(self._sample())
         self.fell_at, self.diverged = None, False
 
     def set_command(self, command: tuple[float, float]) -> None:
@@ -185,18 +185,33 @@ class TaskRobot:
         self._simulation.push(_ROW, world_velocity(velocity, heading(self.data))[None])
         self.observation = self.task.observe()
 
-    def step(self) -> Sample:
+    def step(self) -> ViewedTrace:
         """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
         if self.diverged:
             return self.history[-1]
         transition = self.task.act(self._controller, self.observation)
         self.observation = transition.observation
         self.diverged = bool(transition.diverged[0])
-        moment = sample(self.task, transition)
+        moment = self._sample(transition)
         self.history.append(moment)
         if self.fell_at is None and transition.terminated[0]:
-            self.fell_at = moment.time
+            self.fell_at = float(moment.time)
         return moment
+
+    def _sample(self, transition: Transition | None = None) -> ViewedTrace:
+        """The current sample, after a step or, without one, at the start of an episode."""
+        readings, task = self._simulation.readings, self.task
+        return sample(
+            self.robot,
+            self.timestep,
+            self.terrain,
+            readings,
+            time=task.steps * self.timestep,
+            command=task.command,
+            smooth_velocity=task.smooth_velocity,
+            contact=readings.foot_force > task.config.reward.contact_threshold,
+            reward_terms=np.zeros((1, len(self.term_names))) if transition is None else transition.terms,
+        )
 
     def _within(self, command: tuple[float, float]) -> tuple[float, float]:
         ranges = self.task.config.command

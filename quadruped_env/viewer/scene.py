@@ -14,7 +14,6 @@ from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
-from quadruped_env.viewer.sample import over_time
 from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, PUSH, rgb
 from quadruped_env.viewer.snapshot import RobotView, View
 
@@ -127,7 +126,7 @@ class Scene:
         lanes = np.zeros((len(robots), 3))
         if self._field is None:
             lanes[:, 1] = _LANE * self._size * ((len(robots) - 1) / 2 - np.arange(len(robots)))
-        self._go_along(np.array([robot.now.base_pose[:2] for robot in robots]), view.watched)
+        self._go_along(np.array([robot.now.base_position[:2] for robot in robots]), view.watched)
         shift = lanes + self._offsets
         with self._server.atomic():
             self._draw_robots(robots, shift, self._offsets[view.watched])
@@ -195,7 +194,7 @@ class Scene:
         arrows = []
         for i, robot in enumerate(robots):
             left = _direction(robot.heading + math.pi / 2)
-            side = np.sign((robot.contact_points - robot.now.base_pose[:3]) @ left)
+            side = np.sign((robot.contact_points - robot.now.base_position) @ left)
             start = robot.contact_points + _CONTACT_OFFSET * self._size * side[:, None] * left + shift[i]
             arrows.append(np.stack([start, start + self._metres_per_newton * robot.contact_forces], axis=1))
         _draw(self._contacts, np.concatenate(arrows), visible=self.visible["contact forces"])
@@ -203,13 +202,13 @@ class Scene:
     def _draw_velocities(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         arrows, arcs, heads = [], [], []
         for i, robot in enumerate(robots):
-            above = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _ARROW_HEIGHT * self._size)
+            above = robot.now.base_position + shift[i] + (0.0, 0.0, _ARROW_HEIGHT * self._size)
             for lane, (velocity, yaw_rate) in enumerate((robot.now.command, robot.now.smooth_velocity)):
                 # Offset vertically, so that one does not hide the other.
                 origin = above + np.array([0.0, 0.0, 0.028 * lane])
                 tip = _METRES_PER_VELOCITY * velocity * _direction(robot.heading)
                 arrows.append([origin, origin + tip])
-                ground = 0.0 if self._field is None else self._field.at(robot.now.base_pose[:2])
+                ground = 0.0 if self._field is None else self._field.at(robot.now.base_position.astype(np.float64))
                 centre = np.array([*above[:2], ground + _TURN_HEIGHT])
                 angles = robot.heading + yaw_rate * np.linspace(0.0, 1.0, _ARC_POINTS + 1)
                 radius = _TURN_RADII[lane] * self._size
@@ -231,9 +230,10 @@ class Scene:
     def _draw_trails(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         segments, colours = [], []
         for i, robot in enumerate(robots):
-            count = round(_TRAIL_SECONDS / robot.timestep)
+            count = round(_TRAIL_SECONDS / robot.now.timestep)
             # From the present backwards, so that old points stay where they are.
-            feet = over_time(robot.history[-count:][::-1][::_TRAIL_STRIDE], "foot_position") + shift[i]
+            trail = robot.history[-count:][::-1][::_TRAIL_STRIDE]
+            feet = np.array([sample.foot_position for sample in trail]) + shift[i]
             for leg, colour in enumerate(self._leg_colours):
                 path = feet[:, leg]
                 segments.append(np.stack([path[:-1], path[1:]], axis=1))
@@ -249,7 +249,7 @@ class Scene:
         for i, robot in enumerate(robots):
             towards = _direction(robot.heading + direction)
             # The arrow ends at the base.
-            end = robot.now.base_pose[:3] + shift[i] - 0.12 * self._size * towards
+            end = robot.now.base_position + shift[i] - 0.12 * self._size * towards
             arrows.append([end - 0.35 * strength * towards, end])
         _draw(self._pushes, np.array(arrows))
 
@@ -266,7 +266,7 @@ class Scene:
             text = f"{robot.source}: {state}"
             if self._labels[i].text != text:
                 self._labels[i].text = text
-            self._labels[i].position = robot.now.base_pose[:3] + shift[i] + (0.0, 0.0, _LABEL_HEIGHT * self._size)
+            self._labels[i].position = robot.now.base_position + shift[i] + (0.0, 0.0, _LABEL_HEIGHT * self._size)
             self._labels[i].visible = self.visible["names"] and len(robots) > 1
 
 

@@ -6,10 +6,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait_settings import GaitSettings
-from quadruped_env.robot import Robot
+from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.viewer.robot import ViewedRobot, contact_forces, heading
-from quadruped_env.viewer.sample import Sample
+from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 
 @dataclass(frozen=True)
@@ -17,7 +16,6 @@ class RobotView:
     """Snapshot of a robot to draw; all arrays are copies."""
 
     source: str
-    robot: Robot
     body_position: NDArray[np.float64]
     """Body positions in the world frame (bodies, 3), m."""
     body_rotation: NDArray[np.float64]
@@ -28,10 +26,8 @@ class RobotView:
     """Contact points in the world frame (K, 3), m."""
     contact_forces: NDArray[np.float64]
     """Contact forces in the world frame (K, 3), N."""
-    history: tuple[Sample, ...]
+    history: tuple[ViewedTrace, ...]
     """Samples of the last seconds, oldest first."""
-    timestep: float
-    """Time between samples, s."""
     term_names: tuple[str, ...]
     """Names of the samples' reward terms."""
     gait: GaitSettings | None
@@ -41,7 +37,7 @@ class RobotView:
     """Episode time of the fall, s; None if it has not fallen."""
 
     @property
-    def now(self) -> Sample:
+    def now(self) -> ViewedTrace:
         """The latest sample."""
         return self.history[-1]
 
@@ -71,14 +67,12 @@ def robot_view(robot: ViewedRobot, scratch: mujoco.MjData) -> RobotView:
     points, forces = contact_forces(robot.model, scratch)
     return RobotView(
         robot.name,
-        robot.robot,
         robot.data.xpos.copy(),
         robot.data.xmat.reshape(-1, 3, 3).copy(),
         heading(robot.data),
         points,
         forces,
         tuple(robot.history),
-        robot.timestep,
         robot.term_names,
         robot.gait,
         tuple(robot.complaints()),

@@ -6,21 +6,15 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
-
-import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
 from quadruped_env.files import free_path
 from quadruped_env.reporting.films.film import Motion
 from quadruped_env.reporting.films.video import save_film
-from quadruped_env.robot import Robot
-from quadruped_env.simulation import Terrain, flat
-from quadruped_env.timestamps import NS_PER_SECOND
-from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.viewer.sample import Sample, over_time
+from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 MAX_SECONDS: Final = 300.0
 """Maximum duration of a take, s; a longer one ends automatically."""
@@ -39,41 +33,17 @@ class Take:
     """The recorded samples of one robot."""
 
     title: str
-    robot: Robot
-    timestep: float
-    """Time between samples, s."""
-    samples: list[Sample] = field(default_factory=list)
-    terrain: Terrain = flat
+    samples: list[ViewedTrace]
+    """One or more"""
 
     @property
     def seconds(self) -> float:
         """Time from the first to the last sample, s."""
-        return (len(self.samples) - 1) * self.timestep
-
-    def trajectory(self) -> JointTrajectory:
-        """The measured joint states; timestamps start at 0."""
-        stamps = np.rint(np.arange(len(self.samples)) * self.timestep * NS_PER_SECOND).astype(np.int64)
-        return JointTrajectory(
-            stamps,
-            self.robot.joint_names,
-            over_time(self.samples, "joint_position"),
-            over_time(self.samples, "joint_velocity"),
-            over_time(self.samples, "joint_torque"),
-        )
+        return (len(self.samples) - 1) * self.samples[0].timestep
 
     def motion(self) -> Motion:
         """The motion for a film."""
-        return Motion(
-            self.title,
-            self.robot,
-            self.timestep,
-            over_time(self.samples, "base_pose"),
-            over_time(self.samples, "joint_position"),
-            over_time(self.samples, "velocity"),
-            over_time(self.samples, "command"),
-            over_time(self.samples, "contact") > 0,
-            self.terrain,
-        )
+        return Motion(self.title, ViewedTrace.stack(self.samples))
 
 
 class TakeSaver:
@@ -121,18 +91,19 @@ class TakeSaver:
             os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
         while (take := self._takes.get()) is not None:
             directory = free_path(self._results / time.strftime("view-%Y%m%d-%H%M%S"))
+            motion = take.motion()
             try:
-                take.trajectory().save(directory / TRAJECTORY_FILE)
+                motion.trace.joints.save(directory / TRAJECTORY_FILE)
                 self._tell(f"{take.seconds:.1f} s recorded: {directory / TRAJECTORY_FILE}")
-                self._film(take, directory / VIDEO_FILE)
+                self._film(motion, directory / VIDEO_FILE)
             except (QuadrupedError, MissingExtraError, OSError) as error:
                 self._tell(f"Not saved: {error}")
             self._takes.task_done()
         self._takes.task_done()
 
-    def _film(self, take: Take, path: Path) -> None:
+    def _film(self, motion: Motion, path: Path) -> None:
         try:
-            save_film(path, [take.motion()])
+            save_film(path, [motion])
         except (QuadrupedError, MissingExtraError) as error:
             self._tell(f"No video: {portable_message(error)}")
         else:

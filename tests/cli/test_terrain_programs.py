@@ -1,5 +1,7 @@
 """Uneven ground in evaluation, pictures, viewer, live nodes and programs: the same as in the env."""
 
+import argparse
+import dataclasses
 import json
 from pathlib import Path
 
@@ -10,24 +12,39 @@ from viewing import robot
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
+from quadruped_env.cli.options import add_evaluation_options, named_terrain
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.episode import record
 from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.live.__main__ import make_parser
+from quadruped_env.live.robot_option import robot_of
 from quadruped_env.live.simulated import SimulatedRobot
+from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
 from quadruped_env.reporting.films.film import Camera, Motion
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.task import TaskConfig, terrain
+from quadruped_env.task import TaskConfig, load_task_file, terrain
+from quadruped_env.trace import Trace
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.show import open_show
 
 HILLS = TaskConfig().on_terrain("hills", 2)
 FIELD = HeightField.of(build_model(terrain=HILLS.ground))
+
+
+STEPS = """
+from quadruped_env.task import terrain
+
+@terrain(size=8.0)
+def steps(grid, height: float = 0.02):
+    return height * (grid.x // 0.4 % 2)
+"""
 
 
 @terrain(size=10.0)
@@ -53,7 +70,7 @@ def test_recording_on_a_terrain_starts_over_the_highest_ground():
     flat = record(ZeroController(), 0.1, config=config)
     hills = record(ZeroController(), 0.1, config=HILLS)
     assert flat.base_pose[0, 2] == STANCE_HEIGHT
-    assert hills.base_pose[0, 2] == pytest.approx(STANCE_HEIGHT + FIELD.highest(np.zeros(2)))
+    assert hills.base_pose[0, 2] == pytest.approx(STANCE_HEIGHT + FIELD.highest(np.zeros(2), MINI_QUADRUPED.footprint))
     assert hills.terrain == HILLS.ground
 
 
@@ -63,6 +80,22 @@ def test_comparison_on_a_terrain_puts_all_controllers_on_it():
     assert comparison.config.terrain.name == "rough"
     with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills"):
         compare(load_policy("flat"), 1, 2.0, [(0.4, 0.0)], terrain="swamp")
+
+
+def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
+    file = tmp_path / "my_terrain.py"
+    file.write_text(STEPS)
+    arguments = ["evaluate", "flat", "--task", str(file), "--terrain", "steps"]
+    parser = argparse.ArgumentParser()
+    add_evaluation_options(parser, "")
+    steps = named_terrain(parser.parse_args(arguments[2:]))
+    assert steps == find_terrain("steps", load_task_file(file).terrains)
+    comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=steps)
+    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {steps}
+    assert comparison.config.terrain.name == "steps"
+    arguments[-1] = "swamp"
+    with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills, steps"):
+        named_terrain(parser.parse_args(arguments[2:]))
 
 
 def test_baseline_on_a_terrain_measures_and_records_on_it():
@@ -77,9 +110,9 @@ def test_baseline_on_a_terrain_measures_and_records_on_it():
 
 def test_motion_on_uneven_ground_stays_where_it_is():
     rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
-    motion = Motion.of_rollout(rollout, 0, "")
-    np.testing.assert_array_equal(motion.base_pose[:, :3], rollout.base_position[:, 0])
-    assert motion.terrain == HILLS.ground
+    trace = Motion.of_rollout(rollout, 0, "").trace
+    np.testing.assert_array_equal(trace.base_position, rollout.base_position[:, 0])
+    assert trace.terrain == HILLS.ground
 
 
 def test_camera_shows_the_ground_of_each_motion(opengl):
@@ -88,10 +121,12 @@ def test_camera_shows_the_ground_of_each_motion(opengl):
     raised = pose.copy()
     raised[:, 2] += FIELD.at(pose) * 0.5 / 0.08
     joints = np.tile([0.6, -0.72], (1, 4))
+    on_level = Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=joints)
+    on_hill = dataclasses.replace(on_level, base_pose=raised, terrain=high)
     with Camera(MINI_QUADRUPED) as camera:
-        level = camera.picture(Motion("", MINI_QUADRUPED, 0.02, pose, joints), 0)
-        uneven = camera.picture(Motion("", MINI_QUADRUPED, 0.02, raised, joints, terrain=high), 0)
-        again = camera.picture(Motion("", MINI_QUADRUPED, 0.02, pose, joints), 0)
+        level = camera.picture(on_level, 0)
+        uneven = camera.picture(on_hill, 0)
+        again = camera.picture(on_level, 0)
     np.testing.assert_array_equal(again, level)
     assert not np.array_equal(uneven, level)
     # The camera rises with the ground, by 0.2 m here, so that the robot stays where it was in the picture.
@@ -133,7 +168,7 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     controller.start_recording()
     controller.advance(0.2)
     controller.close()
-    assert [motion.terrain for motion in filmed] == [HILLS.ground]
+    assert [motion.trace.terrain for motion in filmed] == [HILLS.ground]
 
 
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
@@ -168,10 +203,24 @@ def test_scene_draws_robots_at_their_places_on_the_ground(tmp_path):
 # --- live nodes and programs
 
 
+def test_live_nodes_take_the_terrain_of_a_file(tmp_path, capsys):
+    file = tmp_path / "my_terrain.py"
+    file.write_text(STEPS)
+    typed = ["sim", "--task", str(file), "--terrain", "steps", "--seed", "3"]
+    arguments = make_parser(only="sim").parse_args(typed)
+    steps = find_terrain("steps", load_task_file(file).terrains)
+    assert chosen_terrain(arguments) == steps.variant(3)
+    simulated = SimulatedRobot(3, chosen_terrain(arguments), robot_of(arguments))
+    expected = HeightField.of(build_model(terrain=steps)).highest(np.zeros(2), MINI_QUADRUPED.footprint)
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + expected)
+    assert main(["live", "walk", "--task", str(file), "--terrain", "swamp"]) == 2
+    assert "terrain: 'swamp' is unknown; there are flat, rough, hills, steps" in capsys.readouterr().err
+
+
 def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
     simulated = SimulatedRobot(3, ramp)
-    field = HeightField.of(build_model(terrain=ramp))
-    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(np.zeros(2)))
+    field, footprint = HeightField.of(build_model(terrain=ramp)), MINI_QUADRUPED.footprint
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(np.zeros(2), footprint))
     for _ in range(200):
         simulated.step()
     simulated.push(np.array([2.0, 0.0, 1.0]))
@@ -179,7 +228,21 @@ def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
         simulated.step()
     place = simulated.state.base_position[0, :2].copy()
     simulated.pick_up()
-    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(place))
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + field.highest(place, footprint))
+
+
+def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
+    file = tmp_path / "my_terrain.py"
+    file.write_text(STEPS)
+    ground = ["--task", str(file), "--terrain", "steps"]
+    tiny = ["baseline", *ground, "--seconds", "0.5", "--episodes", "1"]
+    assert main([*tiny, "-o", str(tmp_path / "walk.csv")]) == 0
+    assert main([*tiny, "--commands", "-o", str(tmp_path / "commands.csv")]) == 0
+    assert json.loads((tmp_path / "walk.json").read_text())["terrain"] == "steps"
+    replayed = tmp_path / "replay"
+    assert main(["replay", str(tmp_path / "commands.csv"), *ground, "--no-report", "-o", str(replayed)]) == 0
+    assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
+    assert json.loads((replayed / "tracking.json").read_text())["motion"]["terrain"] == "steps"
 
 
 def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
@@ -207,3 +270,15 @@ def test_report_on_a_terrain_says_so_and_its_line_repeats_it(tmp_path):
     document = json.loads(Path(tmp_path, "metrics.json").read_text())
     assert document["config"]["terrain"]["name"] == "hills"
     assert "--terrain hills --seeds 1" in json.dumps(document)
+
+
+@pytest.mark.slow
+def test_report_of_a_built_in_policy_on_a_terrain_of_a_file(tmp_path):
+    pytest.importorskip("matplotlib")
+    file = tmp_path / "my_terrain.py"
+    file.write_text(STEPS)
+    arguments = ["--task", str(file), "--terrain", "steps", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    assert main(["evaluate", "flat", *arguments]) == 0
+    document = json.loads(Path(tmp_path, "metrics.json").read_text())
+    assert document["config"]["terrain"] == {"name": "steps", "seed": 0, "height": 0.02}
+    assert f"--task {file} --terrain steps" in json.dumps(document)

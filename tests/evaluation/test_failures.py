@@ -53,7 +53,7 @@ def test_without_falls_the_worst_has_the_largest_error(comparison):
 def test_story_names_the_direction_of_a_fall(comparison, axis, angle, words):
     fell = with_falls(comparison, r0=50)
     policy = fell.rollouts["policy"]
-    orientation = policy.orientation.copy()
-    orientation[50, 0] = [math.cos(angle / 2), *(math.sin(angle / 2) * (axis == name) for name in "xyz")]
-    rollouts = {**fell.rollouts, "policy": dataclasses.replace(policy, orientation=orientation)}
+    base_pose = policy.base_pose.copy()
+    base_pose[50, 0, 3:] = [math.cos(angle / 2), *(math.sin(angle / 2) * (axis == name) for name in "xyz")]
+    rollouts = {**fell.rollouts, "policy": dataclasses.replace(policy, base_pose=base_pose)}
     assert words in failures.worst_episodes(dataclasses.replace(fell, rollouts=rollouts))[0].story

@@ -210,6 +210,20 @@ def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
     np.testing.assert_equal(measure(again)["distance"], values["distance"][[1, 3]])
 
 
+def test_rollout_is_a_trace_of_float32_samples_after_each_step():
+    rollout = roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.1)], [1, 2], seconds=0.2)
+    declared = rollout.quantities()
+    types = {name: getattr(rollout, name).dtype for name in declared if name != "command"}
+    assert types == {name: np.bool_ if declared[name].truth else np.float32 for name in types}
+    np.testing.assert_array_equal(rollout.command, np.tile([[0.0, 0.0]] * 2 + [[0.3, 0.1]] * 2, (10, 1, 1)))
+    assert rollout.command.strides[0] == 0
+    one = rollout.env(3)
+    assert one.seeds == 2
+    np.testing.assert_array_equal(one.joints.stamps, 20_000_000 * np.arange(1, 11))
+    np.testing.assert_array_equal(one.joints.efforts, rollout.joint_torque[:, 3])
+    np.testing.assert_array_equal(rollout.select([3, 0]).seeds, [2, 1])
+
+
 class Collapse:
     """Swings every leg back until the base lies on the ground."""
 

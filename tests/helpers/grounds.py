@@ -24,6 +24,14 @@ def level_field(grid):
     return heights
 
 
+@terrain(size=8.0)
+def platform(grid):
+    """Level ground at a height of 5 cm, but for one corner."""
+    heights = np.full_like(grid.x, 0.05)
+    heights[0, 0] = 0.06
+    return heights
+
+
 def ray_heights(model, points):
     """Height of the ground at points (N, 2), from rays."""
     data = mujoco.MjData(model)

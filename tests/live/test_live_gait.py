@@ -6,7 +6,7 @@ from browser import fill
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.gait_settings import GaitSettings, edited
+from quadruped_env.gait.settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.messages.joints import JointReader

@@ -10,7 +10,6 @@ PACKAGE = ROOT / "quadruped_env"
 
 ENTRY_POINTS = {
     "__init__.py": "public names of the built-in robot",
-    "gait.py": "the robot on which the presets were tuned; default of the public gaits",
     "control/by_name.py": "default of a public function",
     "control/live_controller.py": "robot of controllers that are not policies",
     "control/policy.py": "default of a public function; policies that name no robot",
@@ -18,6 +17,8 @@ ENTRY_POINTS = {
     "envs/specification.py": "tables in the docstring of the environment",
     "evaluation/baseline.py": "default of a public function",
     "evaluation/episode.py": "default of a public function",
+    "gait/gaits.py": "default of the public gaits",
+    "gait/presets.py": "the robot on which the presets were tuned",
     "identification/identify.py": "default of a public function",
     "live/nodes/controller.py": "the order of joints in its help",
     "live/simulated.py": "default of a public class",

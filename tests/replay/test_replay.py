@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from grounds import platform, slope
 from trajectories import assert_same_numbers, standing
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, forward_kinematics
@@ -28,6 +29,31 @@ class TestReplay:
         again = replay(JointTrajectory.load(tmp_path / "a.csv"))
         assert_same_numbers(again.played, baseline.recording.joints)
         np.testing.assert_array_equal(again.motion.base_pose, baseline.recording.base_pose)
+
+    @pytest.mark.parametrize("ground", ["hills", slope.variant(angle=0.1)], ids=["hills", "slope"])
+    def test_commands_on_a_terrain_give_the_motion_of_the_baseline_there(self, ground):
+        baseline = run_baseline("tuned", seconds=2.0, episodes=1, terrain=ground)
+        again = replay(baseline.commands, terrain=ground)
+        assert_same_numbers(again.played, baseline.recording.joints)
+        np.testing.assert_array_equal(again.motion.base_pose, baseline.recording.base_pose)
+        assert again.motion.terrain == baseline.recording.terrain
+        assert again.report()["motion"]["terrain"] == again.motion.terrain.name
+        level = replay(baseline.commands)
+        assert not np.array_equal(level.motion.base_pose, again.motion.base_pose)
+        assert level.report()["motion"]["terrain"] == "flat"
+
+    def test_feet_at_the_start_are_counted_over_the_ground_below_them(self):
+        raised = replay(standing(0.1), terrain=platform)
+        assert raised.motion.base_pose[0, 2] == pytest.approx(MINI_QUADRUPED.stance_height + 0.05, abs=1e-6)
+        assert raised.report()["motion"]["feet_on_ground_at_start"] == 4
+        sloping = replay(standing(0.1), terrain=slope.variant(angle=0.3))
+        assert sloping.report()["motion"]["feet_on_ground_at_start"] == 0
+
+    def test_terrain_of_a_kinematic_replay_is_refused(self):
+        with pytest.raises(QuadrupedError, match="kinematic mode has no ground; leave the terrain out"):
+            replay(standing(0.1), "kinematic", terrain="rough")
+        with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills"):
+            replay(standing(0.1), terrain="swamp")
 
     def test_kinematic_is_forward_kinematics(self, tmp_path):
         recorded = publish(SinusoidalGait.preset("article"), 1.0, 20.0)

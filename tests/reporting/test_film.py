@@ -1,3 +1,4 @@
+import dataclasses
 import io
 import shutil
 import subprocess
@@ -20,6 +21,7 @@ from quadruped_env.reporting.films import film, overlay, video
 from quadruped_env.reporting.films.film import Camera, Motion
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.trace import Trace
 
 
 @pytest.fixture(scope="module")
@@ -38,10 +40,10 @@ def walk():
     return Motion.of_rollout(rollout, 0, "a walk", 1.0, 2.0)
 
 
-def standing_at(*places, **more):
+def standing_at(*places, timestep=0.02, **more):
     pose = np.array([[x, y, MINI_QUADRUPED.stance_height, 1.0, 0.0, 0.0, 0.0] for x, y in places])
     joints = np.tile(MINI_QUADRUPED.stance, (len(places), 1))
-    return Motion("standing", MINI_QUADRUPED, 0.02, pose, joints, **more)
+    return Trace(robot=MINI_QUADRUPED, timestep=timestep, base_pose=pose, joint_position=joints, **more)
 
 
 def robot_pixels(picture):
@@ -73,7 +75,8 @@ def test_camera_follows_and_no_robot_leaves_the_ground(camera):
 def test_episode_is_turned_to_begin_at_the_origin_facing_ahead():
     half = np.sqrt(0.5)
     pose = np.array([[3.0, 4.0, 0.2, half, 0.0, 0.0, half], [3.0, 5.0, 0.2, half, 0.0, 0.0, half]])
-    turned = Motion("", MINI_QUADRUPED, 0.02, pose, np.tile(MINI_QUADRUPED.stance, (2, 1))).facing_ahead()
+    joints = np.tile(MINI_QUADRUPED.stance, (2, 1))
+    turned = film.facing_ahead(Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=joints))
     np.testing.assert_allclose(turned.base_pose[:, :3], [[0, 0, 0.2], [1, 0, 0.2]], atol=1e-12)
     np.testing.assert_allclose(turned.base_pose[:, 3:], [[1, 0, 0, 0]] * 2, atol=1e-12)
     np.testing.assert_array_equal(pose[:, 0], [3.0, 3.0])
@@ -83,13 +86,13 @@ def test_film_of_an_episode_ends_at_its_fall():
     rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [7], 1.0)
     valid = rollout.valid.copy()
     valid[20:] = False
-    fallen = type(rollout)(**{**vars(rollout), "valid": valid})
-    assert len(Motion.of_rollout(fallen, 0, "").base_pose) == 21
-    assert Motion.of_rollout(rollout, 0, "").seconds == pytest.approx(1.0)
+    fallen = dataclasses.replace(rollout, valid=valid)
+    assert len(Motion.of_rollout(fallen, 0, "").trace) == 21
+    assert Motion.of_rollout(rollout, 0, "").trace.seconds == pytest.approx(1.0)
 
 
 def test_frames_are_shown_at_their_times():
-    motion = standing_at(*[(0.0, 0.0)] * 51)
+    motion = Motion("standing", standing_at(*[(0.0, 0.0)] * 51))
     samples = motion.frame_samples()
     np.testing.assert_array_equal(samples, np.arange(0, 51, 2))
 
@@ -97,7 +100,8 @@ def test_frames_are_shown_at_their_times():
 def test_overlay_draws_the_mean_speed_up_to_its_command():
     velocity = np.array([[0.6, 0.0], [0.0, 0.0]])
     command = np.array([[0.3, 0.0], [0.3, 0.0]])
-    shown = overlay.Overlay(MINI_QUADRUPED, "", 0.5, velocity, command, None)
+    trace = standing_at((0.0, 0.0), (0.0, 0.0), timestep=0.5, velocity=velocity, command=command)
+    shown = overlay.Overlay("", trace)
     drawn = shown.draw(np.zeros((480, 640, 3), np.uint8), 0)
     blue = np.array([int(overlay.BLUE[i : i + 2], 16) for i in (1, 3, 5)])
     row = 480 - overlay._PANEL_HEIGHT + 14 + 8
@@ -191,14 +195,14 @@ def test_bad_video_files_are_named_before_any_work(tmp_path, monkeypatch):
 def test_recordings_and_replays_can_be_filmed():
     commands = publish(SinusoidalGait.preset("trot"), 0.5, 50.0)
     recording = play(commands)
-    motion = Motion.of_recording(recording, "trot")
-    assert motion.timestep == pytest.approx(0.02)
-    assert motion.contact.shape == (26, 4)
-    assert 0.3 < motion.contact[1:].mean() < 0.9
-    travelled = np.linalg.norm(np.diff(motion.base_pose[:, :2], axis=0), axis=1).sum()
-    assert travelled == pytest.approx(np.abs(motion.velocity[:, 0]).sum() * 0.02, rel=0.3)
+    assert len(Motion("trot", recording).frame_samples()) == 13
+    assert recording.timestep == pytest.approx(0.02)
+    assert recording.contact.shape == (26, 4)
+    assert 0.3 < recording.contact[1:].mean() < 0.9
+    travelled = np.linalg.norm(np.diff(recording.base_pose[:, :2], axis=0), axis=1).sum()
+    assert travelled == pytest.approx(np.abs(recording.velocity[:, 0]).sum() * 0.02, rel=0.3)
 
-    played = replay(JointTrajectory(commands.stamps, commands.names, commands.positions), "kinematic").film()
+    played = replay(JointTrajectory(commands.stamps, commands.names, commands.positions), "kinematic").film().trace
     assert played.velocity is None
     assert played.seconds == pytest.approx(0.52)
     np.testing.assert_allclose(played.joint_position[5], commands.positions[10], atol=1e-9)

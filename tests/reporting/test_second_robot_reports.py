@@ -212,7 +212,7 @@ class TestFilms:
         rows = np.flatnonzero((strip == colour).all(axis=(1, 2)))
         assert rows.min() == len(strip) // 4
         motion = Motion.of_rollout(rollout, 0, "second")
-        overlay = Overlay(ROBOT, motion.title, motion.timestep, motion.velocity, motion.command, motion.contact)
+        overlay = Overlay(motion.title, motion.trace)
         blank = np.zeros((480, 640, 3), np.uint8)
         assert overlay.draw(blank, 50).any()
 
@@ -221,10 +221,10 @@ class TestFilms:
         assert size_of(ROBOT) / size_of(MINI_QUADRUPED) == pytest.approx(
             ROBOT.stance_height / MINI_QUADRUPED.stance_height
         )
-        motion = Motion.of_rollout(rollout, 0, "second")
+        trace = Motion.of_rollout(rollout, 0, "second").trace
         try:
             with Camera(ROBOT) as camera:
-                picture = camera.picture(motion, 20)
+                picture = camera.picture(trace, 20)
                 assert camera._view.distance == pytest.approx(0.95 * size_of(ROBOT))
         except QuadrupedError as error:
             pytest.skip(str(error))
@@ -264,8 +264,8 @@ class TestReplay:
             assert [text for text in texts(svg) if text in LABELS] == LABELS
 
     def test_kinematic_film_stands_on_the_lowest_foot(self, targets):
-        motion = replay(targets, "kinematic", robot=ROBOT).film()
-        lowest = ROBOT.sole_heights(motion.joint_position, motion.base_pose).min(axis=-1)
+        trace = replay(targets, "kinematic", robot=ROBOT).film().trace
+        lowest = ROBOT.sole_heights(trace.joint_position, trace.base_pose).min(axis=-1)
         np.testing.assert_allclose(lowest, 0.0, atol=1e-12)
 
     def test_positions_beyond_the_limits_of_the_robot_are_refused(self):
@@ -344,7 +344,7 @@ class TestViewer:
     def test_viewed_robot_is_the_one_of_the_file(self, controller):
         controller.advance(0.2)
         (view,) = controller.view().robots
-        assert view.robot == ROBOT
+        assert view.now.robot == ROBOT
         assert view.now.base_pose[2] > 0.2
         with pytest.raises(QuadrupedError, match="mini_quadruped"):
             controller.set_source(0, "policy flat")
@@ -357,7 +357,7 @@ class TestViewer:
         controller.close()
         (path,) = tmp_path.glob("results/view-*/joint_states.csv")
         assert JointTrajectory.load(path).names == ROBOT.joint_names
-        assert films[0].robot == ROBOT
+        assert films[0].trace.robot == ROBOT
 
     def test_panel_and_plots_are_labelled_with_its_legs_and_kinds_of_joints(self, controller, monkeypatch):
         viser = pytest.importorskip("viser")

@@ -81,6 +81,12 @@ class TestModel:
         assert ROBOT.stance_height == pytest.approx(height, abs=1e-7)
         np.testing.assert_allclose(ROBOT.resting_pose(ROBOT.stance)[2], height, atol=1e-6)
 
+    @pytest.mark.parametrize("robot", [MINI_QUADRUPED, ROBOT], ids=lambda robot: robot.name)
+    def test_feet_are_within_the_footprint_also_near_the_stance(self, robot):
+        near = robot.stance + np.random.default_rng(0).uniform(-0.1, 0.1, (1000, robot.num_joints))
+        reach = np.linalg.norm(robot.foot_centres(near)[..., :2], axis=-1) + robot.foot_radius
+        assert 0.9 * robot.footprint < reach.max() < robot.footprint
+
     def test_urdf_is_the_same_robot(self, tmp_path):
         import yourdfpy
 
@@ -149,6 +155,27 @@ class TestEnv:
         motor = make(robot=ROBOT, config={"motor": {"hip": {"kp": 50.0}}}).unwrapped.task.config.motor
         assert (motor.hip.kp, motor.hip.stall_torque, motor.knee) == (50.0, 14.0, ROBOT.motors.knee)
         assert TaskConfig(motor=motor).for_robot(ROBOT).motor == motor
+
+    def test_lengths_of_the_rewards_are_in_proportion_to_the_stance(self):
+        size = ROBOT.stance_height / MINI_QUADRUPED.stance_height
+        expected = {"base_height": size * 0.175, "foot_lift": size * 0.02}
+        defined = TaskConfig(definition=BUILT_IN.with_robot(ROBOT))
+        for config in (CONFIG, defined, make(robot=ROBOT).unwrapped.task.config):
+            assert {name: config.reward[name] for name in expected} == pytest.approx(expected, rel=1e-12)
+            assert config == TaskConfig.from_dict({}, BUILT_IN.with_robot(ROBOT))
+        assert CONFIG.for_robot(MINI_QUADRUPED) == TaskConfig()
+        assert (TaskConfig().reward.base_height, TaskConfig().reward.foot_lift) == (0.175, 0.02)
+
+    def test_lengths_that_the_config_gives_are_kept(self):
+        given = {"reward": {"base_height": 0.21, "weights": {"upright": -4.0}}}
+        for config in (
+            TaskConfig.from_dict(given).for_robot(ROBOT),
+            make(robot=ROBOT, config=given).unwrapped.task.config,
+        ):
+            assert config.reward.base_height == 0.21
+            assert config.reward.foot_lift == CONFIG.reward.foot_lift
+            assert config.reward.weights.upright == -4.0
+            assert TaskConfig.from_dict(config.to_dict(), config.definition) == config
 
     @pytest.mark.parametrize("robot", ["tall", 3, {"name": "tall"}])
     def test_no_robot_is_refused(self, robot):

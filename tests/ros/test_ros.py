@@ -9,8 +9,10 @@ import pytest
 import ros2_peers
 
 from quadruped_env import QuadrupedError
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import MESSAGE_TYPES, cdr, message_type
 from quadruped_env.ros.joint_state import Decoder, Encoder, decode_ros1
+from quadruped_env.ros.tf import tf_encoder, tf_numbers
 
 typesys = pytest.importorskip("rosbags.typesys")
 
@@ -190,3 +192,43 @@ class TestJointState:
                 message.effort.tobytes(),
             )
         assert 500 < refused < 2000
+
+
+class TestTransforms:
+    STAMP = 1_763_500_000_000_000_001
+
+    def message(self, transforms, row):
+        """The message of one row of transforms, field by field."""
+        return cdr.message(
+            "tf2_msgs/msg/TFMessage",
+            transforms=[
+                {
+                    "header": cdr.header(self.STAMP, one.parent),
+                    "child_frame_id": one.child,
+                    "transform": {
+                        "translation": dict(zip("xyz", np.atleast_2d(one.translation)[row], strict=True)),
+                        "rotation": dict(zip("wxyz", np.atleast_2d(one.rotation)[row], strict=True)),
+                    },
+                }
+                for one in transforms
+            ],
+        )
+
+    @pytest.mark.parametrize("with_base", [False, True])
+    def test_bytes_are_those_of_rosbags(self, with_base):
+        rng = np.random.default_rng(0)
+        poses = rng.normal(size=(5, 7)) if with_base else None
+        transforms = MINI_QUADRUPED.joint_transforms(rng.normal(size=(5, 8)), poses)
+        encode = tf_encoder(transforms)
+        for row, numbers in enumerate(tf_numbers(transforms, 5)):
+            assert encode(self.STAMP, numbers) == cdr.serialize(self.message(transforms, row))
+
+    def test_bytes_of_constant_transforms_are_those_of_rosbags(self):
+        fixed = MINI_QUADRUPED.fixed_transforms()
+        (numbers,) = tf_numbers(fixed, 1)
+        assert tf_encoder(fixed)(self.STAMP, numbers) == cdr.serialize(self.message(fixed, 0))
+
+    def test_no_transforms_are_an_empty_message(self):
+        numbers = tf_numbers([], 3)
+        assert numbers.shape == (3, 0, 7)
+        assert tf_encoder([])(self.STAMP, numbers[0]) == cdr.serialize(cdr.message("tf2_msgs/msg/TFMessage"))

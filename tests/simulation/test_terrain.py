@@ -6,9 +6,11 @@ import mujoco
 import numpy as np
 import pytest
 from grounds import ray_heights, slope
+from second_robot import ROBOT
 
 from quadruped_env import QuadrupedError
-from quadruped_env.simulation import build_model
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation import SingleSimulation, build_model, highest_ground
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.terrain import MAX_POINTS, hills, rough
 from quadruped_env.task import terrain
@@ -54,10 +56,10 @@ def test_height_field_lookup_at_grid_points_equals_the_terrains_heights():
 def test_height_field_lookup_of_a_point_does_not_depend_on_the_others():
     field = HeightField.of(build_model(terrain=rough))
     points = np.random.default_rng(1).uniform(-21.0, 21.0, (100, 4, 3))
-    together, highest = field.at(points), field.highest(points)
+    together, highest = field.at(points), field.highest(points, 0.25)
     for i, j in np.ndindex(100, 4):
         assert field.at(points[i, j]) == together[i, j]
-        assert field.highest(points[i : i + 1, j])[0] == highest[i, j]
+        assert field.highest(points[i : i + 1, j], 0.25)[0] == highest[i, j]
     assert np.isfinite(field.at(np.full((2, 3), np.nan))).all()
 
 
@@ -67,7 +69,31 @@ def test_highest_ground_bounds_the_ground_around_a_point():
     for point in rng.uniform(-15.0, 15.0, (50, 2)):
         around = point + rng.uniform(-0.25, 0.25, (500, 2))
         nearby = point + rng.uniform(-0.45, 0.45, (5000, 2))
-        assert field.at(around).max() <= field.highest(point) <= field.at(nearby).max() + 0.003
+        assert field.at(around).max() <= field.highest(point, 0.25) <= field.at(nearby).max() + 0.003
+
+
+def test_grid_points_cover_the_surroundings_of_positions():
+    field = HeightField.of(build_model(terrain=rough))
+    whole = field.points()
+    assert whole.shape == (401, 401, 3)
+    np.testing.assert_allclose(whole[..., 2], field.at(whole), atol=1e-9)
+    part = field.points(np.array([[1.02, -3.01], [1.31, -2.07]]), margin=0.5)
+    np.testing.assert_array_equal(part, whole[164:186, 205:220])
+    np.testing.assert_allclose([part[0, 0, :2], part[-1, -1, :2]], [[0.5, -3.6], [1.9, -1.5]], atol=1e-9)
+    at_the_edge = field.points(np.array([[19.93, 25.0]]), margin=0.5)
+    np.testing.assert_array_equal(at_the_edge, whole[399:, 394:])
+
+
+def test_highest_ground_below_a_robot_covers_its_own_footprint():
+    terrain = slope.variant(angle=0.3)
+    for robot in (MINI_QUADRUPED, ROBOT):
+        simulation = SingleSimulation(build_model(terrain=terrain, robot=robot), robot)
+        places = np.array([[0.3, 0.2], [-1.0, 0.5]])
+        over = highest_ground(simulation, places) - simulation.height_field.at(places)
+        assert (over >= np.tan(0.3) * robot.footprint - 1e-9).all()
+        assert (over <= np.tan(0.3) * (robot.footprint + 2.0 * terrain.cell)).all()
+        level = SingleSimulation(build_model(robot=robot), robot)
+        np.testing.assert_array_equal(highest_ground(level, places), np.zeros(2))
 
 
 def test_flat_model_is_a_plane_without_height_field():

@@ -15,9 +15,10 @@ from paths import ROOT
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.policy import load_terms
+from quadruped_env.control.task_file import load_robot
 from quadruped_env.envs import ENV_ID
-from quadruped_env.policies import load_policy
-from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
+from quadruped_env.policies import find_controllers, load_policy
+from quadruped_env.task import BUILT_IN, RewardConfig, TaskConfig, load_task_file
 
 PAGE = ROOT / "docs" / "make-it-yours.md"
 EXAMPLES = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S)
@@ -130,6 +131,61 @@ def test_term_with_a_built_in_name_replaces_the_built_in_term(tmp_path):
     env = gymnasium.make(ENV_ID, task_file=file)
     env.reset(seed=0)
     assert env.step(np.zeros(8))[4]["reward_upright"] == pytest.approx(3.0 * 0.02)
+
+
+def test_defaults_of_a_users_file_are_those_of_its_config(tmp_path):
+    file = write(
+        tmp_path,
+        "from quadruped_env.task import Command, reward\n"
+        "speed = Command('forward_velocity', 'm/s', (0.0, 0.3))\n"
+        "@reward(weight=-7.0)\n"
+        "def upright(context):\n"
+        "    return context.readings.up_b[:, 0] ** 2\n",
+    )
+    definition = load_task_file(file)
+    config = TaskConfig(definition=definition)
+    assert config == TaskConfig.from_dict({}, definition) == TaskConfig().with_definition(definition)
+    assert (config.reward.weights.upright, config.command.forward_velocity) == (-7.0, (0.0, 0.3))
+    changed = TaskConfig(reward=RewardConfig(foot_lift=0.03)).with_definition(definition)
+    assert (changed.reward.weights.upright, changed.reward.foot_lift) == (-7.0, 0.03)
+    # A section that is given counts as it is.
+    assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -2.0
+
+
+LOGS = """
+from pathlib import Path
+from quadruped_env.robot import QuadrupedDesign
+from quadruped_env.task import reward
+
+with Path(__file__).with_suffix(".log").open("a") as log:
+    log.write("executed\\n")
+
+ROBOT = QuadrupedDesign(name="logged", leg_length=0.2)
+
+@reward(weight=-7.0)
+def upright(context):
+    return context.readings.up_b[:, 0] ** 2
+"""
+
+
+def test_file_is_executed_once_per_path_and_content(tmp_path, monkeypatch):
+    file = write(tmp_path, LOGS)
+    log = file.with_suffix(".log")
+    definition, terms, robot = load_task_file(file), load_terms(file), load_robot(file)
+    monkeypatch.chdir(tmp_path)
+    assert load_task_file(file.name, definition.file).robot is definition.robot is terms.robot is robot
+    assert load_task_file(file) is definition
+    find_controllers(["tuned", "trot"], task_file=file)
+    for _ in range(2):
+        gymnasium.make(ENV_ID, task_file=file)
+    assert log.read_text() == "executed\n"
+    (tmp_path / "copy").mkdir()
+    copied = load_task_file(write(tmp_path / "copy", LOGS))
+    assert copied == definition
+    assert (tmp_path / "copy" / log.name).read_text() == log.read_text() == "executed\n"
+    write(tmp_path, LOGS + "# changed\n")
+    assert load_task_file(file) != definition
+    assert log.read_text() == "executed\n" * 2
 
 
 REFUSED = {

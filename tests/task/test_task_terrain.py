@@ -1,6 +1,7 @@
 """Terrain in the task and its config: heights over the ground, one ground for every env, a user's own terrain."""
 
 import copy
+import dataclasses
 import json
 import pickle
 import subprocess
@@ -15,6 +16,7 @@ from grounds import ray_heights, slope
 
 from quadruped_env import QuadrupedError
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
 from quadruped_env.simulation.terrain import hills, rough
 from quadruped_env.task import Task, TaskConfig, TerrainConfig, load_task_file
@@ -48,10 +50,25 @@ def test_start_is_over_the_highest_ground_below_the_robot():
     for shape in (hills, slope, slope.variant(angle=0.4, direction=1.0)):
         task = Task(BatchSimulation(build_model(terrain=shape), 4), config)
         task.reset(np.arange(4), list(range(4)))
-        expected = STANCE_HEIGHT + task.simulation.height_field.highest(np.zeros(2))
+        expected = STANCE_HEIGHT + task.simulation.height_field.highest(np.zeros(2), MINI_QUADRUPED.footprint)
         np.testing.assert_allclose(task.simulation.readings.base_position[:, 2], expected)
         assert (task.context.sole_height > -1e-9).all()
         assert (expected > STANCE_HEIGHT + 0.01) == (shape is not hills)
+
+
+def test_config_on_a_terrain_that_its_definition_lacks_has_its_seed_and_parameters():
+    on_slope = TaskConfig().on_terrain(slope.variant(4, angle=0.1))
+    assert on_slope.ground == slope.variant(4, angle=0.1)
+    assert on_slope.terrain.to_dict() == {"name": "slope", "seed": 4, "angle": 0.1, "direction": 0.0}
+    assert on_slope.on_terrain("rough").on_terrain("slope").ground == slope.variant(4)
+    assert on_slope.on_terrain(slope, seed=5).ground == slope.variant(5, angle=0.1)
+    assert on_slope == pickle.loads(pickle.dumps(on_slope)) == copy.deepcopy(on_slope)  # noqa: S301
+    assert on_slope.definition != TaskConfig().definition
+    assert TaskConfig().on_terrain(rough.variant(3)) == TaskConfig().on_terrain("rough", 3)
+    steep = dataclasses.replace(slope, name="rough")
+    assert TaskConfig().on_terrain("rough").on_terrain(steep).ground == steep
+    with pytest.raises(QuadrupedError, match="'slope' is unknown; there are flat, rough, hills"):
+        TaskConfig().on_terrain("slope")
 
 
 @pytest.mark.parametrize("name", UNEVEN)
@@ -170,7 +187,7 @@ def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     env = gymnasium.make(ENV_ID, task_file=file, config={"terrain": {"name": "steps", "height": 0.05}})
     env.reset(seed=0)
     field = env.unwrapped.task.simulation.height_field
-    assert field.heights.shape == (121, 121)
+    assert field.points().shape == (121, 121, 3)
     assert field.at(np.array([0.75, 0.3])) == pytest.approx(0.05)
     assert gymnasium.make(ENV_ID, task_file=file).unwrapped.model.nhfield == 0
     config = env.unwrapped.task.config

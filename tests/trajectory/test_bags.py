@@ -19,9 +19,7 @@ from quadruped_env import (
     asset_path,
     forward_kinematics,
 )
-from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import cdr
-from quadruped_env.ros.tf import TfEncoder
 
 pytest.importorskip("rosbags")
 from rosbags.rosbag2 import StoragePlugin, Writer
@@ -178,27 +176,6 @@ class TestReadByOthers:
             "/tf": 100,
             "/tf_static": 1,
         }
-
-    def test_transform_bytes_are_those_of_rosbags(self):
-        rng = np.random.default_rng(0)
-        transforms = MINI_QUADRUPED.joint_transforms(rng.normal(size=8))
-        numbers = rng.normal(size=(8, 7))
-        message = cdr.message(
-            "tf2_msgs/msg/TFMessage",
-            transforms=[
-                {
-                    "header": cdr.header(STAMPS[0], one.parent),
-                    "child_frame_id": one.child,
-                    "transform": {
-                        "translation": dict(zip("xyz", row[:3], strict=True)),
-                        "rotation": dict(zip("xyzw", row[3:], strict=True)),
-                    },
-                }
-                for one, row in zip(transforms, numbers, strict=True)
-            ],
-        )
-        encode = TfEncoder([(one.parent, one.child) for one in transforms])
-        assert encode(STAMPS[0], numbers) == cdr.serialize(message)
 
 
 def matrix(position, quaternion):

@@ -39,8 +39,8 @@ def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch)
     np.testing.assert_array_equal(saved.velocities, [s.joint_velocity for s in samples])
     np.testing.assert_array_equal(saved.efforts, [s.joint_torque for s in samples])
     ((motion,),) = films
-    np.testing.assert_array_equal(motion.base_pose, [s.base_pose for s in samples])
-    np.testing.assert_array_equal(motion.command, [s.command for s in samples])
+    np.testing.assert_array_equal(motion.trace.base_pose, [s.base_pose for s in samples])
+    np.testing.assert_array_equal(motion.trace.command, [s.command for s in samples])
     messages = controller.messages()
     assert messages[0] == f"0.5 s recorded: {path}"
     assert messages[1].startswith("Video: ")

@@ -58,8 +58,7 @@ def walk_test(policy: Policy, episodes: int = EPISODES, seconds: float = SECONDS
         TaskConfig.from_dict(policy.config.to_dict()),
     )
     counts = np.maximum(rollout.valid.sum(axis=0), 1)
-    speed = (rollout.linear_velocity_b[..., 0] * rollout.valid).sum(axis=0) / counts
-    yaw_rate = (rollout.yaw_rate * rollout.valid).sum(axis=0) / counts
+    speed, yaw_rate = ((rollout.velocity * rollout.valid[..., None]).sum(axis=0) / counts[:, None]).T
     return WalkTest(int(rollout.fallen.sum()), float(speed.mean()), float(np.abs(yaw_rate).mean()))
 
 

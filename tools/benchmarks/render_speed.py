@@ -64,12 +64,12 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
     best, results = None, []
     for multisamples in reversed(MULTISAMPLINGS):
         for shadow_size in reversed(SHADOW_SIZES):
-            with Camera(walk.robot, shadow_size, multisamples) as camera:
-                camera.picture(walk, 0)
+            with Camera(walk.trace.robot, shadow_size, multisamples) as camera:
+                camera.picture(walk.trace, 0)
                 times, pictures = [], []
                 for sample in walk.frame_samples():
                     start = time.process_time()
-                    pictures.append(camera.picture(walk, sample))
+                    pictures.append(camera.picture(walk.trace, sample))
                     times.append(time.process_time() - start)
                 start = time.process_time()
                 encode_mp4(camera.film(walk))

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SinusoidalGait
-from quadruped_env.gait_settings import GaitSettings, edited
+from quadruped_env.gait.settings import GaitSettings, edited
 from quadruped_env.live.middleware.topics import GAIT
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr

@@ -7,8 +7,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
-from quadruped_env.ros.tf import TfEncoder
-from quadruped_env.trajectory.formats.bag_writer import tf_encoder, tf_numbers
+from quadruped_env.ros.tf import TfEncoder, tf_encoder, tf_numbers
 
 
 class TransformWriter:

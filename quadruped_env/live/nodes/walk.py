@@ -11,7 +11,7 @@ import sys
 
 from quadruped_env.live.launch import common, launch
 from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
-from quadruped_env.live.terrain_arguments import add_terrain_arguments
+from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
 from quadruped_env.viewer import PORT
 
 
@@ -25,6 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def start(arguments: argparse.Namespace) -> int:
     """Run all nodes until one ends."""
+    chosen_terrain(arguments)  # an unknown terrain is an error before any node starts
     keys = sys.stdin.isatty()
     # The terminal then shows teleop's status line only.
     shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)

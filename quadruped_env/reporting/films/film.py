@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.envs.rendering import SceneRenderer
-from quadruped_env.evaluation.episode import Recording
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.overlay import Overlay
@@ -19,6 +18,7 @@ from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import Terrain, build_model, flat
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
+from quadruped_env.trace import Trace
 
 Picture = NDArray[np.uint8]
 
@@ -67,88 +67,44 @@ def size_of(robot: Robot) -> float:
 
 @dataclass(frozen=True)
 class Motion:
-    """Motion of one robot that a film shows: T samples."""
+    """The trace of one env and its title, for a film."""
 
     title: str
-    robot: Robot
-    timestep: float
-    """Time between samples, s"""
-    base_pose: NDArray[np.floating]
-    """Position in m and quaternion wxyz of the base in the world (T, 7)"""
-    joint_position: NDArray[np.floating]
-    """Joint positions, rad (T, J)"""
-    velocity: NDArray[np.floating] | None = None
-    """Forward velocity in m/s and yaw rate in rad/s (T, 2), if known"""
-    command: NDArray[np.floating] | None = None
-    """Velocity command in the same units (T, 2), or None for a robot that follows none"""
-    contact: NDArray[np.bool_] | None = None
-    """True for each foot on the ground (T, L), if known"""
-    terrain: Terrain = flat
-    """Ground below the robot"""
+    trace: Trace
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
         """Part of an episode (its index in the rollout) from `start` to `stop`, s, or to its fall."""
-        last = min(int(rollout.valid[:, row].sum()) + 1, len(rollout.valid))
-        part = slice(min(round(start / rollout.timestep), last - 1), round(min(stop / rollout.timestep, last)))
-        position, orientation = rollout.base_position[part, row], rollout.orientation[part, row]
-        return cls(
-            title,
-            rollout.robot,
-            rollout.timestep,
-            np.concatenate([position, orientation], axis=1),
-            rollout.joint_position[part, row],
-            np.stack([rollout.linear_velocity_b[part, row, 0], rollout.yaw_rate[part, row]], axis=1),
-            np.broadcast_to(rollout.command[row], (len(position), 2)),
-            rollout.contact[part, row],
-            rollout.terrain,
-        ).facing_ahead()
-
-    @classmethod
-    def of_recording(cls, recording: Recording, title: str) -> Self:
-        """Motion of a whole recording."""
-        joints = recording.joints
-        timestep = joints.duration / max(len(joints) - 1, 1)
-        return cls(
-            title,
-            recording.robot,
-            timestep,
-            recording.base_pose,
-            joints.positions,
-            recording.velocity,
-            contact=recording.contact,
-            terrain=recording.terrain,
-        )
-
-    @property
-    def seconds(self) -> float:
-        """Duration, s."""
-        return len(self.base_pose) * self.timestep
-
-    def facing_ahead(self) -> Self:
-        """The same motion, rotated and translated in the plane so that it begins at the origin and faces along x.
-
-        A motion on uneven ground stays where it is.
-        """
-        if self.terrain != flat:
-            return self
-        pose = self.base_pose.astype(np.float64)
-        back = from_yaw(-yaw(pose[0, 3:]))
-        pose[:, :2] -= pose[0, :2]
-        pose[:, :3] = rotate(back, pose[:, :3])
-        pose[:, 3:] = multiply(back, pose[:, 3:])
-        return replace(self, base_pose=pose)
+        one = rollout.env(row)
+        last = min(int(one.valid.sum()) + 1, len(one))
+        first = min(round(start / one.timestep), last - 1)
+        return cls(title, facing_ahead(one.window(first, round(min(stop / one.timestep, last)))))
 
     def frame_samples(self) -> NDArray[np.intp]:
         """Indices of the samples that a film at `FRAME_RATE` shows."""
-        times = np.arange(0.0, self.seconds - 1e-9, 1.0 / FRAME_RATE)
-        return np.minimum(np.round(times / self.timestep), len(self.base_pose) - 1).astype(np.intp)
+        times = np.arange(0.0, self.trace.seconds - 1e-9, 1.0 / FRAME_RATE)
+        return np.minimum(np.round(times / self.trace.timestep), len(self.trace) - 1).astype(np.intp)
 
 
-def smoothed_position(motion: Motion, sample: int) -> NDArray[np.float64]:
+def facing_ahead(trace: Trace) -> Trace:
+    """A trace of one env, rotated and translated in the plane so that it begins at the origin and faces along x.
+
+    A trace on uneven ground stays where it is.
+    """
+    if trace.terrain != flat:
+        return trace
+    pose = trace.base_pose.astype(np.float64)
+    back = from_yaw(-yaw(pose[0, 3:]))
+    pose[:, :2] -= pose[0, :2]
+    pose[:, :3] = rotate(back, pose[:, :3])
+    pose[:, 3:] = multiply(back, pose[:, 3:])
+    return replace(trace, base_pose=pose)
+
+
+def smoothed_position(trace: Trace, sample: int) -> NDArray[np.float64]:
     """Position of the base around a sample, averaged over time so that a camera can follow it: x and y, m (2,)."""
-    around = round(_SMOOTHING / motion.timestep)
-    return motion.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
+    around = round(_SMOOTHING / trace.timestep)
+    return trace.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
 
 
 def check_opengl() -> None:
@@ -207,24 +163,24 @@ class Camera:
         """Free the OpenGL context."""
         self._renderer.close()
 
-    def picture(self, motion: Motion, sample: int) -> Picture:
-        """Picture of the robot at one sample (HEIGHT, WIDTH, 3), without overlays."""
-        if motion.terrain != self._terrain:
+    def picture(self, trace: Trace, sample: int) -> Picture:
+        """Picture of the robot at one sample (HEIGHT, WIDTH, 3) of a trace of one env, without overlays."""
+        if trace.terrain != self._terrain:
             self.close()
-            self._set_up(motion.terrain)
-        self._data.qpos[:7] = motion.base_pose[sample]
-        self._data.qpos[7:] = motion.joint_position[sample]
+            self._set_up(trace.terrain)
+        self._data.qpos[:7] = trace.base_pose[sample]
+        self._data.qpos[7:] = trace.joint_position[sample]
         # The ground follows the robot in steps of its texture's period, which are invisible, so that it never ends.
         steps = np.round(self._data.qpos[:2] / self._ground_step)
         self._model.geom_pos[self._ground, :2] = steps * self._ground_step
         mujoco.mj_forward(self._model, self._data)
-        centre = smoothed_position(motion, sample)
+        centre = smoothed_position(trace, sample)
         self._view.lookat[:] = *centre, self._view_height
         self._view.azimuth = _VIEW_AZIMUTH
         if self._height_field is not None:
             self._view.lookat[2] += self._height_field.at(centre)
-            # The robot of a motion on uneven ground begins with any heading.
-            self._view.azimuth += math.degrees(yaw(motion.base_pose[0, 3:]))
+            # The robot of a trace on uneven ground begins with any heading.
+            self._view.azimuth += math.degrees(yaw(trace.base_pose[0, 3:]))
         picture = self._renderer.render(self._data, self._view)
         assert picture is not None
         return picture
@@ -235,9 +191,9 @@ class Camera:
         Raises:
             MissingExtraError: if Pillow is not installed.
         """
-        overlay = Overlay(motion.robot, motion.title, motion.timestep, motion.velocity, motion.command, motion.contact)
+        overlay = Overlay(motion.title, motion.trace)
         for sample in motion.frame_samples():
-            yield overlay.draw(self.picture(motion, sample), sample)
+            yield overlay.draw(self.picture(motion.trace, sample), sample)
 
     def films(self, motions: Sequence[Motion], progress: Progress | None = None) -> Iterator[Picture]:
         """Pictures of several motions, one after another; `progress` is called with the fraction done."""

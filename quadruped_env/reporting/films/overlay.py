@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.reporting.palette import BLUE, INK, leg_colours
 from quadruped_env.robot import Robot
+from quadruped_env.trace import Trace
 
 AVERAGED: Final = 0.5
 """Window over which the shown velocity is averaged, about a stride, s."""
@@ -38,39 +39,28 @@ class Overlay:
     """Draws the overlays on pictures of one motion.
 
     Args:
-        robot: robot that moves.
         title: title of the motion.
-        timestep: time between samples, s.
-        velocity: forward velocity in m/s and yaw rate in rad/s (T, 2), or None.
-        command: velocity command in the same units (T, 2), or None.
-        contact: True for each foot on the ground (T, L), or None.
+        trace: trace of one env; its velocity and contact are drawn if they are known.
 
     Raises:
         MissingExtraError: if Pillow is not installed.
     """
 
-    def __init__(
-        self,
-        robot: Robot,
-        title: str,
-        timestep: float,
-        velocity: NDArray[np.floating] | None,
-        command: NDArray[np.floating] | None,
-        contact: NDArray[np.bool_] | None,
-    ) -> None:
+    def __init__(self, title: str, trace: Trace) -> None:
         try:
             from PIL import Image, ImageDraw, ImageFont
         except ImportError as error:
             raise MissingExtraError("A film", "report") from error
         self._to_image, self._pen_for = Image.fromarray, ImageDraw.Draw
         self._font, self._small = ImageFont.load_default(16), ImageFont.load_default(13)
+        robot, velocity = trace.robot, trace.velocity
         self._robot = robot
         self._names_width = max(math.ceil(self._small.getlength(name)) for name in robot.leg_names)
         self._title = title
-        self._timestep = timestep
-        self._command = command
-        self._velocity = None if velocity is None else trailing_mean(velocity, round(AVERAGED / timestep))
-        self._gait = None if contact is None else gait_strip(robot, contact, timestep)
+        self._timestep = trace.timestep
+        self._command = trace.command
+        self._velocity = None if velocity is None else trailing_mean(velocity, round(AVERAGED / trace.timestep))
+        self._gait = None if trace.contact is None else gait_strip(robot, trace.contact, trace.timestep)
 
     def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
         """The picture (H, W, 3) of a sample, with overlays."""

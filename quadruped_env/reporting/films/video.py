@@ -52,7 +52,7 @@ def save_film(path: Path, motions: Sequence[Motion], progress: Progress | None =
     Raises:
         QuadrupedError, MissingExtraError: as `prepare_video`, or if the file cannot be written.
     """
-    with Camera(motions[0].robot) as camera:
+    with Camera(motions[0].trace.robot) as camera:
         save_video(path, camera.films(motions, progress))
 
 

@@ -58,7 +58,7 @@ def write_report(
     failures = worst_episodes(comparison)
     rollout = comparison.rollouts["policy"]
     if with_video:
-        moments = [(Motion.of_rollout(rollout, failure.row, ""), failure) for failure in failures]
+        moments = [(Motion.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
         motions = filmed(comparison)
         pictures = take_pictures(motions, ", then ".join(motion.title for motion in motions), moments, progress)
     else:

@@ -16,6 +16,7 @@ from quadruped_env.reporting.films.overlay import AVERAGED
 from quadruped_env.reporting.films.video import encode_mp4, encode_webp, halved
 from quadruped_env.reporting.pages.page import data_url, words
 from quadruped_env.reporting.pages.scene import scene_html
+from quadruped_env.trace import Trace
 
 CLIP_SECONDS: Final = 2.4
 SCENE_SECONDS: Final = 20.0
@@ -73,14 +74,14 @@ def _episode(comparison: Comparison, command: int, seconds: float, controller: s
 def take_pictures(
     motions: Sequence[Motion],
     shown: str,
-    failures: Sequence[tuple[Motion, Failure]] = (),
+    failures: Sequence[tuple[Trace, Failure]] = (),
     progress: Progress | None = None,
 ) -> Pictures:
     """Render a film of motions, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
     try:
-        with Camera(motions[0].robot) as camera:
+        with Camera(motions[0].trace.robot) as camera:
             video = encode_mp4(camera.films(motions, progress))
-            stills = {failure.row: _stills(camera, motion, failure) for motion, failure in failures}
+            stills = {failure.row: _stills(camera, trace, failure) for trace, failure in failures}
     except QuadrupedError as error:
         return Pictures({"missing": f"No video: {portable_message(error)}"})
 
@@ -88,11 +89,11 @@ def take_pictures(
     return Pictures({"source": data_url("video/mp4", video), "caption": caption}, stills)
 
 
-def _stills(camera: Camera, motion: Motion, failure: Failure) -> str:
+def _stills(camera: Camera, trace: Trace, failure: Failure) -> str:
     """Pictures at the times of `STILL_TIMES`, side by side at half size."""
-    samples = [round((failure.moment + time) / motion.timestep) - 1 for time in STILL_TIMES]
-    last = len(motion.base_pose) - 1
-    strip: list[Picture] = [halved(camera.picture(motion, min(max(s, 0), last))[_STILL_CROP]) for s in samples]
+    samples = [round((failure.moment + time) / trace.timestep) - 1 for time in STILL_TIMES]
+    last = len(trace) - 1
+    strip: list[Picture] = [halved(camera.picture(trace, min(max(s, 0), last))[_STILL_CROP]) for s in samples]
     return data_url("image/webp", encode_webp(np.concatenate(strip, axis=1)))
 
 

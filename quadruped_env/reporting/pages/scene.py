@@ -37,7 +37,8 @@ def scene_html(motion: Motion) -> str:
     except ImportError as error:
         raise MissingExtraError("The 3D replay", "viewer") from error
 
-    model = build_model(terrain=motion.terrain, robot=motion.robot)
+    trace = motion.trace
+    model = build_model(terrain=trace.terrain, robot=trace.robot)
     field = HeightField.of(model)
     if field is not None:
         model.geom(GROUND).rgba[3] = 0.0  # drawn as a mesh of its part around the motion
@@ -48,17 +49,17 @@ def scene_html(motion: Motion) -> str:
     try:
         scene = ViserMujocoScene(server, model, num_envs=1)
         scene.camera_tracking_enabled = False
-        size = size_of(motion.robot)
+        size = size_of(trace.robot)
         server.initial_camera.position = tuple(size * value for value in _CAMERA)
         server.initial_camera.look_at = tuple(size * value for value in _LOOK_AT)
         server.initial_camera.fov = np.radians(40.0)
         if field is not None:
-            mesh = ground_mesh(field, motion.base_pose[:, :2])
+            mesh = ground_mesh(field, trace.base_pose[:, :2])
             server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
         recording = server.get_scene_serializer()
         for sample in motion.frame_samples():
-            centre = smoothed_position(motion, sample)
-            data.qpos[:7], data.qpos[7:] = motion.base_pose[sample], motion.joint_position[sample]
+            centre = smoothed_position(trace, sample)
+            data.qpos[:7], data.qpos[7:] = trace.base_pose[sample], trace.joint_position[sample]
             data.qpos[:2] -= centre
             mujoco.mj_kinematics(model, data)
             scene.update_from_mjdata(data)

@@ -64,7 +64,7 @@ def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_a
         for ax, (command, column) in zip(axes[:, 0], panels, strict=True):
             for controller, rollout in reversed(comparison.rollouts.items()):
                 one = rollout.select([comparison.episode(command, next(iter(comparison.rollouts)))])
-                velocity = one.yaw_rate if column else one.linear_velocity_b[..., 0]
+                velocity = one.velocity[..., column]
                 time = (np.arange(len(velocity)) + 1) * one.timestep
                 colour = styles[controller]["color"]
                 if controller == "policy":
@@ -92,8 +92,8 @@ def episode(comparison: Comparison, controller: str, row: int) -> str:
     time = (np.arange(alive) + 1) * one.timestep
     colour = controller_styles(comparison.rollouts)[controller]["color"]
     panels = (
-        ("forward velocity (m/s)", one.linear_velocity_b[..., 0], one.command[0, 0]),
-        ("yaw rate (rad/s)", one.yaw_rate, one.command[0, 1]),
+        ("forward velocity (m/s)", one.velocity[..., 0], one.command[0, 0, 0]),
+        ("yaw rate (rad/s)", one.velocity[..., 1], one.command[0, 0, 1]),
         ("tilt of the base (°)", np.degrees(tilt(one.orientation)), None),
     )
 

@@ -24,10 +24,9 @@ from numpy.typing import NDArray
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import PART, unwritable, whole
 from quadruped_env.robot import Robot
-from quadruped_env.robot.transforms import Transform
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
 from quadruped_env.ros.joint_state import Encoder
-from quadruped_env.ros.tf import TfEncoder
+from quadruped_env.ros.tf import TfEncoder, tf_encoder, tf_numbers
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.salvage.records import zstd
 from quadruped_env.trajectory.interpolation import interpolate
@@ -233,19 +232,6 @@ class _TfWriter:
     def write(self, stamp: int, data: bytes) -> None:
         """Write one message of `/tf`."""
         self._writer.write(self._topic, stamp, data)
-
-
-def tf_encoder(transforms: Iterable[Transform]) -> TfEncoder:
-    """Encoder of messages with these transforms."""
-    return TfEncoder([(transform.parent, transform.child) for transform in transforms])
-
-
-def tf_numbers(transforms: Iterable[Transform], count: int) -> NDArray[np.float64]:
-    """Numbers of `count` messages for their encoder: (count, F, 7), quaternions in ROS's order xyzw."""
-    parts = [
-        np.concatenate([one.translation, one.rotation[..., [1, 2, 3, 0]]], axis=-1).reshape(-1, 7) for one in transforms
-    ]
-    return np.stack(parts, axis=1) if parts else np.empty((count, 0, 7))
 
 
 def _continuous(rows: NDArray[np.float64]) -> NDArray[np.float64]:

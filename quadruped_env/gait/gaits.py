@@ -1,4 +1,4 @@
-"""Scripted gaits: joint positions as eight sinusoids of time or phase.
+"""Scripted gaits: joint positions as sinusoids of time or phase.
 
 For each leg, with phase p of the joint and angular frequency w:
 
@@ -22,42 +22,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env._plain import plain
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot.corners import corners, half_track, leg_jacobians
+from quadruped_env.gait.presets import ARTICLE, LEG_PHASES, PRESETS, TUNED, TUNED_FOR_ONE_SPEED, TUNED_ON, LegTable
+from quadruped_env.gait.waves import Waves, joint_phases, leg_maps, map_waves, wave_positions
+from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 
-PRESETS: Final = ("article", "trot", "walk", "bound", "pace", "tuned")
-
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
-
-LEG_PHASES: Final = {
-    "trot": (0.0, 0.5, 0.5, 0.0),
-    "walk": (0.0, 0.5, 0.75, 0.25),
-    "bound": (0.0, 0.0, 0.5, 0.5),
-    "pace": (0.0, 0.5, 0.0, 0.5),
-}
-"""Phase of each leg by gait, in the order left fore, right fore, left hind, right hind, cycles."""
-
-_TUNED_ON: Final = MINI_QUADRUPED
-"""Robot on which train/tune_gait.py found the presets and tables below."""
-
-
-def joint_phases(robot: Robot, gait: str = "trot") -> NDArray[np.float64]:
-    """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
-    phases = np.array([LEG_PHASES[gait][corner] for corner in corners(robot)])
-    return np.repeat(phases * math.tau, 2)
-
-
-def _leg_maps(robot: Robot) -> NDArray[np.float64] | None:
-    """Matrix (2, 2) of each leg from a change of hip and knee of the tuned robot to one of this robot (L, 2, 2).
-
-    Both move the foot by the same distance forwards and upwards. None for the tuned robot itself.
-    """
-    if robot == _TUNED_ON:
-        return None
-    own, tuned = leg_jacobians(robot), leg_jacobians(_TUNED_ON)[list(corners(robot))]
-    return np.array(np.linalg.solve(own, tuned), dtype=np.float64)
 
 
 @dataclass(frozen=True)
@@ -117,7 +89,7 @@ class SinusoidalGait:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
             )
-        if robot == _TUNED_ON:
+        if robot == TUNED_ON:
             return _PRESETS[name]
         return _published(robot) if name == "article" else _mapped(_PRESETS[name], robot)
 
@@ -168,13 +140,9 @@ class SinusoidalGait:
         return found
 
 
-def _preset(
-    leg_phases: tuple[float, ...],
-    angular_frequency: float,
-    fore: tuple[float, float, float, float, float],
-    hind: tuple[float, float, float, float, float],
-) -> SinusoidalGait:
-    """A gait from hip amplitude, hip offset, knee cosine part, sine part and offset of fore and hind legs."""
+def _tuned_for_one_speed(name: str) -> SinusoidalGait:
+    """A preset on the robot for which it was tuned."""
+    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
     hip_amplitude, hip_offset, cosine, sine, knee_offset = zip(fore, fore, hind, hind, strict=True)
     lags = [math.atan2(-s, c) for c, s in zip(cosine, sine, strict=True)]
     return SinusoidalGait(
@@ -184,26 +152,15 @@ def _preset(
         knee_offset=knee_offset,
         angular_frequency=angular_frequency,
         phases=tuple(
-            math.tau * phase + joint for phase, lag in zip(leg_phases, lags, strict=True) for joint in (0.0, lag)
+            math.tau * phase + joint for phase, lag in zip(LEG_PHASES[name], lags, strict=True) for joint in (0.0, lag)
         ),
+        robot=TUNED_ON,
     )
 
 
 _PRESETS: Final = {
-    "article": SinusoidalGait(0.4, 0.0, 0.3, -0.3, 2.0, (0.0, 0.5, 3.14, 3.64, 1.57, 2.07, 4.71, 5.21)),
-    # The others were found by train/tune_gait.py.
-    "trot": _preset(
-        LEG_PHASES["trot"], 14.0, (0.201, 0.63, 0.247, -0.255, -0.6), (-0.076, 0.431, 0.045, -0.291, -0.752)
-    ),
-    "walk": _preset(
-        LEG_PHASES["walk"], 12.0, (0.078, 0.73, 0.172, -0.201, -0.56), (0.084, 0.436, 0.186, -0.202, -0.843)
-    ),
-    "bound": _preset(
-        LEG_PHASES["bound"], 14.0, (0.16, 0.782, 0.133, -0.029, -0.607), (-0.084, 0.489, 0.272, -0.213, -0.656)
-    ),
-    "pace": _preset(
-        LEG_PHASES["pace"], 14.0, (0.135, 0.469, 0.221, -0.265, -0.87), (0.013, 0.546, 0.172, -0.13, -0.618)
-    ),
+    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
+    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
 }
 
 
@@ -228,31 +185,8 @@ def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
         np.stack([np.zeros(4), knee_amplitude * np.cos(lag)], axis=1).ravel(),
         np.stack([hip_offset, knee_offset], axis=1).ravel(),
     )
-    mapped = _map_waves(robot, _leg_maps(robot), *waves)
+    mapped = map_waves(robot, leg_maps(robot), *waves)
     return _sinusoids(robot, gait.angular_frequency, np.repeat(phases[:, 0], 2), *mapped)
-
-
-Waves = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
-"""Sine part, cosine part and offset of joint positions (..., J), rad."""
-
-
-def _map_waves(
-    robot: Robot,
-    maps: NDArray[np.float64] | None,
-    sine: NDArray[np.float64],
-    cosine: NDArray[np.float64],
-    offset: NDArray[np.float64],
-) -> Waves:
-    """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot."""
-    if maps is None:
-        return sine, cosine, offset
-    tuned_stance = _TUNED_ON.stance.reshape(-1, 2)[list(corners(robot))].ravel()
-
-    def apply(change: NDArray[np.float64]) -> NDArray[np.float64]:
-        legs = change.reshape(*change.shape[:-1], robot.num_legs, 2)
-        return np.einsum("lij,...lj->...li", maps, legs).reshape(change.shape)
-
-    return apply(sine), apply(cosine), robot.stance + apply(offset - tuned_stance)
 
 
 def _sinusoids(
@@ -278,42 +212,6 @@ def _sinusoids(
         phases=tuple(phases.tolist()),
         robot=robot,
     )
-
-
-def wave_positions(
-    phase: NDArray[np.float64],
-    phases: NDArray[np.float64],
-    sine: NDArray[np.float64],
-    cosine: NDArray[np.float64],
-    offset: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """Joint positions (N, J) in rad at gait phases (N,) in rad.
-
-    Args:
-        phase: phase of the gait, (N,), rad.
-        phases: result of `joint_phases`, (J,), rad.
-        sine: sine part of each joint, as all three from `CommandedGait.waves`, (N, J), rad.
-        cosine: cosine part, (N, J), rad.
-        offset: offset, (N, J), rad.
-    """
-    angle = phase[:, None] + phases
-    return sine * np.sin(angle) + cosine * np.cos(angle) + offset
-
-
-@dataclass(frozen=True)
-class LegTable:
-    """Parameters of a leg's sinusoids as functions of ground speed, one value per entry of `CommandedGait.speeds`, rad.
-
-    The knee has a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p). Walking backward is
-    walking forward with time reversed and a shift of half a cycle, so only the cosine part changes its sign, and the
-    table is smooth at zero speed.
-    """
-
-    hip_amplitude: tuple[float, ...]
-    hip_offset: tuple[float, ...]
-    knee_cosine: tuple[float, ...]
-    knee_sine: tuple[float, ...]
-    knee_offset: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -346,7 +244,7 @@ class CommandedGait:
     def __post_init__(self) -> None:
         object.__setattr__(self, "_corners", corners(self.robot))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
-        object.__setattr__(self, "_maps", _leg_maps(self.robot))
+        object.__setattr__(self, "_maps", leg_maps(self.robot))
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
@@ -385,7 +283,7 @@ class CommandedGait:
                 (offset, knee, table.knee_offset),
             ):
                 target[:, joint] = np.interp(speed, self.speeds, values)
-        return _map_waves(self.robot, self._maps, sine, cosine, offset)
+        return map_waves(self.robot, self._maps, sine, cosine, offset)
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
@@ -397,30 +295,9 @@ class CommandedGait:
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
 
 
-_TABLES: Final[dict[str, Any]] = {
-    "angular_frequency": math.tau * 2.2,
-    "half_track": 0.58,
-    "speeds": (-0.4, -0.3, -0.2, -0.095, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.554),
-    "fore": LegTable(
-        hip_amplitude=(0.2065, 0.141, 0.0773, 0.1105, 0.0, 0.1785, 0.229, 0.2136, 0.2631, 0.1936, 0.1062),
-        hip_offset=(0.6676, 0.5615, 0.5786, 0.5725, 0.6, 0.6453, 0.7038, 0.732, 0.7608, 0.7624, 0.7956),
-        knee_cosine=(0.0254, -0.0136, -0.0958, -0.0828, 0.0, 0.0713, 0.1218, 0.1785, 0.2408, 0.2592, 0.2805),
-        knee_sine=(0.1049, 0.0852, -0.0411, -0.1391, 0.0, -0.2624, -0.3303, -0.3007, -0.2647, -0.245, -0.2233),
-        knee_offset=(-0.4281, -0.5645, -0.6097, -0.6678, -0.72, -0.7735, -0.7434, -0.7744, -0.774, -0.7576, -0.7605),
-    ),
-    "hind": LegTable(
-        hip_amplitude=(0.2648, 0.3007, 0.3298, 0.2866, 0.0, 0.1483, 0.113, 0.0339, -0.0365, -0.0792, -0.1308),
-        hip_offset=(0.5823, 0.6718, 0.6396, 0.5963, 0.6, 0.6881, 0.6114, 0.5865, 0.521, 0.4716, 0.4174),
-        knee_cosine=(-0.2504, -0.2074, -0.1332, -0.0749, 0.0, 0.062, 0.1341, 0.1849, 0.2592, 0.3225, 0.2872),
-        knee_sine=(-0.251, -0.2753, -0.2939, -0.2838, 0.0, -0.0945, -0.0838, -0.0594, -0.0935, -0.1443, -0.2049),
-        knee_offset=(-0.7179, -0.7268, -0.7337, -0.748, -0.72, -0.568, -0.5828, -0.5954, -0.5819, -0.602, -0.5927),
-    ),
-}
-
-
 @functools.cache
 def _tuned(robot: Robot) -> CommandedGait:
-    track = _TABLES["half_track"]
-    if robot != _TUNED_ON:
-        track *= half_track(robot) / half_track(_TUNED_ON)
-    return CommandedGait(**{**_TABLES, "half_track": track}, robot=robot)
+    track = TUNED["half_track"]
+    if robot != TUNED_ON:
+        track *= half_track(robot) / half_track(TUNED_ON)
+    return CommandedGait(**{**TUNED, "half_track": track}, robot=robot)

@@ -7,7 +7,7 @@ from typing import Final, Self
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import SinusoidalGait
+from quadruped_env.gait.gaits import SinusoidalGait
 
 AMPLITUDES: Final = (0.0, 2.0)
 """Range of the amplitude, as a multiple of the preset's."""

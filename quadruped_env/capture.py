@@ -1,0 +1,169 @@
+"""Array operations of a function, recorded once and then replayed without the Python code around them.
+
+For a single env, the calls, attributes and new arrays of a reward term cost more than its arithmetic. A pure function
+of arrays that stay where they are is called once with stand-ins for these arrays. They record each NumPy ufunc with its
+arguments and its result; a replay applies the same ufuncs to the same arrays, and gives the same bits.
+"""
+
+import copy
+import functools
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields, is_dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+Operation = tuple[Callable[..., Any], tuple[Any, ...]]
+
+_NO_POSITIONAL_RESULT: Final = (np.maximum, np.minimum)
+"""Ufuncs for which NumPy deprecates the result as a positional argument, which is otherwise faster than a keyword."""
+
+
+class NotCapturableError(TypeError):
+    """Raised if a function does something other than applying ufuncs to its arrays and taking views of them."""
+
+
+class Capture:
+    """Recorded operations, which `replay` carries out in their order."""
+
+    def __init__(self) -> None:
+        self._operations: list[Operation] = []
+
+    def replay(self) -> None:
+        """Compute the results of all recorded functions again, from the current values of their arrays."""
+        for ufunc, arguments in self._operations:
+            ufunc(*arguments)
+
+    def record(self, function: Callable[..., Any], *arguments: Any) -> NDArray[Any]:
+        """Call a function with stand-ins (see `stand_in`), and record its operations.
+
+        Returns:
+            The function's result, which every replay overwrites. It may be a view of an argument.
+
+        Raises:
+            NotCapturableError: if the function is not pure; in that case nothing is recorded.
+        """
+        kept = len(self._operations)
+        try:
+            return self._array(function(*arguments))
+        except (AttributeError, TypeError, ValueError) as error:
+            del self._operations[kept:]
+            raise NotCapturableError(f"{function} cannot be captured: {error}") from error
+
+    def stand_in(self, value: Any) -> Any:
+        """A stand-in for an array, or a copy of an object with stand-ins for its arrays."""
+        if isinstance(value, np.ndarray):
+            return _StandIn(self, value)
+        result = copy.copy(value)
+        names = [f.name for f in fields(value)] if is_dataclass(value) else list(vars(value))
+        for name in names:
+            if isinstance(getattr(value, name), np.ndarray):
+                object.__setattr__(result, name, _StandIn(self, getattr(value, name)))
+        return result
+
+    def applied(self, ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: Mapping[str, Any]) -> "_StandIn":
+        """Record a ufunc."""
+        if not set(options) <= ({"axis"} if method == "reduce" else {"out"}) or method not in ("__call__", "reduce"):
+            raise NotCapturableError(f"{ufunc.__name__}.{method} with {', '.join(options)}")
+        if ufunc is np.power:
+            raise NotCapturableError("**, which NumPy computes in several ways")
+        # Numbers are converted once, to float64, as NumPy does next to an array of float64.
+        arrays = [np.array(x) if isinstance(x, float) else self._array(x) for x in inputs]
+        operation: Operation
+        if method == "reduce":
+            result = ufunc.reduce(arrays[0], options["axis"])
+            operation = ufunc.reduce, (arrays[0], options["axis"], None, result)
+        else:
+            result = ufunc(*arrays, out=self._array(options["out"][0]) if "out" in options else None)
+            operation = ufunc, (*arrays, result)
+            if ufunc in _NO_POSITIONAL_RESULT:
+                operation = functools.partial(ufunc, out=result), tuple(arrays)
+        self._operations.append(operation)
+        return _StandIn(self, result)
+
+    def copied(self, array: NDArray[Any], dtype: DTypeLike) -> "_StandIn":
+        """Record a conversion of an array to another type."""
+        result = array.astype(dtype)
+        self._operations.append((np.copyto, (result, array)))
+        return _StandIn(self, result)
+
+    def _array(self, value: Any) -> NDArray[Any]:
+        if isinstance(value, _StandIn):
+            return value.array
+        if isinstance(value, np.ndarray):
+            return value
+        raise NotCapturableError(f"{type(value).__name__} in place of an array")
+
+
+class Functions:
+    """Functions of the same arguments, of which the pure ones are captured and the others called.
+
+    Args:
+        functions: each with True if it is pure, and with the shape of its result.
+        stand_ins: creates a capture's stand-ins for the arguments.
+        dtype: type of the results.
+    """
+
+    def __init__(
+        self,
+        functions: Iterable[tuple[Callable[..., Any], bool, tuple[int, ...]]],
+        stand_ins: Callable[[Capture], tuple[Any, ...]],
+        dtype: DTypeLike,
+    ) -> None:
+        self._capture = Capture()
+        self._called: list[tuple[NDArray[Any], Callable[..., Any]]] = []
+        self.results: list[NDArray[Any]] = []
+        """Results in the order of the functions; `update` overwrites them."""
+        arguments = stand_ins(self._capture)
+        for function, pure, shape in functions:
+            try:
+                result = self._capture.record(function, *arguments) if pure else None
+            except NotCapturableError:
+                result = None
+            if result is None:
+                result = np.empty(shape, dtype)
+                self._called.append((result, function))
+            self.results.append(result)
+
+    def update(self, *arguments: Any) -> None:
+        """Compute all results; the arrays of the arguments must be those that the stand-ins stand for."""
+        self._capture.replay()
+        for result, function in self._called:
+            result[...] = function(*arguments)
+
+
+class _StandIn(np.lib.mixins.NDArrayOperatorsMixin):
+    """Stands for an array: ufuncs on it are recorded, basic indexing gives views, and anything else fails."""
+
+    __slots__ = ("_capture", "array")
+
+    def __init__(self, capture: Capture, array: NDArray[Any]) -> None:
+        self._capture = capture
+        self.array = array
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the array."""
+        return self.array.shape
+
+    def astype(self, dtype: DTypeLike) -> "_StandIn":
+        """A converted copy."""
+        return self._capture.copied(self.array, dtype)
+
+    def __getitem__(self, index: Any) -> "_StandIn":
+        view = self.array[index]
+        if not np.may_share_memory(view, self.array):
+            raise NotCapturableError(f"index {index!r}, which copies")
+        return _StandIn(self._capture, view)
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> "_StandIn":
+        return self._capture.applied(ufunc, method, inputs, options)
+
+    def __array__(self, *_: Any, **__: Any) -> Any:
+        raise NotCapturableError("a conversion to an array")
+
+    def __bool__(self) -> bool:
+        raise NotCapturableError("a condition on an array's values")
+
+    __iter__ = __float__ = __int__ = __len__ = __bool__

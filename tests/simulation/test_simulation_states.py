@@ -1,0 +1,116 @@
+"""States of an env that are saved and restored, and copies of a simulation: both continue identically."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+from built_in import STANCE
+from drivers import (
+    ALL,
+    ROWS,
+    SUBSTEPS,
+    diverge_by_velocity,
+    draw_starts,
+    draw_targets,
+    physics_of,
+    readings_of,
+    run,
+    snapshot,
+    start,
+)
+
+from quadruped_env.simulation import BatchSimulation, SingleSimulation
+
+
+def test_a_restored_state_has_the_same_future(driver):
+    simulation = start(driver)
+    run(simulation, 10, seed=1)
+    states, before = [simulation.get_state(row) for row in ALL], snapshot(simulation)
+    expected = run(simulation, 20, seed=2)
+    for row in (1, 4):
+        simulation.set_state(row, states[row])
+    np.testing.assert_array_equal(snapshot(simulation)[[1, 4]], before[[1, 4]])
+    np.testing.assert_array_equal(snapshot(simulation)[[0, 2, 3]], expected[-1][[0, 2, 3]])
+    for row in ALL:
+        simulation.set_state(row, states[row])
+    np.testing.assert_array_equal(run(simulation, 20, seed=2), expected)
+
+
+def test_a_state_moves_between_drivers():
+    source = start("singles")
+    run(source, 10, seed=1)
+    expected, states = snapshot(source), [source.get_state(row) for row in ALL]
+    target = start("2 threads", seed=7)
+    run(target, 3, seed=3)
+    for row in ALL:
+        target.set_state(row, states[row])
+    np.testing.assert_array_equal(snapshot(target), expected)
+    np.testing.assert_array_equal(run(target, 20, seed=2), run(source, 20, seed=2))
+
+
+def test_a_push_right_after_restoring_keeps_the_restored_forces(driver):
+    simulation = start(driver)
+    run(simulation, 10, seed=1)
+    state = simulation.get_state(0)
+    run(simulation, 10, seed=2)
+    simulation.set_state(0, state)
+    forces = ("joint_torque", "foot_force", "trunk_force", "linear_acceleration_b")
+    before = [simulation.reading(name) for name in forces]
+    simulation.push(np.array([0]), np.array([[1.0, 0.0, 0.0]]))
+    for name, expected in zip(forces, before, strict=True):
+        np.testing.assert_array_equal(simulation.reading(name), expected, err_msg=name)
+
+
+def test_restored_env_is_diverged_if_it_was_when_saved(driver):
+    simulation = start(driver)
+    run(simulation, 3, seed=1)
+    healthy = simulation.get_state(2)
+    diverge_by_velocity(simulation, 2)
+    run(simulation, 2, seed=2)
+    diverged = simulation.get_state(2)
+    simulation.set_state(2, healthy)
+    assert not simulation.diverged().any()
+    simulation.set_state(2, diverged)
+    np.testing.assert_array_equal(simulation.diverged(), ALL == 2)
+
+
+def through_pickle(simulation):
+    return pickle.loads(pickle.dumps(simulation))  # noqa: S301
+
+
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_a_copied_single_simulation_continues_identically(model, duplicate):
+    rng = np.random.default_rng(0)
+    original = SingleSimulation(copy.copy(model))
+    original.model_field("geom_friction")[:, :, 0] = 0.6
+    original.reset(np.array([0]), *draw_starts(rng, 1))
+    for _ in range(20):
+        original.step(draw_targets(rng)[:1], SUBSTEPS)
+    duplicates = [duplicate(original), duplicate(duplicate(original))]
+    for _ in range(30):
+        target = draw_targets(rng)[:1]
+        for simulation in (original, *duplicates):
+            simulation.step(target, SUBSTEPS)
+        expected = original.get_state(0)
+        for simulation in duplicates:
+            np.testing.assert_array_equal(readings_of(simulation.readings), readings_of(original.readings))
+            np.testing.assert_array_equal(simulation.get_state(0).integration, expected.integration)
+    # Nothing is shared: a reset of the original and its new friction do not affect the copies.
+    before = readings_of(duplicates[0].readings)
+    original.model_field("geom_friction")[:] = 0.1
+    original.reset(np.array([0]), *draw_starts(rng, 1))
+    np.testing.assert_array_equal(readings_of(duplicates[0].readings), before)
+    assert duplicates[0].model.geom_friction[0, 0] == 0.6
+
+
+def test_renderers_copy_of_an_env_equals_that_env(model):
+    simulation = BatchSimulation(model, ROWS, 1)
+    simulation.reset(ALL, *draw_starts(np.random.default_rng(0), ROWS))
+    simulation.step(np.tile(STANCE, (ROWS, 1)), SUBSTEPS)
+    data = simulation.copy_data(3)
+    qpos, qvel = physics_of(simulation, 3)
+    np.testing.assert_array_equal(data.qpos, qpos)
+    np.testing.assert_array_equal(data.qvel, qvel)
+    data.qpos[:] = 0.0
+    np.testing.assert_array_equal(physics_of(simulation, 3)[0], qpos)

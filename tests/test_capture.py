@@ -1,0 +1,141 @@
+"""Captured functions: a replay equals a call to the last bit, and what cannot be captured is called."""
+
+import numpy as np
+import pytest
+from environments import make_native
+from tasks import LAYOUT, Terms, make_task, random_readings
+
+from quadruped_env.capture import Capture, Functions, NotCapturableError
+from quadruped_env.control import ControlConfig, ControlInterface
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task.rewards import REWARDS
+from quadruped_env.task.terminations import TERMINATIONS
+
+
+def assert_same_bits(found, expected):
+    assert found.dtype == expected.dtype
+    np.testing.assert_array_equal(found.view(np.uint8), np.ascontiguousarray(expected).view(np.uint8))
+
+
+def overwrite(arrays, others):
+    """Write the values of one set of readings into the arrays of another."""
+    for name in arrays.__slots__:
+        getattr(arrays, name)[:] = getattr(others, name)
+
+
+PURE = {
+    "operators": lambda a, b: -(a * b - 2.0) / (abs(b) + 1.0),
+    "ufuncs": lambda a, b: np.exp(np.minimum(a, b)) + np.maximum(a, 0.5),
+    "views": lambda a, b: a[:, ::-1] * b[:, 1:2] + b[..., 2, None],
+    "reduction": lambda a, b: np.add.reduce(a * b, -1),
+    "dot": np.vecdot,
+    "mask": lambda a, b: (a > b).astype(np.float64) * a,
+    "result of a view": lambda a, b: a[:, 1],
+    "written into a result": lambda a, b: np.sin(a + b, a * b),
+    "in place, on a result": lambda a, b: _doubled(a + b),
+}
+
+
+def _doubled(values):
+    values *= 2.0
+    return values
+
+
+@pytest.mark.parametrize("function", PURE.values(), ids=PURE)
+def test_replay_of_a_pure_function_equals_a_call(function):
+    rng = np.random.default_rng(0)
+    a, b = rng.standard_normal((2, 4, 3))
+    capture = Capture()
+    result = capture.record(function, capture.stand_in(a), capture.stand_in(b))
+    for _ in range(3):
+        a[:], b[:] = rng.standard_normal((2, 4, 3))
+        capture.replay()
+        assert_same_bits(np.ascontiguousarray(result), function(a, b))
+
+
+NOT_PURE = {
+    "condition": lambda a: a if a[0, 0] > 0.0 else -a,
+    "copied selection": lambda a: a[[0, 2]],
+    "function that is no ufunc": lambda a: np.clip(a, 0.0, 1.0),
+    "conversion to an array": np.asarray,
+    "power": lambda a: a**2.0,
+    "integer": lambda a: 2 * a,
+    "number": lambda a: a * float(a[0, 0]),
+    "loop over rows": lambda a: sum(row for row in a),
+    "assignment": lambda a: a.__setitem__(0, 1.0),
+    "other method": lambda a: a.clip(0.0),
+    "other option": lambda a: np.add(a, a, where=a > 0.0),
+    "no array": lambda a: 1.0,
+}
+
+
+@pytest.mark.parametrize("function", NOT_PURE.values(), ids=NOT_PURE)
+def test_function_that_is_not_pure_is_refused_and_leaves_nothing_recorded(function):
+    capture, a = Capture(), np.ones((3, 2))
+    kept = capture.record(np.negative, capture.stand_in(a))
+    with pytest.raises(NotCapturableError, match="cannot be captured"):
+        capture.record(lambda x: function(x * 2.0), capture.stand_in(a))
+    a[:] = 5.0
+    capture.replay()
+    np.testing.assert_array_equal(kept, np.full((3, 2), -5.0))
+    assert len(capture._operations) == 1
+
+
+def test_functions_that_cannot_be_captured_are_called_at_every_update():
+    a, calls = np.ones((2, 3)), []
+
+    def counted(x):
+        calls.append(1)
+        return x.sum(axis=1)
+
+    functions = Functions(
+        [(counted, False, (2,)), (np.negative, True, (2, 3)), (lambda x: x.clip(0.0, 1.0), True, (2, 3))],
+        lambda capture: (capture.stand_in(a),),
+        np.float64,
+    )
+    assert not calls
+    for value in (2.0, -3.0):
+        a[:] = value
+        functions.update(a)
+        for found, expected in zip(functions.results, (a.sum(axis=1), -a, a.clip(0.0, 1.0)), strict=True):
+            np.testing.assert_array_equal(found, expected)
+    assert len(calls) == 2
+
+
+@pytest.mark.parametrize("num_envs", [1, 5, 64])
+def test_captured_rewards_equal_calls_of_the_terms(num_envs):
+    rng = np.random.default_rng(num_envs)
+    readings = random_readings(rng, num_envs)
+    terms = Terms(readings)
+    for _ in range(4):
+        overwrite(readings, random_readings(rng, num_envs))
+        found = terms.randomize(rng).function(terms.context)
+        called = [np.atleast_2d(np.asarray(f(terms.context)).T) for _, f in terms.function._functions]
+        assert_same_bits(found, np.concatenate(called) * terms.function._weights)
+
+
+def test_every_built_in_term_and_field_on_level_ground_is_captured():
+    task = make_task()
+    task.step(np.zeros((3, 8)))
+    assert len(task._rewards._values.results) == len(REWARDS)
+    assert len(task._terminations._values.results) == len(TERMINATIONS)
+    assert len(task.control._fields.results) == len(LAYOUT.fields)
+    for functions in (task._rewards._values, task._terminations._values, task.control._fields):
+        assert not functions._called
+
+
+def test_heights_on_a_height_field_are_looked_up_at_every_step():
+    task = make_native(2, terrain="hills").task
+    task.reset(np.arange(2))
+    task.step(np.zeros((2, 8)))
+    assert {f.__class__.__name__ for _, f in task._rewards._values._called} == {"gait_clock", "base_height"}
+
+
+def test_observation_of_other_readings_is_theirs():
+    control = ControlInterface(MINI_QUADRUPED, ControlConfig(), 2)
+    rng = np.random.default_rng(0)
+    first, second = random_readings(rng, 2), random_readings(rng, 2)
+    alone = ControlInterface(MINI_QUADRUPED, ControlConfig(), 2).observe(second)
+    control.observe(first)
+    np.testing.assert_array_equal(control.observe(second), alone)
+    assert not np.array_equal(control.observe(first), alone)

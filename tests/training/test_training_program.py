@@ -1,0 +1,165 @@
+"""The program `train/ppo.py`: its help, its final output, and refusal of bad arguments."""
+
+import contextlib
+import dataclasses
+import re
+import runpy
+import shlex
+import subprocess
+import sys
+import types
+
+import pytest
+from trainings import SCRIPT, TINY, command
+
+from quadruped_env import QuadrupedError
+from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig
+
+
+def assert_refused(tmp_path, arguments, message):
+    """One clear line, status 2, and no run begun."""
+    done = subprocess.run(command(tmp_path / "runs", *arguments), capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert re.search(message, done.stderr), done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stdout == ""
+    assert not (tmp_path / "runs").exists(), "no run was begun"
+
+
+def test_help_shows_every_field_with_its_meaning_and_default():
+    done = subprocess.run(command("runs", "--help"), capture_output=True, text=True, check=True)
+    text = " ".join(done.stdout.partition("options:")[2].split())
+    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= -o DIR,| --[a-z-]+[ ,]|$)", text))
+    for field in dataclasses.fields(TrainConfig):
+        option = described[field.name.replace("_", "-")]
+        default = {} if field.default is dataclasses.MISSING else field.default
+        assert option.endswith(f"(default: {default})"), field.name
+        assert len(option) > len(f"(default: {default})") + 20, field.name
+    assert {"output", "resume"} < set(described)
+
+
+@pytest.fixture
+def final_output(tmp_path, monkeypatch, capsys):
+    """Function that runs the program with a training that takes no time; returns the lines that it prints."""
+
+    def train(config, runs, command, resume, task_file):
+        directory = runs / "20260101-000000-flat"
+        policy = load_policy("flat")
+        policy.with_card({"timesteps": config.timesteps}).save(directory)
+        with contextlib.suppress(FileNotFoundError):
+            (runs / "latest").unlink()
+        (runs / "latest").symlink_to(directory.name)
+        return directory, True
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["train/ppo.py", "--runs", str(tmp_path / "my runs"), *arguments])
+        with pytest.raises(SystemExit) as ended:
+            runpy.run_path(str(SCRIPT), run_name="__main__")
+        assert ended.value.code == 0
+        return capsys.readouterr().out.splitlines()
+
+    monkeypatch.setitem(sys.modules, "quadruped_env.training.ppo", types.SimpleNamespace(train=train))
+    return run
+
+
+def test_commands_of_the_final_output_can_be_pasted(final_output, tmp_path):
+    lines = final_output()
+    commands = dict(line.split(":", 1) for line in lines if re.match(r"(evaluate|see)", line))
+    assert set(commands) == {"evaluate it", "see it walk", "see curves"}
+    for text in commands.values():
+        words = shlex.split(text)
+        assert str(tmp_path / "my runs") in words[-1]
+        program = words[: words.index("--logdir")] if "--logdir" in words else words[:-1]
+        done = subprocess.run([*program, "--help"], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+
+def test_short_training_reports_its_length_and_the_previous_latest_run(final_output, tmp_path):
+    latest = tmp_path / "my runs" / "latest"
+    lines = final_output("--timesteps", "10000")
+    assert lines[1] == f"{latest} now means this run"
+    assert lines[2].startswith("it has learned for only 10,000 steps; in mode 'residual' a policy takes about 62,000 ")
+    (latest.parent / "20250101-000000-other").mkdir()
+    latest.unlink()
+    latest.symlink_to("20250101-000000-other")
+    lines = final_output("--timesteps", "100000")
+    assert lines[1] == f"{latest} now means this run, and no longer 20250101-000000-other"
+    assert not any("it has learned for" in line for line in lines)
+    assert any(
+        "it has learned for" in line for line in final_output("--timesteps", "100000", "--action-mode", "position")
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--batch-size", "99999"), r"error: --batch-size: 99999 is more than the \d+ samples of an update"),
+        (("--action-mode", "torque"), r"--action-mode.*'torque'.*'position', 'residual'"),
+        (("--task", "{"), r"""--task: expected a JSON object such as '{"command".*; found '\{' \(Expecting"""),
+        (("--task", "x"), r"""--task: expected a JSON object such as '{"command".*; found 'x' \(Expecting value"""),
+        (("--task", "[1]"), r"--task: expected a JSON object such as .*; found '\[1\]'$"),
+        (("--task", "9" * 5000), r"--task: expected a JSON object such as .*; found '9{60}' \(Exceeds"),
+        (("--task", "[" * 100_000), r"--task: expected a JSON object such as .*; found '\[{60}' \("),
+        (("--resume", "nowhere"), r"error: --resume: nowhere is not a directory; name a run such as runs/latest"),
+        (("--timesteps", "many"), r"--timesteps.*'many'"),
+        (("--speed", "9"), r"unrecognized arguments: --speed 9"),
+    ],
+)
+def test_bad_arguments_give_one_clear_line_and_status_2(tmp_path, arguments, message):
+    assert_refused(tmp_path, arguments, message)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--task", '{"tempo": 1}'), r"error: config: unknown field 'tempo'; valid fields are"),
+        (("--task", '{"decimation": 0}'), r"error: config: decimation must be 1 or more; found 0"),
+    ],
+)
+def test_a_bad_task_gives_one_clear_line_and_status_2(tmp_path, arguments, message):
+    assert_refused(tmp_path, (*TINY, *arguments), message)
+
+
+@pytest.mark.slow
+def test_runs_in_a_place_that_cannot_be_written_are_refused(tmp_path):
+    (tmp_path / "file").write_text("")
+    done = subprocess.run(command(tmp_path / "file", *TINY), capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert re.fullmatch(r"ppo.py: error: --output: cannot create .*; name another place\n", done.stderr)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"action_mode": "torque"}, r"--action-mode: 'torque' is unknown; valid modes are position, residual"),
+        ({"timesteps": 0}, r"--timesteps: expected 1 or more; found 0"),
+        ({"num_envs": -1}, r"--num-envs: expected 1 or more; found -1"),
+        ({"n_steps": 0}, r"--n-steps: expected 1 or more"),
+        ({"n_epochs": 0}, r"--n-epochs: expected 1 or more"),
+        ({"batch_size": 0}, r"--batch-size: expected 1 or more"),
+        ({"batch_size": 1}, r"--batch-size: expected 2 or more"),
+        ({"num_envs": 2, "n_steps": 4, "batch_size": 9}, r"--batch-size: 9 is more than the 8 samples.*lower it"),
+        ({"seed": -1}, r"--seed: expected 0 to 4294967295; found -1"),
+        ({"seed": 2**32}, r"--seed: expected 0 to 4294967295"),
+        ({"seconds": 0.0}, r"--seconds: expected more than 0; found 0"),
+        ({"seconds": float("nan")}, r"--seconds: expected more than 0; found nan"),
+        ({"checkpoint_seconds": 0.0}, r"--checkpoint-seconds: expected more than 0"),
+        ({"learning_rate": 0.0}, r"--learning-rate: expected more than 0"),
+        ({"learning_rate": float("inf")}, r"--learning-rate: .*finite; found inf"),
+        ({"gamma": 1.5}, r"--gamma: expected more than 0, and at most 1; found 1.5"),
+        ({"gae_lambda": -0.1}, r"--gae-lambda: expected 0 to 1"),
+        ({"clip_range": 0.0}, r"--clip-range: expected more than 0"),
+        ({"ent_coef": -1.0}, r"--ent-coef: expected 0 or more"),
+        ({"max_grad_norm": 0.0}, r"--max-grad-norm: expected more than 0"),
+        ({"hidden": (64, 0)}, r"--hidden: expected widths of 1 or more; found \(64, 0\)"),
+        ({"log_std_init": float("nan")}, r"--log-std-init: expected a finite number"),
+        ({"name": "a/b"}, r"--name: 'a/b' cannot be part of a directory's name"),
+        ({"name": ""}, r"--name: '' cannot"),
+        ({"name": ".."}, r"--name: '\.\.' cannot"),
+    ],
+)
+def test_bad_training_setting_is_named_by_its_flag(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        TrainConfig(**values)
