@@ -27,7 +27,7 @@ from quadruped_env.policies import (
 from quadruped_env.progress import Progress
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
-from quadruped_env.task import RandomizationConfig, TaskConfig
+from quadruped_env.task import RANDOM_START, TaskConfig
 
 Command = tuple[float, float]
 
@@ -171,8 +171,9 @@ def compare(
 ) -> Comparison:
     """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, without randomization of friction, payload, pushes and sensor
-    noise; only the start of an episode is random. Commands may lie outside the training ranges.
+    The task is the one that the policy was trained for, without its randomizations and observation noise, a user's own
+    included; only the start of an episode is random, as in the built-in task. Commands may lie outside the training
+    ranges.
 
     Args:
         policy: the trained policy.
@@ -243,12 +244,12 @@ def compare_policies(
 
 
 def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task without randomization, with command ranges that include the commands."""
+    """A policy's task, of whose randomization only the built-in start stays, with ranges that include the commands."""
     ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
-    return dataclasses.replace(config, randomization=RandomizationConfig(), command=ranges)
+    return dataclasses.replace(config.without_randomization(RANDOM_START), command=ranges)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

@@ -15,13 +15,14 @@ from quadruped_env.task.config import (
 )
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
-from quadruped_env.task.randomization import Event, ModelField, Randomization
+from quadruped_env.task.randomization import RANDOM_START, Event, ModelField, Randomization
 from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
 
 __all__ = [
     "BUILT_IN",
+    "RANDOM_START",
     "ActionConfig",
     "Command",
     "CommandConfig",

@@ -10,6 +10,7 @@ import functools
 import typing
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, Final, Literal, Self
 
 from quadruped_env._plain import PlainFields, plain
@@ -42,6 +43,7 @@ ROBOT: Final = "robot"
 _POSITIVE_SECONDS: Final = Parameter.positive("s")
 _OF_THE_DEFINITION: Final[Any] = None
 """Default of the fields whose defaults depend on the task's definition."""
+_NOTHING: Final[Mapping[str, Any]] = MappingProxyType({})
 
 
 @functools.cache
@@ -245,6 +247,18 @@ class TaskConfig(PlainFields):
         kept = self.terrain if name == self.terrain["name"] else {"name": name, "seed": self.terrain["seed"]}
         values = {**kept, **({} if seed is None else {"seed": seed})}
         return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))
+
+    def without_randomization(self, apart_from: Mapping[str, Any] = _NOTHING) -> Self:
+        """A copy of the config without randomizations, a user's own included, and without observation noise.
+
+        Args:
+            apart_from: settings of built-in randomizations and of `observation_noise` that stay on. A randomization
+                that the definition has replaced is off all the same.
+        """
+        own = {entry.name for entry in self.definition.randomizations if entry not in BUILT_IN.randomizations}
+        off = {**dict.fromkeys(entry.name for entry in self.definition.randomizations), "observation_noise": 0.0}
+        on = {name: value for name, value in apart_from.items() if name not in own}
+        return dataclasses.replace(self, randomization=self.randomization.replace(**{**off, **on}))
 
     @property
     def control(self) -> ControlConfig:
