@@ -51,6 +51,7 @@ MAX_SECONDS: Final = 600.0
 """Maximum length of an episode, s: all episodes are kept in memory."""
 
 MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
+"""Motions that commands ask for, in the order of tables."""
 
 CONTROLLERS: Final = {
     "policy": "Trained policy",
@@ -62,7 +63,7 @@ CONTROLLERS: Final = {
 
 
 def motion_of(command: Command) -> str:
-    """Motion (one of `MOTIONS`) of a command (m/s, rad/s); a curve counts as turning."""
+    """Motion that a command (m/s, rad/s) asks for, one of `MOTIONS`; a curve counts as turning."""
     forward, yaw_rate = command
     if abs(yaw_rate) > MOVING_THRESHOLD:
         return "turning"
@@ -91,7 +92,7 @@ class Comparison:
         return self.config.robot
 
     def conditions(self, motion: str | None) -> list[int]:
-        """Indices of the commands of one of `MOTIONS`, or of all."""
+        """Indices of the commands that ask for one of `MOTIONS`; None: of all commands."""
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command))]
 
     def estimate(self, controller: str, metric: str, motion: str | None = None) -> Estimate:

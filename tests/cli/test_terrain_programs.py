@@ -23,7 +23,7 @@ from quadruped_env.live.robot_option import robot_of
 from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
-from quadruped_env.reporting.films.film import Camera, Motion
+from quadruped_env.reporting.films.film import Camera, Clip
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
@@ -110,12 +110,12 @@ def test_baseline_on_a_terrain_measures_and_records_on_it():
 
 def test_motion_on_uneven_ground_stays_where_it_is():
     rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
-    trace = Motion.of_rollout(rollout, 0, "").trace
+    trace = Clip.of_rollout(rollout, 0, "").trace
     np.testing.assert_array_equal(trace.base_position, rollout.base_position[:, 0])
     assert trace.terrain == HILLS.ground
 
 
-def test_camera_shows_the_ground_of_each_motion(opengl):
+def test_camera_shows_the_ground_of_each_clip(opengl):
     high = find_terrain("hills").variant(2, height=0.5)
     pose = np.array([[3.0, 1.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0]])
     raised = pose.copy()
@@ -158,7 +158,7 @@ def test_ground_mesh_is_the_height_field_and_faces_up():
 
 def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, monkeypatch):
     filmed = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: filmed.extend(motions))
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: filmed.extend(clips))
     sources, _ = find_controllers(runs=tmp_path)
     controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", terrain=HILLS.ground)
     assert HeightField.of(controller.model()) is not None
@@ -168,7 +168,7 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     controller.start_recording()
     controller.advance(0.2)
     controller.close()
-    assert [motion.trace.terrain for motion in filmed] == [HILLS.ground]
+    assert [clip.trace.terrain for clip in filmed] == [HILLS.ground]
 
 
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
