@@ -143,7 +143,7 @@ class Replay:
         field = HeightField.of(build_model(terrain=self.motion.terrain, robot=self.robot))
         clearance = feet[:, 2] - self.robot.foot_radius - (0.0 if field is None else field.at(feet))
         return {
-            "terrain": self.motion.terrain.name,
+            **self.motion.terrain.provenance(),
             "seconds": self.motion.joints.duration,
             "fell_at": self.motion.fell_at,
             "base_pose_start": start.tolist(),

@@ -2,6 +2,7 @@
 
 import argparse
 import dataclasses
+import hashlib
 import json
 from pathlib import Path
 
@@ -93,6 +94,7 @@ def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
     comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=steps)
     assert {rollout.terrain for rollout in comparison.rollouts.values()} == {steps}
     assert comparison.config.terrain.name == "steps"
+    assert comparison.config.to_dict()["terrain_file"] == load_task_file(file).file.to_dict()
     arguments[-1] = "swamp"
     with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills, steps"):
         named_terrain(parser.parse_args(arguments[2:]))
@@ -108,7 +110,7 @@ def test_baseline_on_a_terrain_measures_and_records_on_it():
 # --- pictures
 
 
-def test_motion_on_uneven_ground_stays_where_it_is():
+def test_clip_on_uneven_ground_stays_where_it_is():
     rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
     trace = Clip.of_rollout(rollout, 0, "").trace
     np.testing.assert_array_equal(trace.base_position, rollout.base_position[:, 0])
@@ -238,11 +240,14 @@ def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     tiny = ["baseline", *ground, "--seconds", "0.5", "--episodes", "1"]
     assert main([*tiny, "-o", str(tmp_path / "walk.csv")]) == 0
     assert main([*tiny, "--commands", "-o", str(tmp_path / "commands.csv")]) == 0
-    assert json.loads((tmp_path / "walk.json").read_text())["terrain"] == "steps"
+    origin = {"name": "my_terrain.py", "sha256": hashlib.sha256(STEPS.encode()).hexdigest()}
+    numbers = json.loads((tmp_path / "walk.json").read_text())
+    assert (numbers["terrain"], numbers["terrain_file"]) == ("steps", origin)
     replayed = tmp_path / "replay"
     assert main(["replay", str(tmp_path / "commands.csv"), *ground, "--no-report", "-o", str(replayed)]) == 0
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
-    assert json.loads((replayed / "tracking.json").read_text())["motion"]["terrain"] == "steps"
+    motion = json.loads((replayed / "tracking.json").read_text())["motion"]
+    assert (motion["terrain"], motion["terrain_file"]) == ("steps", origin)
 
 
 def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
