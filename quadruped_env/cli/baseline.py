@@ -62,7 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="seed of the first random start (default: %(default)s)",
     )
-    add_robot_file(parser)
+    add_robot_file(parser, terrain=True)
     add_terrain(parser, "flat")
     add_output(
         parser,
