@@ -1,13 +1,27 @@
-"""Where numbers come from: the machine, the versions of the libraries, the commit of the checkout."""
+"""Where numbers come from: the machine, the libraries' versions, the commit of the checkout, a user's files."""
 
+import dataclasses
 import os
 import platform
 import subprocess
+from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 from typing import Final
 
 _LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
+
+
+@dataclass(frozen=True)
+class TaskFile:
+    """A user's Python file of terms, terrains or a robot: its name and the SHA-256 of its content."""
+
+    name: str
+    sha256: str
+
+    def to_dict(self) -> dict[str, str]:
+        """Plain values, as stored in configs and results."""
+        return dataclasses.asdict(self)
 
 
 def versions() -> dict[str, str]:

@@ -12,7 +12,7 @@ from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.program import run_program
-from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import prepare_video, save_film
 
 START, STRIDES = 3.0, 6
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
     policy = load_policy(arguments.policy)
     stop = START + STRIDES / policy.config.clock_frequency
     rollout = roll_out(PolicyController(policy), [(arguments.velocity, 0.0)], [FIRST_SEED], stop, policy.config)
-    save_film(arguments.output, [Motion.of_rollout(rollout, 0, "trained policy", START)], ProgressLine("drawing"))
+    save_film(arguments.output, [Clip.of_rollout(rollout, 0, "trained policy", START)], ProgressLine("drawing"))
     print(f"written to {arguments.output}")
     return 0
 

@@ -62,7 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="seed of the first random start (default: %(default)s)",
     )
-    add_robot_file(parser)
+    add_robot_file(parser, terrain=True)
     add_terrain(parser, "flat")
     add_output(
         parser,
@@ -78,7 +78,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Measure, record, and print the metrics."""
     from quadruped_env.control.task_file import load_robot
     from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
-    from quadruped_env.reporting.films.film import Motion
+    from quadruped_env.reporting.films.film import Clip
     from quadruped_env.reporting.films.video import prepare_video, save_film
 
     name = f"baseline-{arguments.preset}{'-commands' if arguments.commands else ''}.csv"
@@ -97,7 +97,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:
-        save_film(arguments.video, [Motion(arguments.preset, baseline.recording)], ProgressLine("filming"))
+        save_film(arguments.video, [Clip(arguments.preset, baseline.recording)], ProgressLine("filming"))
     print(baseline.table())
     print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
     if arguments.video:

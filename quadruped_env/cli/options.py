@@ -55,14 +55,14 @@ def add_task_file(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_robot_file(parser: argparse.ArgumentParser) -> None:
-    """Add `--task`, for commands that need the robot alone."""
+def add_robot_file(parser: argparse.ArgumentParser, terrain: bool = False) -> None:
+    """Add `--task`, for commands that need the robot alone, or the robot and its terrain."""
+    other = "another robot or terrain than the built-in ones" if terrain else "another robot than the built-in one"
     parser.add_argument(
         "--task",
         type=Path,
         metavar="FILE",
-        help="Python file that defines another robot or terrain than the built-in ones; it is executed "
-        "(docs/make-it-yours.md)",
+        help=f"Python file that defines {other}; it is executed (docs/make-it-yours.md)",
     )
 
 

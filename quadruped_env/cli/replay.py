@@ -61,7 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--motors", type=Path, metavar="MOTORS.json", help="motors of the robot, a result of `identify`"
     )
-    add_robot_file(parser)
+    add_robot_file(parser, terrain=True)
     add_terrain(parser, "flat")
     add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {NEXT_FREE})")
     parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")

@@ -17,11 +17,12 @@ from safetensors.numpy import load, save
 from quadruped_env._python import program_command
 from quadruped_env.control.config import COMMANDS, Command, ControlConfig
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.task_file import TASK_FILE, TaskFile, check_task_file, execute, merged, robot_in
+from quadruped_env.control.task_file import TASK_FILE, check_task_file, execute, merged, robot_in
 from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.files import write_whole
 from quadruped_env.gait import CommandedGait
+from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
 

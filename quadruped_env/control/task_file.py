@@ -1,6 +1,5 @@
 """A user's Python file of terms and robots: read, verified, and executed only if the user names it."""
 
-import dataclasses
 import functools
 import hashlib
 import importlib.util
@@ -8,12 +7,12 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Final, TypeVar
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
@@ -21,28 +20,18 @@ from quadruped_env.robot.robot import Robot
 Term = TypeVar("Term")
 
 
-@dataclass(frozen=True)
-class TaskFile:
-    """A user's file of terms: its name and the SHA-256 of its content."""
-
-    name: str
-    sha256: str
-
-    def to_dict(self) -> dict[str, str]:
-        """Plain values, as stored in a run's config."""
-        return dataclasses.asdict(self)
-
-
 TASK_FILE: Final = "task_file"
 """Field of a config's plain values that names the user's file of terms."""
 
 
-def check_task_file(recorded: Any, file: TaskFile | None) -> None:
-    """Check that a config is loaded with the terms that it was created with.
+def check_task_file(recorded: Any, file: TaskFile | None, field: str = TASK_FILE, what: str = "terms") -> None:
+    """Check that a config is loaded with the user's file that it was created with.
 
     Args:
-        recorded: file of terms according to the config: None, or a dict with `name` and `sha256`.
-        file: file of terms to load the config with; None for the built-in terms.
+        recorded: file according to the config: None, or a dict with `name` and `sha256`.
+        file: file to load the config with; None for what is built in.
+        field: field of the config that names the file.
+        what: what the file defines, in words.
 
     Raises:
         QuadrupedError: if they are not the same.
@@ -50,11 +39,11 @@ def check_task_file(recorded: Any, file: TaskFile | None) -> None:
     if recorded is None:
         return
     if not isinstance(recorded, dict) or not {"name", "sha256"} <= set(recorded):
-        raise QuadrupedError(f"config.{TASK_FILE}: expected name and sha256; found {short(recorded)}")
+        raise QuadrupedError(f"config.{field}: expected name and sha256; found {short(recorded)}")
     name, sha256 = short(str(recorded["name"])), str(recorded["sha256"])
     if file is None:
         raise QuadrupedError(
-            f"this task has terms from {name}, which is not executed automatically: check the file, then name it with "
+            f"this task has {what} from {name}, which is not executed automatically: check the file, then name it with "
             f"--task FILE, or task_file=... in Python"
         )
     if file.sha256 != sha256:

@@ -100,7 +100,7 @@ class Baseline:
             "gait": self.gait.parameters(),
             "violations": self.gait.violations(),
             "rate_hz": self.rate,
-            "terrain": self.recording.terrain.name,
+            **self.recording.terrain.provenance(),
             "seconds": self.commands.duration,
             "seeds": list(self.seeds),
             "metrics": metrics,

@@ -27,7 +27,7 @@ from quadruped_env.policies import (
 from quadruped_env.progress import Progress
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
-from quadruped_env.task import RandomizationConfig, TaskConfig
+from quadruped_env.task import RANDOM_START, TaskConfig
 
 Command = tuple[float, float]
 
@@ -51,6 +51,7 @@ MAX_SECONDS: Final = 600.0
 """Maximum length of an episode, s: all episodes are kept in memory."""
 
 MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
+"""Motions that commands ask for, in the order of tables."""
 
 CONTROLLERS: Final = {
     "policy": "Trained policy",
@@ -62,7 +63,7 @@ CONTROLLERS: Final = {
 
 
 def motion_of(command: Command) -> str:
-    """Motion (one of `MOTIONS`) of a command (m/s, rad/s); a curve counts as turning."""
+    """Motion that a command (m/s, rad/s) asks for, one of `MOTIONS`; a curve counts as turning."""
     forward, yaw_rate = command
     if abs(yaw_rate) > MOVING_THRESHOLD:
         return "turning"
@@ -91,7 +92,7 @@ class Comparison:
         return self.config.robot
 
     def conditions(self, motion: str | None) -> list[int]:
-        """Indices of the commands of one of `MOTIONS`, or of all."""
+        """Indices of the commands that ask for one of `MOTIONS`; None: of all commands."""
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command))]
 
     def estimate(self, controller: str, metric: str, motion: str | None = None) -> Estimate:
@@ -171,8 +172,9 @@ def compare(
 ) -> Comparison:
     """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, without randomization of friction, payload, pushes and sensor
-    noise; only the start of an episode is random. Commands may lie outside the training ranges.
+    The task is the one that the policy was trained for, without its randomizations and observation noise, a user's own
+    included; only the start of an episode is random, as in the built-in task. Commands may lie outside the training
+    ranges.
 
     Args:
         policy: the trained policy.
@@ -243,12 +245,12 @@ def compare_policies(
 
 
 def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task without randomization, with command ranges that include the commands."""
+    """A policy's task, of whose randomization only the built-in start stays, with ranges that include the commands."""
     ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
-    return dataclasses.replace(config, randomization=RandomizationConfig(), command=ranges)
+    return dataclasses.replace(config.without_randomization(RANDOM_START), command=ranges)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

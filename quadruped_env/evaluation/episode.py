@@ -19,7 +19,7 @@ from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
-from quadruped_env.task import RandomizationConfig, Task, TaskConfig
+from quadruped_env.task import Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trace import Recorder, Trace
 from quadruped_env.trajectory import JointTrajectory
@@ -30,10 +30,6 @@ MAX_SECONDS: Final = 6 * 3600.0
 """Maximum duration, s. A longer recording more likely has a timestamp from another clock (a first timestamp of 0)."""
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
-STILL: Final = RandomizationConfig(
-    start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
-)
-"""Randomization with every start perturbation switched off."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -142,12 +138,11 @@ def record(
     Raises:
         QuadrupedError: if the command is outside the task's ranges.
     """
-    config = replace(task_config(controller.action_mode, config), randomization=STILL)
+    config = task_config(controller.action_mode, config).without_randomization()
     robot = config.robot
     model = build_model(config.physics_timestep, config.motor, config.ground, robot)
     task = Task(SingleSimulation(model, robot), config)
     task.reset(_ROW, seeds=[0], command=command)
-    # `reset` gives a random heading; a recording begins facing along x.
     qpos = _start(robot, start)
     qpos[2] += highest_ground(task.simulation, qpos[:2])
     task.simulation.reset(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))

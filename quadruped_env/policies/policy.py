@@ -17,6 +17,7 @@ from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.simulation.terrain import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
 
 
@@ -114,6 +115,9 @@ class Policy(control_policy.Policy):
                 raise QuadrupedError(
                     f"policy.make_env: {name} is given by the policy; for another task: gymnasium.make({ENV_ID!r}, ...)"
                 )
+        if self.config.definition.added_terrains:
+            # Plain values and a task file cannot give these terrains again.
+            return {"config": self.config}
         arguments = {"config": self.config.to_dict(), "task_file": self.config.definition.path}
         return arguments if self.config.robot == BUILT_IN.robot else {**arguments, "robot": self.config.robot}
 
@@ -150,8 +154,8 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
         QuadrupedError: if the task's config is not valid.
     """
     try:
-        # A policy that needs no file of terms is not affected by one.
-        own = definition if TASK_FILE in policy.task else BUILT_IN.with_robot(policy.robot)
+        # A policy that needs nothing of a user's file is not affected by one.
+        own = definition if {TASK_FILE, TERRAIN_FILE} & policy.task.keys() else BUILT_IN.with_robot(policy.robot)
         config = TaskConfig.from_dict(policy.task, own)
     except QuadrupedError as error:
         raise QuadrupedError(f"{policy.source}: {error}; train again, or install the version that made it") from error

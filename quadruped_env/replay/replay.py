@@ -14,7 +14,7 @@ from quadruped_env.files import check_free, write_json
 from quadruped_env.progress import Progress
 from quadruped_env.replay.saturation import Saturation, saturation
 from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
-from quadruped_env.reporting.films.film import FRAME_RATE, Motion
+from quadruped_env.reporting.films.film import FRAME_RATE, Clip
 from quadruped_env.reporting.results import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.skeleton import Pose
@@ -94,17 +94,17 @@ class Replay:
     def _comparison(self) -> Signals:
         return side_by_side(self.measured or self.recorded, self.played)
 
-    def film(self) -> Motion:
-        """Motion for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
+    def film(self) -> Clip:
+        """Clip for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
         name = Path(self.recorded.source.name).name
         if self.motion is not None:
-            return Motion(name, self.motion)
+            return Clip(name, self.motion)
         times = np.arange(0.0, self.played.duration + 1e-9, 1.0 / FRAME_RATE)
         positions = self.played.positions_at(times)
         base_pose = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], (len(times), 1))
         base_pose[:, 2] = -self.robot.sole_heights(positions, base_pose).min(axis=-1)
         trace = Trace(robot=self.robot, timestep=1.0 / FRAME_RATE, base_pose=base_pose, joint_position=positions)
-        return Motion(f"{name}, kinematic", trace)
+        return Clip(f"{name}, kinematic", trace)
 
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""
@@ -143,7 +143,7 @@ class Replay:
         field = HeightField.of(build_model(terrain=self.motion.terrain, robot=self.robot))
         clearance = feet[:, 2] - self.robot.foot_radius - (0.0 if field is None else field.at(feet))
         return {
-            "terrain": self.motion.terrain.name,
+            **self.motion.terrain.provenance(),
             "seconds": self.motion.joints.duration,
             "fell_at": self.motion.fell_at,
             "base_pose_start": start.tolist(),

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter, described, parameters_of, stay_importable
+from quadruped_env.provenance import TaskFile
 
 Floats = NDArray[np.float64]
 
@@ -18,6 +19,8 @@ CELL: Final = 0.1
 """Default grid spacing, m. Contacts at the edges between cells slow a turning robot down: by 2 %, at 0.05 m by 6 %."""
 MAX_POINTS: Final = 2001
 """Maximum number of grid points per side."""
+TERRAIN_FILE: Final = "terrain_file"
+"""Field of configs and results that names the user's file that defines the terrain."""
 _START: Final = (0.4, 1.2)
 """Distances from the start up to which `Grid.fade` is 0, and from which it is 1, m."""
 _EDGE: Final = 1.0
@@ -78,6 +81,8 @@ class Terrain:
     seed: int = 0
     values: tuple[tuple[str, float], ...] = ()
     """Name and value of the parameters that differ from their defaults."""
+    file: TaskFile | None = field(default=None, compare=False)
+    """User's file that defines it; None for a terrain that is built in or defined in Python alone."""
 
     def __post_init__(self) -> None:
         reserved = sorted({"name", "seed"} & set(self.parameters))
@@ -106,6 +111,10 @@ class Terrain:
                 raise QuadrupedError(f"terrain {self.name}: {name} must be {parameter.rule()}; found {short(value)}")
         changed = ((name, float(value)) for name, value in sorted(values.items()) if value != self.parameters[name][1])
         return replace(self, seed=seed, values=tuple(changed))
+
+    def provenance(self) -> dict[str, Any]:
+        """Name of the terrain and, as `terrain_file`, name and SHA-256 of the file that defines it, for results."""
+        return {"terrain": self.name, **({} if self.file is None else {TERRAIN_FILE: self.file.to_dict()})}
 
     def heights(self) -> Floats:
         """Heights (P, P) in m, first axis along y, second along x; the same seed gives the same heights.

@@ -2,8 +2,8 @@
 
 from quadruped_env.control.config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
-from quadruped_env.control.task_file import TaskFile
 from quadruped_env.parameters import Parameter
+from quadruped_env.provenance import TaskFile
 from quadruped_env.simulation.terrain import Grid, Terrain, terrain
 from quadruped_env.task.config import (
     CommandConfig,
@@ -15,13 +15,14 @@ from quadruped_env.task.config import (
 )
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
-from quadruped_env.task.randomization import Event, ModelField, Randomization
+from quadruped_env.task.randomization import RANDOM_START, Event, ModelField, Randomization
 from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
 
 __all__ = [
     "BUILT_IN",
+    "RANDOM_START",
     "ActionConfig",
     "Command",
     "CommandConfig",

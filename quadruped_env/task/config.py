@@ -10,6 +10,7 @@ import functools
 import typing
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, Final, Literal, Self
 
 from quadruped_env._plain import PlainFields, plain
@@ -19,7 +20,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.simulation.terrain import Terrain, find_terrain
+from quadruped_env.simulation.terrain import TERRAIN_FILE, Terrain, find_terrain
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.settings import (
     Entry,
@@ -42,6 +43,7 @@ ROBOT: Final = "robot"
 _POSITIVE_SECONDS: Final = Parameter.positive("s")
 _OF_THE_DEFINITION: Final[Any] = None
 """Default of the fields whose defaults depend on the task's definition."""
+_NOTHING: Final[Mapping[str, Any]] = MappingProxyType({})
 
 
 @functools.cache
@@ -108,6 +110,13 @@ def _schema(name: str, terrain: Any, definition: TaskDefinition) -> Schema:
 def _terrain_in(values: Any) -> Any:
     """Name of the terrain that values of the section `terrain` select."""
     return values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
+
+
+def _terrain_of_file(recorded: Any, name: Any, definition: TaskDefinition) -> Terrain:
+    """The terrain of a name, which must be from the recorded file."""
+    found = [entry for entry in definition.terrains if entry.name == name and entry.file is not None]
+    check_task_file(recorded, found[0].file if found else None, TERRAIN_FILE, f"the terrain {short(name)}")
+    return found[0]
 
 
 def _sections(definition: TaskDefinition) -> tuple[str, ...]:
@@ -246,6 +255,18 @@ class TaskConfig(PlainFields):
         values = {**kept, **({} if seed is None else {"seed": seed})}
         return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))
 
+    def without_randomization(self, apart_from: Mapping[str, Any] = _NOTHING) -> Self:
+        """A copy of the config without randomizations, a user's own included, and without observation noise.
+
+        Args:
+            apart_from: settings of built-in randomizations and of `observation_noise` that stay on. A randomization
+                that the definition has replaced is off all the same.
+        """
+        own = {entry.name for entry in self.definition.randomizations if entry not in BUILT_IN.randomizations}
+        off = {**dict.fromkeys(entry.name for entry in self.definition.randomizations), "observation_noise": 0.0}
+        on = {name: value for name, value in apart_from.items() if name not in own}
+        return dataclasses.replace(self, randomization=self.randomization.replace(**{**off, **on}))
+
     @property
     def control(self) -> ControlConfig:
         """Part of the config that training and a real robot share."""
@@ -271,6 +292,9 @@ class TaskConfig(PlainFields):
             elif isinstance(value, TaskDefinition):
                 if value.file is not None:
                     values[TASK_FILE] = value.file.to_dict()
+                terrain_file = self.ground.file
+                if terrain_file is not None and terrain_file != value.file:
+                    values[TERRAIN_FILE] = terrain_file.to_dict()
                 if value.robot != BUILT_IN.robot:
                     values[ROBOT] = value.robot.identity
             else:
@@ -289,13 +313,20 @@ class TaskConfig(PlainFields):
 
         Raises:
             QuadrupedError: if a field is unknown or a value has the wrong type (the message names the field and what
-                is valid), or if the values name another file of terms or another robot than the definition.
+                is valid), or if the values name another file of terms or of the terrain, or another robot, than the
+                definition.
         """
         values = plain(values)
         if isinstance(values, dict):
             values = dict(values)
-            check_task_file(values.pop(TASK_FILE, None), definition.file)
+            file, terrain_file = values.pop(TASK_FILE, None), values.pop(TERRAIN_FILE, None)
+            check_task_file(file, definition.file)
             check_same_robot(values.pop(ROBOT, None), definition.robot)
+            if terrain_file is not None:
+                terrain = _terrain_of_file(terrain_file, _terrain_in(values.get("terrain")), definition)
+                # The file gave the config its terrain and nothing else.
+                own = definition if file is not None else BUILT_IN.with_robot(definition.robot)
+                definition = own.with_terrain(terrain)
         return _build(cls, values, "config", definition)
 
 

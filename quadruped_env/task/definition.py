@@ -10,8 +10,9 @@ from typing import Any, Final, Self
 
 from quadruped_env.control.config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
-from quadruped_env.control.task_file import TaskFile, execute, merged, robot_in
+from quadruped_env.control.task_file import execute, merged, robot_in
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.terrain import TERRAINS, Terrain
@@ -129,7 +130,7 @@ def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
     path = str(module.__file__)
     built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
     terms = [
-        value
+        dataclasses.replace(value, file=file) if isinstance(value, Terrain) else value
         for value in vars(module).values()
         if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
     ]

@@ -1,7 +1,7 @@
 """Randomization of initial states, model parameters and pushes; the built-in randomizations are at the end."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Protocol, get_args
 
@@ -198,7 +198,9 @@ class _BoundField:
         new = {"set": shaped + 0.0 * old, "scale": shaped * old, "add": shaped + old}[field.mode]
         simulation.model_field(field.field)[where if column is None else (*where, column)] = new
         if field.field == "body_mass":
-            simulation.model_field("body_inertia")[where] = (new / old)[..., None] * self.inertia[self.ids]
+            # A body without mass, such as the world, has no inertia either.
+            share = np.divide(new, old, out=np.ones_like(new), where=old > 0.0)
+            simulation.model_field("body_inertia")[where] = share[..., None] * self.inertia[self.ids]
 
 
 def _joint_position(event: Event, values: Floats) -> None:
@@ -231,12 +233,18 @@ def _push(event: Event, values: Floats) -> None:
     event.simulation.push(event.env_ids, velocity)
 
 
-RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
+_STARTS: Final = (
     Randomization("start_joint_position", _joint_position, 0.1, "rad", "joints"),
     Randomization("start_joint_velocity", _joint_velocity, 0.5, "rad/s", "joints"),
     Randomization("start_base_velocity", _base_velocity, 0.2, "m/s, rad/s", 6),
     Randomization("start_tilt", _tilt, 0.05, "rad", 2),
     Randomization("start_heading", _heading, math.pi, "rad"),
+)
+RANDOM_START: Final[Mapping[str, Any]] = {entry.name: entry.default for entry in _STARTS}
+"""Settings of the built-in randomizations of the start: offsets from the stance at rest, and the heading."""
+
+RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
+    *_STARTS,
     # MuJoCo uses the larger friction of the two geoms in contact, so all geoms are set.
     Randomization("friction", ModelField("geom_friction", column=0, mode="set"), None, valid=Parameter.positive()),
     Randomization(
@@ -248,7 +256,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization("push_velocity", _push, 0.0, "m/s", 2, interval=("push_interval", (4.0, 8.0))),
 )
-"""Built-in randomizations: offsets from the stance at rest, friction, payload on the base, and pushes."""
+"""Built-in randomizations: of the start, friction, payload on the base, and pushes."""
 
 
 def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:

@@ -246,14 +246,7 @@ class JointTrajectory:
         """
         if tuple(names) == self.names:
             return self
-        for name in names:
-            if name not in self.names:
-                raise QuadrupedError(
-                    f"{self.source.name}: joint {name!r} is missing; all {len(names)} are needed, and it has "
-                    f"{', '.join(self.names)}; add its positions, or map another robot's joints (--map)"
-                )
-        order = [self.names.index(name) for name in names]
-        return self._changed(names=names, **{kind: array[:, order] for kind, array in self._arrays().items()})
+        return self._of_rows(conversion.select(self.to_rows(), names, self.source.name))
 
     def in_joint_order(self, robot: Robot = MINI_QUADRUPED) -> "JointTrajectory":
         """The trajectory with a robot's joints in their order.

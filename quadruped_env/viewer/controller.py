@@ -10,18 +10,17 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import mujoco
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.episode import STILL
 from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
-from quadruped_env.task import CommandConfig, RandomizationConfig, Section
+from quadruped_env.task import RANDOM_START, CommandConfig
 from quadruped_env.viewer.robot import Offered, TaskRobot, ViewedRobot
 from quadruped_env.viewer.snapshot import View, robot_view
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
@@ -33,15 +32,19 @@ MAX_PUSH: Final = 1.5
 """Maximum velocity change by a push, m/s."""
 RESTART_AFTER: Final = 2.0
 """Time after a fall until the robot restarts, s."""
-RANDOMIZATIONS: Final[dict[str, Section | None]] = {
-    "off": STILL,
-    "start": RandomizationConfig(),
-    "start, ground, payload, noise, pushes": RandomizationConfig(
-        friction=(0.4, 1.2), payload=(0.0, 1.0), push_velocity=0.4, observation_noise=1.0
-    ),
+RANDOMIZATIONS: Final[dict[str, Mapping[str, Any] | None]] = {
+    "off": {},
+    "start": RANDOM_START,
+    "start, ground, payload, noise, pushes": {
+        **RANDOM_START,
+        "friction": (0.4, 1.2),
+        "payload": (0.0, 1.0),
+        "push_velocity": 0.4,
+        "observation_noise": 1.0,
+    },
     "as trained": None,
 }
-"""Name -> randomization; None is the source's own."""
+"""Name -> settings of the built-in randomizations that are on; None is the source's own randomization."""
 
 _MAX_LAG: Final = 0.25
 """Maximum playback time that is caught up after a delay, s; the rest is skipped."""

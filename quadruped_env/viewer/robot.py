@@ -1,8 +1,9 @@
 """One robot of the viewer: its source, its task, and its recent history."""
 
 from collections import deque
-from dataclasses import dataclass, replace
-from typing import Final, Protocol
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final, Protocol
 
 import mujoco
 import numpy as np
@@ -16,7 +17,7 @@ from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model
-from quadruped_env.task import BUILT_IN, Section, Task, Transition
+from quadruped_env.task import BUILT_IN, Task, Transition
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 HISTORY_SECONDS: Final = 5.0
@@ -100,7 +101,7 @@ class TaskRobot:
 
     Args:
         source: its controller.
-        randomization: replaces the source's own randomization.
+        randomization: settings of the built-in randomizations that are on, in place of the source's own randomization.
         robot: its description.
         terrain: replaces the source's own terrain.
 
@@ -111,7 +112,7 @@ class TaskRobot:
     def __init__(
         self,
         source: ControllerSpec,
-        randomization: Section | None = None,
+        randomization: Mapping[str, Any] | None = None,
         robot: Robot = BUILT_IN.robot,
         terrain: Terrain | None = None,
     ) -> None:
@@ -122,7 +123,7 @@ class TaskRobot:
         if config.robot != robot:
             raise QuadrupedError(f"{source.name}: is for {config.robot!r}; the viewer shows {robot!r}")
         if randomization is not None:
-            config = replace(config, randomization=randomization)
+            config = config.without_randomization(randomization)
         self._controller = controller
         self.terrain = config.ground if terrain is None else terrain
         model = build_model(config.physics_timestep, config.motor, self.terrain, robot)

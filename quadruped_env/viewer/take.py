@@ -12,7 +12,7 @@ from typing import Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
 from quadruped_env.files import free_path
-from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import save_film
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
@@ -41,9 +41,9 @@ class Take:
         """Time from the first to the last sample, s."""
         return (len(self.samples) - 1) * self.samples[0].timestep
 
-    def motion(self) -> Motion:
-        """The motion for a film."""
-        return Motion(self.title, ViewedTrace.stack(self.samples))
+    def clip(self) -> Clip:
+        """The take as a clip of a film."""
+        return Clip(self.title, ViewedTrace.stack(self.samples))
 
 
 class TakeSaver:
@@ -91,19 +91,19 @@ class TakeSaver:
             os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
         while (take := self._takes.get()) is not None:
             directory = free_path(self._results / time.strftime("view-%Y%m%d-%H%M%S"))
-            motion = take.motion()
+            clip = take.clip()
             try:
-                motion.trace.joints.save(directory / TRAJECTORY_FILE)
+                clip.trace.joints.save(directory / TRAJECTORY_FILE)
                 self._tell(f"{take.seconds:.1f} s recorded: {directory / TRAJECTORY_FILE}")
-                self._film(motion, directory / VIDEO_FILE)
+                self._film(clip, directory / VIDEO_FILE)
             except (QuadrupedError, MissingExtraError, OSError) as error:
                 self._tell(f"Not saved: {error}")
             self._takes.task_done()
         self._takes.task_done()
 
-    def _film(self, motion: Motion, path: Path) -> None:
+    def _film(self, clip: Clip, path: Path) -> None:
         try:
-            save_film(path, [motion])
+            save_film(path, [clip])
         except (QuadrupedError, MissingExtraError) as error:
             self._tell(f"No video: {portable_message(error)}")
         else:

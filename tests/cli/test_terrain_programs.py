@@ -2,6 +2,7 @@
 
 import argparse
 import dataclasses
+import hashlib
 import json
 from pathlib import Path
 
@@ -23,7 +24,7 @@ from quadruped_env.live.robot_option import robot_of
 from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
-from quadruped_env.reporting.films.film import Camera, Motion
+from quadruped_env.reporting.films.film import Camera, Clip
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
@@ -93,6 +94,7 @@ def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
     comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=steps)
     assert {rollout.terrain for rollout in comparison.rollouts.values()} == {steps}
     assert comparison.config.terrain.name == "steps"
+    assert comparison.config.to_dict()["terrain_file"] == load_task_file(file).file.to_dict()
     arguments[-1] = "swamp"
     with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills, steps"):
         named_terrain(parser.parse_args(arguments[2:]))
@@ -108,14 +110,14 @@ def test_baseline_on_a_terrain_measures_and_records_on_it():
 # --- pictures
 
 
-def test_motion_on_uneven_ground_stays_where_it_is():
+def test_clip_on_uneven_ground_stays_where_it_is():
     rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
-    trace = Motion.of_rollout(rollout, 0, "").trace
+    trace = Clip.of_rollout(rollout, 0, "").trace
     np.testing.assert_array_equal(trace.base_position, rollout.base_position[:, 0])
     assert trace.terrain == HILLS.ground
 
 
-def test_camera_shows_the_ground_of_each_motion(opengl):
+def test_camera_shows_the_ground_of_each_clip(opengl):
     high = find_terrain("hills").variant(2, height=0.5)
     pose = np.array([[3.0, 1.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0]])
     raised = pose.copy()
@@ -158,7 +160,7 @@ def test_ground_mesh_is_the_height_field_and_faces_up():
 
 def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, monkeypatch):
     filmed = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: filmed.extend(motions))
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: filmed.extend(clips))
     sources, _ = find_controllers(runs=tmp_path)
     controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", terrain=HILLS.ground)
     assert HeightField.of(controller.model()) is not None
@@ -168,7 +170,7 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     controller.start_recording()
     controller.advance(0.2)
     controller.close()
-    assert [motion.trace.terrain for motion in filmed] == [HILLS.ground]
+    assert [clip.trace.terrain for clip in filmed] == [HILLS.ground]
 
 
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
@@ -238,11 +240,14 @@ def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     tiny = ["baseline", *ground, "--seconds", "0.5", "--episodes", "1"]
     assert main([*tiny, "-o", str(tmp_path / "walk.csv")]) == 0
     assert main([*tiny, "--commands", "-o", str(tmp_path / "commands.csv")]) == 0
-    assert json.loads((tmp_path / "walk.json").read_text())["terrain"] == "steps"
+    origin = {"name": "my_terrain.py", "sha256": hashlib.sha256(STEPS.encode()).hexdigest()}
+    numbers = json.loads((tmp_path / "walk.json").read_text())
+    assert (numbers["terrain"], numbers["terrain_file"]) == ("steps", origin)
     replayed = tmp_path / "replay"
     assert main(["replay", str(tmp_path / "commands.csv"), *ground, "--no-report", "-o", str(replayed)]) == 0
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
-    assert json.loads((replayed / "tracking.json").read_text())["motion"]["terrain"] == "steps"
+    motion = json.loads((replayed / "tracking.json").read_text())["motion"]
+    assert (motion["terrain"], motion["terrain_file"]) == ("steps", origin)
 
 
 def test_training_on_a_terrain_records_it_in_the_run(tmp_path):

@@ -18,7 +18,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
 from quadruped_env.replay.replay import replay
 from quadruped_env.reporting.films import film, overlay, video
-from quadruped_env.reporting.films.film import Camera, Motion
+from quadruped_env.reporting.films.film import Camera, Clip
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.trace import Trace
@@ -37,7 +37,7 @@ def camera():
 @pytest.fixture(scope="module")
 def walk():
     rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [7], 2.0)
-    return Motion.of_rollout(rollout, 0, "a walk", 1.0, 2.0)
+    return Clip.of_rollout(rollout, 0, "a walk", 1.0, 2.0)
 
 
 def standing_at(*places, timestep=0.02, **more):
@@ -87,13 +87,13 @@ def test_film_of_an_episode_ends_at_its_fall():
     valid = rollout.valid.copy()
     valid[20:] = False
     fallen = dataclasses.replace(rollout, valid=valid)
-    assert len(Motion.of_rollout(fallen, 0, "").trace) == 21
-    assert Motion.of_rollout(rollout, 0, "").trace.seconds == pytest.approx(1.0)
+    assert len(Clip.of_rollout(fallen, 0, "").trace) == 21
+    assert Clip.of_rollout(rollout, 0, "").trace.seconds == pytest.approx(1.0)
 
 
 def test_frames_are_shown_at_their_times():
-    motion = Motion("standing", standing_at(*[(0.0, 0.0)] * 51))
-    samples = motion.frame_samples()
+    clip = Clip("standing", standing_at(*[(0.0, 0.0)] * 51))
+    samples = clip.frame_samples()
     np.testing.assert_array_equal(samples, np.arange(0, 51, 2))
 
 
@@ -156,8 +156,8 @@ def test_pictures_for_pages_keep_their_speed_and_colours(tmp_path, suffix):
         assert image.info.get("loop", 0) == 0
 
 
-def test_png_shows_the_middle_of_each_quarter_and_no_start_of_a_motion(tmp_path):
-    # Three motions of three pictures each; the first ones are 0, 60 and 120.
+def test_png_shows_the_middle_of_each_quarter_and_no_start_of_a_clip(tmp_path):
+    # Three clips of three pictures each; the first ones are 0, 60 and 120.
     pictures = [np.full((8, 10, 3), 20 * i, np.uint8) for i in range(9)]
     video.save_video(tmp_path / "stills.png", pictures)
     with Image.open(tmp_path / "stills.png") as image:
@@ -195,7 +195,7 @@ def test_bad_video_files_are_named_before_any_work(tmp_path, monkeypatch):
 def test_recordings_and_replays_can_be_filmed():
     commands = publish(SinusoidalGait.preset("trot"), 0.5, 50.0)
     recording = play(commands)
-    assert len(Motion("trot", recording).frame_samples()) == 13
+    assert len(Clip("trot", recording).frame_samples()) == 13
     assert recording.timestep == pytest.approx(0.02)
     assert recording.contact.shape == (26, 4)
     assert 0.3 < recording.contact[1:].mean() < 0.9

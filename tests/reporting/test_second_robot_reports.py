@@ -31,7 +31,7 @@ from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.replay.replay_report import write_replay_report
 from quadruped_env.reporting import palette
-from quadruped_env.reporting.films.film import Camera, Motion, size_of
+from quadruped_env.reporting.films.film import Camera, Clip, size_of
 from quadruped_env.reporting.films.overlay import GAIT_SECONDS, Overlay, gait_strip
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.plots.joints import Line, joint_panels
@@ -211,8 +211,8 @@ class TestFilms:
         colour = tuple(bytes.fromhex(palette.leg_colours(ROBOT)["front_left"][1:]))
         rows = np.flatnonzero((strip == colour).all(axis=(1, 2)))
         assert rows.min() == len(strip) // 4
-        motion = Motion.of_rollout(rollout, 0, "second")
-        overlay = Overlay(motion.title, motion.trace)
+        clip = Clip.of_rollout(rollout, 0, "second")
+        overlay = Overlay(clip.title, clip.trace)
         blank = np.zeros((480, 640, 3), np.uint8)
         assert overlay.draw(blank, 50).any()
 
@@ -221,7 +221,7 @@ class TestFilms:
         assert size_of(ROBOT) / size_of(MINI_QUADRUPED) == pytest.approx(
             ROBOT.stance_height / MINI_QUADRUPED.stance_height
         )
-        trace = Motion.of_rollout(rollout, 0, "second").trace
+        trace = Clip.of_rollout(rollout, 0, "second").trace
         try:
             with Camera(ROBOT) as camera:
                 picture = camera.picture(trace, 20)
@@ -351,7 +351,7 @@ class TestViewer:
 
     def test_recording_has_the_joints_of_the_robot(self, controller, tmp_path, monkeypatch):
         films = []
-        monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: films.extend(motions))
+        monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: films.extend(clips))
         controller.start_recording()
         controller.advance(0.2)
         controller.close()

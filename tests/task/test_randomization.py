@@ -238,6 +238,21 @@ def test_a_model_field_is_set_scaled_or_added_to(mode, expected):
     np.testing.assert_allclose(friction[[0, 2], :, 0], 0.5)
 
 
+@pytest.mark.parametrize("mode", ["scale", "add"])
+def test_the_masses_of_all_bodies_are_randomized_though_the_world_has_none(mode):
+    model = build_model()
+    simulation = BatchSimulation(model, 2, 1)
+    apply = randomizations.bound(Randomization("x", ModelField("body_mass", mode=mode), (0.1, 1.0)), simulation)
+    apply(
+        randomizations.Event(simulation, MINI_QUADRUPED, np.arange(2), *[np.zeros((2, 0))] * 3),
+        np.array([[0.7], [0.9]]),
+    )
+    mass, inertia = simulation.model_field("body_mass"), simulation.model_field("body_inertia")
+    np.testing.assert_array_equal(inertia[:, 0], 0.0)
+    share = mass[:, 1:] / model.body_mass[1:]
+    np.testing.assert_allclose(inertia[:, 1:], share[..., None] * model.body_inertia[1:], rtol=1e-12)
+
+
 def test_a_name_in_the_episode_memory_is_given_once():
     memory = EpisodeMemory(2)
     memory.zeros("height")

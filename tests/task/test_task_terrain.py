@@ -11,11 +11,13 @@ import gymnasium
 import numpy as np
 import pytest
 from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT
+from comparisons import random_policy
 from environments import ROUGH, assert_same, episodes, make, make_native, make_sync
 from grounds import ray_heights, slope
 
 from quadruped_env import QuadrupedError
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
+from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
 from quadruped_env.simulation.terrain import hills, rough
@@ -69,6 +71,69 @@ def test_config_on_a_terrain_that_its_definition_lacks_has_its_seed_and_paramete
     assert TaskConfig().on_terrain("rough").on_terrain(steep).ground == steep
     with pytest.raises(QuadrupedError, match="'slope' is unknown; there are flat, rough, hills"):
         TaskConfig().on_terrain("slope")
+
+
+GRAVEL = """
+from quadruped_env.task import Randomization, terrain
+
+
+@terrain(size=8.0)
+def gravel(grid, height: float = 0.02):
+    return height * grid.random.random(grid.x.shape) * grid.fade
+
+
+aside = Randomization("aside", lambda event, values: None, 1.0)
+"""
+
+
+def gravel_from(path, text=GRAVEL):
+    """Definition of a file at a path, and its terrain."""
+    path.write_text(text)
+    definition = load_task_file(path)
+    return definition, find_terrain("gravel", definition.terrains)
+
+
+def test_config_on_a_terrain_of_a_file_names_the_file_and_is_read_back_with_it_alone(tmp_path):
+    definition, gravel = gravel_from(tmp_path / "gravel.py")
+    config = TaskConfig().on_terrain(gravel.variant(3, height=0.01))
+    document = json.loads(json.dumps(config.to_dict()))
+    assert document["terrain"] == {"name": "gravel", "seed": 3, "height": 0.01}
+    assert document["terrain_file"] == definition.file.to_dict()
+    assert "task_file" not in document
+    again = TaskConfig.from_dict(document, definition)
+    assert again == config
+    assert "aside" not in again.randomization, "the file gave its terrain alone"
+    assert make(config=document, task_file=str(tmp_path / "gravel.py")).unwrapped.task.config == config
+    # The file of the whole task is named once.
+    whole = TaskConfig(definition=definition).on_terrain("gravel").to_dict()
+    assert whole["task_file"] == definition.file.to_dict()
+    assert "terrain_file" not in whole
+    assert "terrain_file" not in config.on_terrain("hills").to_dict()
+
+
+def test_config_on_a_terrain_of_a_file_is_refused_without_the_file_and_with_another(tmp_path):
+    _, gravel = gravel_from(tmp_path / "gravel.py")
+    document = TaskConfig().on_terrain(gravel).to_dict()
+    missing = r"the terrain 'gravel' from 'gravel.py', which is not executed.* name it with --task FILE"
+    with pytest.raises(QuadrupedError, match=missing):
+        TaskConfig.from_dict(document)
+    other, _ = gravel_from(tmp_path / "other.py", GRAVEL + "# changed\n")
+    with pytest.raises(QuadrupedError, match=r"another version of 'gravel.py' .*; name that version with --task FILE"):
+        TaskConfig.from_dict(document, other)
+    with pytest.raises(QuadrupedError, match=r"config.terrain_file: expected name and sha256; found 3"):
+        TaskConfig.from_dict(document | {"terrain_file": 3}, other)
+
+
+def test_policy_for_a_terrain_of_a_file_is_loaded_with_the_file(tmp_path):
+    _, gravel = gravel_from(tmp_path / "gravel.py")
+    config = TaskConfig().on_terrain(gravel)
+    policy = random_policy("residual", definition=config.definition, terrain=config.terrain)
+    policy.save(tmp_path / "run")
+    with pytest.raises(QuadrupedError, match=r"from 'gravel.py', which is not executed.* name it with --task FILE"):
+        load_policy(tmp_path / "run")
+    loaded = load_policy(tmp_path / "run", tmp_path / "gravel.py")
+    assert loaded.config == policy.config
+    assert loaded.make_env().unwrapped.task.config.ground == gravel
 
 
 @pytest.mark.parametrize("name", UNEVEN)

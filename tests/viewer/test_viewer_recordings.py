@@ -17,7 +17,7 @@ from quadruped_env.viewer.take import MAX_WAITING
 
 def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch):
     films = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: films.append(motions))
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: films.append(clips))
     controller = control("policy flat")
     controller.set_command(0.4, 0.0)
     controller.advance(0.2)
@@ -38,9 +38,9 @@ def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch)
     np.testing.assert_array_equal(saved.positions, [s.joint_position for s in samples])
     np.testing.assert_array_equal(saved.velocities, [s.joint_velocity for s in samples])
     np.testing.assert_array_equal(saved.efforts, [s.joint_torque for s in samples])
-    ((motion,),) = films
-    np.testing.assert_array_equal(motion.trace.base_pose, [s.base_pose for s in samples])
-    np.testing.assert_array_equal(motion.trace.command, [s.command for s in samples])
+    ((clip,),) = films
+    np.testing.assert_array_equal(clip.trace.base_pose, [s.base_pose for s in samples])
+    np.testing.assert_array_equal(clip.trace.command, [s.command for s in samples])
     messages = controller.messages()
     assert messages[0] == f"0.5 s recorded: {path}"
     assert messages[1].startswith("Video: ")
@@ -49,7 +49,7 @@ def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch)
 
 @pytest.mark.parametrize("end", ["reset", "set_source", "watch", "close", "fall"])
 def test_recording_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
     controller = control("gait trot", "stand still")
     controller.start_recording()
     controller.advance(0.2)
@@ -71,7 +71,7 @@ def test_recording_ends_where_its_robot_does(control, tmp_path, monkeypatch, end
 
 
 def test_recording_without_opengl_is_saved_without_a_video(control, tmp_path, monkeypatch):
-    def fail(path, motions):
+    def fail(path, clips):
         raise QuadrupedError("no OpenGL to render with")
 
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", fail)
@@ -98,7 +98,7 @@ def test_recording_that_cannot_be_saved_is_reported(tmp_path):
 
 
 def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
     monkeypatch.setattr("quadruped_env.viewer.controller.MAX_SECONDS", 0.5)
     controller = control("stand still")
     controller.start_recording()
@@ -112,7 +112,7 @@ def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, mo
 
 
 def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
     controller = control("stand still")
     assert "recording" not in _status(controller.view())
     controller.start_recording()
@@ -122,7 +122,7 @@ def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
 
 def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
     go_on = threading.Event()
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: go_on.wait(DEADLINE))
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: go_on.wait(DEADLINE))
     controller = control("stand still")
     for _ in range(MAX_WAITING):
         controller.start_recording()
@@ -137,7 +137,7 @@ def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeyp
 
 
 def test_recordings_of_a_show_are_bounded(control, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, motions: None)
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
     monkeypatch.setattr("quadruped_env.viewer.take.MAX_TAKES", 1)
     controller = control("stand still")
     controller.start_recording()

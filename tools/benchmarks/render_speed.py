@@ -14,7 +14,7 @@ import numpy as np
 
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import CommandedGaitController
-from quadruped_env.reporting.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Motion
+from quadruped_env.reporting.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Clip
 from quadruped_env.reporting.films.video import encode_mp4
 
 SHADOW_SIZES: Final = (0, 512, 1024, 2048, 4096)
@@ -58,7 +58,7 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
         MissingExtraError: if a library of the `report` extra is not installed.
     """
     rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [FIRST_SEED], _SECONDS)
-    walk = Motion.of_rollout(rollout, 0, "tuned gait")
+    walk = Clip.of_rollout(rollout, 0, "tuned gait")
     say("| shadow | multisampling | rendering, pictures/s | film, pictures/s | difference | |")
     say("|---|---|---|---|---|---|")
     best, results = None, []

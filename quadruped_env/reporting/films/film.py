@@ -66,8 +66,8 @@ def size_of(robot: Robot) -> float:
 
 
 @dataclass(frozen=True)
-class Motion:
-    """The trace of one env and its title, for a film."""
+class Clip:
+    """Part of a film: the trace of one env, and its title."""
 
     title: str
     trace: Trace
@@ -114,10 +114,10 @@ def check_opengl() -> None:
 
 
 class Camera:
-    """Renders motions with a camera that follows the robot.
+    """Renders clips with a camera that follows the robot.
 
     Args:
-        robot: robot of the motions.
+        robot: robot of the clips.
         shadow_size: side of the shadow map, pixels; 0 for no shadow.
         multisamples: samples per pixel.
 
@@ -185,20 +185,20 @@ class Camera:
         assert picture is not None
         return picture
 
-    def film(self, motion: Motion) -> Iterator[Picture]:
-        """Pictures (HEIGHT, WIDTH, 3) of a motion at `FRAME_RATE`, with overlays.
+    def film(self, clip: Clip) -> Iterator[Picture]:
+        """Pictures (HEIGHT, WIDTH, 3) of a clip at `FRAME_RATE`, with overlays.
 
         Raises:
             MissingExtraError: if Pillow is not installed.
         """
-        overlay = Overlay(motion.title, motion.trace)
-        for sample in motion.frame_samples():
-            yield overlay.draw(self.picture(motion.trace, sample), sample)
+        overlay = Overlay(clip.title, clip.trace)
+        for sample in clip.frame_samples():
+            yield overlay.draw(self.picture(clip.trace, sample), sample)
 
-    def films(self, motions: Sequence[Motion], progress: Progress | None = None) -> Iterator[Picture]:
-        """Pictures of several motions, one after another; `progress` is called with the fraction done."""
-        total = sum(len(motion.frame_samples()) for motion in motions)
-        pictures = itertools.chain.from_iterable(map(self.film, motions))
+    def films(self, clips: Sequence[Clip], progress: Progress | None = None) -> Iterator[Picture]:
+        """Pictures of several clips, one after another; `progress` is called with the fraction done."""
+        total = sum(len(clip.frame_samples()) for clip in clips)
+        pictures = itertools.chain.from_iterable(map(self.film, clips))
         for number, picture in enumerate(pictures, 1):
             yield picture
             if progress is not None:

@@ -36,10 +36,10 @@ _QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
 
 
 class Overlay:
-    """Draws the overlays on pictures of one motion.
+    """Draws the overlays on pictures of one clip.
 
     Args:
-        title: title of the motion.
+        title: title of the clip.
         trace: trace of one env; its velocity and contact are drawn if they are known.
 
     Raises:
@@ -130,7 +130,7 @@ def _bands(robot: Robot) -> list[tuple[int, int]]:
 
 
 def gait_strip(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
-    """The gait diagram of a whole motion as a picture: one band per foot, coloured while the foot is on the ground.
+    """The gait diagram of a whole trace as a picture: one band per foot, coloured while the foot is on the ground.
 
     Args:
         robot: robot that moves.

@@ -12,7 +12,7 @@ from quadruped_env._python import pip_command
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import check_free, write_whole
 from quadruped_env.progress import Progress
-from quadruped_env.reporting.films.film import FRAME_RATE, Camera, Motion, Picture, check_opengl
+from quadruped_env.reporting.films.film import FRAME_RATE, Camera, Clip, Picture, check_opengl
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
 STILLS: Final = 4
@@ -46,14 +46,14 @@ def prepare_video(path: Path | None, overwrite: bool = False) -> None:
     check_opengl()
 
 
-def save_film(path: Path, motions: Sequence[Motion], progress: Progress | None = None) -> None:
-    """Write a film of several motions of a robot, one after another, in the format of the file's suffix.
+def save_film(path: Path, clips: Sequence[Clip], progress: Progress | None = None) -> None:
+    """Write a film of several clips of a robot, one after another, in the format of the file's suffix.
 
     Raises:
         QuadrupedError, MissingExtraError: as `prepare_video`, or if the file cannot be written.
     """
-    with Camera(motions[0].trace.robot) as camera:
-        save_video(path, camera.films(motions, progress))
+    with Camera(clips[0].trace.robot) as camera:
+        save_video(path, camera.films(clips, progress))
 
 
 def save_video(path: Path, pictures: Iterable[Picture]) -> None:
@@ -150,7 +150,7 @@ def _page_images(pictures: Iterable[Picture]) -> list[Any]:
 def _encode_stills(pictures: Iterable[Picture]) -> bytes:
     """`STILLS` pictures at half size, side by side: the middle picture of each of `STILLS` equal parts of the film.
 
-    Not the first ones: the robot stands at the beginning of a motion. A film may also consist of several motions.
+    Not the first ones: the robot stands at the beginning of a clip. A film may also consist of several clips.
     """
     _, pictures = _first(pictures)
     every = list(pictures)

@@ -14,7 +14,7 @@ from quadruped_env.evaluation.subject import Subject
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
-from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages.page import (
     circumstances,
     data_url,
@@ -58,9 +58,9 @@ def write_report(
     failures = worst_episodes(comparison)
     rollout = comparison.rollouts["policy"]
     if with_video:
-        moments = [(Motion.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
-        motions = filmed(comparison)
-        pictures = take_pictures(motions, ", then ".join(motion.title for motion in motions), moments, progress)
+        moments = [(Clip.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
+        clips = filmed(comparison)
+        pictures = take_pictures(clips, ", then ".join(clip.title for clip in clips), moments, progress)
     else:
         pictures = Pictures({"missing": "No video: it was switched off."})
     replay = scene(comparison)

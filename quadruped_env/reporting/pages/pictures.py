@@ -11,7 +11,7 @@ from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.failures import Failure
 from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.progress import Progress
-from quadruped_env.reporting.films.film import Camera, Motion, Picture
+from quadruped_env.reporting.films.film import Camera, Clip, Picture
 from quadruped_env.reporting.films.overlay import AVERAGED
 from quadruped_env.reporting.films.video import encode_mp4, encode_webp, halved
 from quadruped_env.reporting.pages.page import data_url, words
@@ -52,8 +52,8 @@ def shown_commands(comparison: Comparison) -> dict[str, int]:
     return shown
 
 
-def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
-    """Motions of a report's film: a controller under one command of each kind of motion."""
+def filmed(comparison: Comparison, controller: str = "policy") -> list[Clip]:
+    """Clips of a report's film: a controller under one command of each kind of motion."""
     commands = shown_commands(comparison)
     whose = "" if controller == "policy" else f"{controller}, "
     motions: list[str] = [motion for motion in _FILMED if motion in commands]
@@ -63,24 +63,24 @@ def filmed(comparison: Comparison, controller: str = "policy") -> list[Motion]:
     ]
 
 
-def _episode(comparison: Comparison, command: int, seconds: float, controller: str, title: str) -> Motion:
+def _episode(comparison: Comparison, command: int, seconds: float, controller: str, title: str) -> Clip:
     """Part of the episode that represents a command, after the start-up and before a fall."""
     rollout, row = comparison.rollouts[controller], comparison.episode(command, controller)
     alive = float(rollout.valid[:, row].sum()) * rollout.timestep
     start = max(0.0, min(START_UP, alive - seconds))
-    return Motion.of_rollout(rollout, row, title + words(comparison.commands[command]), start, start + seconds)
+    return Clip.of_rollout(rollout, row, title + words(comparison.commands[command]), start, start + seconds)
 
 
 def take_pictures(
-    motions: Sequence[Motion],
+    clips: Sequence[Clip],
     shown: str,
     failures: Sequence[tuple[Trace, Failure]] = (),
     progress: Progress | None = None,
 ) -> Pictures:
-    """Render a film of motions, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
+    """Render a film of clips, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
     try:
-        with Camera(motions[0].trace.robot) as camera:
-            video = encode_mp4(camera.films(motions, progress))
+        with Camera(clips[0].trace.robot) as camera:
+            video = encode_mp4(camera.films(clips, progress))
             stills = {failure.row: _stills(camera, trace, failure) for trace, failure in failures}
     except QuadrupedError as error:
         return Pictures({"missing": f"No video: {portable_message(error)}"})
@@ -101,9 +101,9 @@ def scene(comparison: Comparison) -> dict[str, Any]:
     """The 3D replay of one episode and its caption, or the reason why it is missing."""
     commands = shown_commands(comparison)
     command = commands.get("forwards", next(iter(commands.values())))
-    motion = _episode(comparison, command, SCENE_SECONDS, "policy", "")
+    clip = _episode(comparison, command, SCENE_SECONDS, "policy", "")
     try:
-        page = scene_html(motion)
+        page = scene_html(clip)
     except MissingExtraError as error:
         return {"missing": f"No 3D replay: {portable_message(error)}"}
     return {"page": page, "caption": f"The trained policy. Command: {words(comparison.commands[command])}."}

@@ -10,7 +10,7 @@ from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
 from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
-from quadruped_env.reporting.films.film import Motion
+from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages.page import circumstances, figure, leg_legend, tables, without_nan, words, write_page
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.results import prepare_output
@@ -126,9 +126,9 @@ def write_comparison(
     return report, numbers, [video["missing"]] if with_video and "missing" in video else []
 
 
-def films(comparison: Comparison, names: Sequence[str]) -> list[Motion]:
-    """Motions of the page's film: each policy in turn."""
-    return [motion for name in names for motion in filmed(comparison, name)]
+def films(comparison: Comparison, names: Sequence[str]) -> list[Clip]:
+    """Clips of the page's film: each policy in turn."""
+    return [clip for name in names for clip in filmed(comparison, name)]
 
 
 def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[dict[str, str]]:

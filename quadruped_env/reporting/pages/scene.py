@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.reporting.films.film import FRAME_RATE, Motion, size_of, smoothed_position
+from quadruped_env.reporting.films.film import FRAME_RATE, Clip, size_of, smoothed_position
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.simulation import build_model
 from quadruped_env.simulation.height_field import GROUND, HeightField
@@ -25,8 +25,8 @@ _PORT: Final = 8090
 the recording is made."""
 
 
-def scene_html(motion: Motion) -> str:
-    """HTML page that plays a motion; the robot stays in the middle and the ground moves beneath it.
+def scene_html(clip: Clip) -> str:
+    """HTML page that plays a clip; the robot stays in the middle and the ground moves beneath it.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -37,11 +37,11 @@ def scene_html(motion: Motion) -> str:
     except ImportError as error:
         raise MissingExtraError("The 3D replay", "viewer") from error
 
-    trace = motion.trace
+    trace = clip.trace
     model = build_model(terrain=trace.terrain, robot=trace.robot)
     field = HeightField.of(model)
     if field is not None:
-        model.geom(GROUND).rgba[3] = 0.0  # drawn as a mesh of its part around the motion
+        model.geom(GROUND).rgba[3] = 0.0  # drawn as a mesh of its part around the robot's path
     data = mujoco.MjData(model)
     # Suppress viser's banner: its URL is of no use, because the server stops at once.
     with contextlib.redirect_stdout(io.StringIO()):
@@ -57,7 +57,7 @@ def scene_html(motion: Motion) -> str:
             mesh = ground_mesh(field, trace.base_pose[:, :2])
             server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
         recording = server.get_scene_serializer()
-        for sample in motion.frame_samples():
+        for sample in clip.frame_samples():
             centre = smoothed_position(trace, sample)
             data.qpos[:7], data.qpos[7:] = trace.base_pose[sample], trace.joint_position[sample]
             data.qpos[:2] -= centre
