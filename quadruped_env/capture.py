@@ -1,8 +1,8 @@
-"""Array operations of a function, recorded once and then replayed without the Python code around them.
+"""Array operations of a function, recorded once and then repeated without the Python code around them.
 
 For a single env, the calls, attributes and new arrays of a reward term cost more than its arithmetic. A pure function
 of arrays that stay where they are is called once with stand-ins for these arrays. They record each NumPy ufunc with its
-arguments and its result; a replay applies the same ufuncs to the same arrays, and gives the same bits.
+arguments and its result; repeating them applies the same ufuncs to the same arrays, and gives the same bits.
 """
 
 import copy
@@ -25,12 +25,12 @@ class NotCapturableError(TypeError):
 
 
 class Capture:
-    """Recorded operations, which `replay` carries out in their order."""
+    """Recorded operations, which `repeat` carries out in their order."""
 
     def __init__(self) -> None:
         self._operations: list[Operation] = []
 
-    def replay(self) -> None:
+    def repeat(self) -> None:
         """Compute the results of all recorded functions again, from the current values of their arrays."""
         for ufunc, arguments in self._operations:
             ufunc(*arguments)
@@ -39,7 +39,7 @@ class Capture:
         """Call a function with stand-ins (see `stand_in`), and record its operations.
 
         Returns:
-            The function's result, which every replay overwrites. It may be a view of an argument.
+            The function's result, which every `repeat` overwrites. It may be a view of an argument.
 
         Raises:
             NotCapturableError: if the function is not pure; in that case nothing is recorded.
@@ -128,7 +128,7 @@ class Functions:
 
     def update(self, *arguments: Any) -> None:
         """Compute all results; the arrays of the arguments must be those that the stand-ins stand for."""
-        self._capture.replay()
+        self._capture.repeat()
         for result, function in self._called:
             result[...] = function(*arguments)
 

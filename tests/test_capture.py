@@ -1,4 +1,4 @@
-"""Captured functions: a replay equals a call to the last bit, and what cannot be captured is called."""
+"""Captured functions: a repetition equals a call to the last bit, and what cannot be captured is called."""
 
 import numpy as np
 import pytest
@@ -42,14 +42,14 @@ def _doubled(values):
 
 
 @pytest.mark.parametrize("function", PURE.values(), ids=PURE)
-def test_replay_of_a_pure_function_equals_a_call(function):
+def test_repetition_of_a_pure_function_equals_a_call(function):
     rng = np.random.default_rng(0)
     a, b = rng.standard_normal((2, 4, 3))
     capture = Capture()
     result = capture.record(function, capture.stand_in(a), capture.stand_in(b))
     for _ in range(3):
         a[:], b[:] = rng.standard_normal((2, 4, 3))
-        capture.replay()
+        capture.repeat()
         assert_same_bits(np.ascontiguousarray(result), function(a, b))
 
 
@@ -76,7 +76,7 @@ def test_function_that_is_not_pure_is_refused_and_leaves_nothing_recorded(functi
     with pytest.raises(NotCapturableError, match="cannot be captured"):
         capture.record(lambda x: function(x * 2.0), capture.stand_in(a))
     a[:] = 5.0
-    capture.replay()
+    capture.repeat()
     np.testing.assert_array_equal(kept, np.full((3, 2), -5.0))
     assert len(capture._operations) == 1
 

@@ -97,7 +97,7 @@ def observation(
         bound: the scaled value is clipped to +-bound.
         noise: amplitude of uniform noise on the reading, in its unit.
         pure: True if the function only applies NumPy's ufuncs to arrays of the readings and the control interface, the
-            same at every step, and takes views of them. It is then called once, and its ufuncs are replayed.
+            same at every step, and takes views of them. It is then called once, and its ufuncs are repeated.
     """
 
     def decorate(read: Reader) -> ObservationField:

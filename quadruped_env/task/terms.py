@@ -65,7 +65,7 @@ def reward(weight: float, unit: str = "1", pure: bool = False) -> Callable[[Call
         weight: default weight, per second; negative for a penalty.
         unit: unit of the function's result.
         pure: True if the function only applies NumPy's ufuncs to the context's arrays and to constants, the same at
-            every step, and takes views of them. It is then called once, and its ufuncs are replayed (see `capture`),
+            every step, and takes views of them. It is then called once, and its ufuncs are repeated (see `capture`),
             which is faster for a single env.
     """
 
