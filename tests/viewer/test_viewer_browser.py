@@ -132,6 +132,8 @@ def test_hidden_overlays_are_not_drawn(paused):
     controller.set_command(0.5, 0.0)
     for _ in range(20):
         controller.step()
+    # Sent to the page after the scene.
+    page.get_by_text("0.4 s").first.wait_for()
     tab(page, "Show")
     shown = still(page)
     for overlay in OVERLAYS[:3]:
