@@ -32,8 +32,9 @@ def learn(runs, config, resume=None):
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """A complete run of eight updates."""
-    return learn(tmp_path_factory.mktemp("runs"), TrainConfig(timesteps=8 * STEPS, name="first", **SMALL))
+    """A complete run of eight updates, without checkpoints on a machine of any speed."""
+    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
+    return learn(tmp_path_factory.mktemp("runs"), config)
 
 
 @pytest.fixture
