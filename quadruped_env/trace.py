@@ -5,7 +5,7 @@ declaration, and every trace is checked against it.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property
 from typing import Annotated, Any, Generic, Literal, Self, TypeVar, get_args
 
@@ -92,9 +92,9 @@ class Trace:
     def quantities(cls) -> dict[str, Quantity]:
         """Declared quantities: name -> quantity."""
         return {
-            field.name: note
-            for field in fields(cls)
-            for part in (field.type, *get_args(field.type))
+            declared.name: note
+            for declared in fields(cls)
+            for part in (declared.type, *get_args(declared.type))
             for note in getattr(part, "__metadata__", ())
         }
 
@@ -166,6 +166,17 @@ class Trace:
     def _stamps(self, samples: NDArray[np.intp]) -> NDArray[np.int64]:
         """Timestamps of samples (indices) from the first one, ns."""
         return np.rint(samples * self.timestep * NS_PER_SECOND).astype(np.int64)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CommandedTrace(Trace):
+    """Trace of robots that follow commands, all of whose quantities are known."""
+
+    joint_velocity: PerJoint = field()
+    joint_torque: PerJoint = field()
+    velocity: Velocity = field()
+    command: Velocity = field()
+    contact: FlagPerLeg = field()
 
 
 def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:

@@ -152,7 +152,7 @@ def record(
     readings = task.simulation.readings
 
     def write() -> None:
-        recorder.write(readings, contact=readings.foot_force > config.reward.contact_threshold)
+        recorder.write(readings, contact=task.context.foot_contact)
 
     observation = task.observe()
     fell_at = None

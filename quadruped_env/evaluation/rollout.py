@@ -1,7 +1,7 @@
 """Run a controller on fixed commands, many episodes at once, and record the readings that the metrics need."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any, Final, Self
 
 import numpy as np
@@ -15,7 +15,7 @@ from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
 from quadruped_env.timestamps import NS_PER_SECOND
-from quadruped_env.trace import Flag, FlagPerLeg, PerJoint, PerLeg, PerTerm, Recorder, Trace, Velocity
+from quadruped_env.trace import CommandedTrace, Flag, PerLeg, PerTerm, Recorder
 
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = 1_000_000
@@ -23,7 +23,7 @@ FIRST_SEED: Final = 1_000_000
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Rollout(Trace):
+class Rollout(CommandedTrace):
     """N episodes of T control steps of one controller, each with its command, which is the same in all samples.
 
     Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
@@ -35,13 +35,6 @@ class Rollout(Trace):
     """Seed of each episode (N,)"""
     valid: Flag
     """True until the robot falls, (T, N)"""
-    # Always known in a rollout.
-    joint_velocity: PerJoint = field()
-    joint_torque: PerJoint = field()
-    velocity: Velocity = field()
-    command: Velocity = field()
-    contact: FlagPerLeg = field()
-
     slip_speed: PerLeg
     """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, L); 0 for a foot in the air"""
     foot_height: PerLeg
@@ -113,15 +106,15 @@ def roll_out(
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])
 
     recorder = Recorder(Rollout, robot, steps, np.float32)
+    readings, sole = task.simulation.readings, np.array([-robot.foot_radius, robot.foot_radius])
     alive = np.ones(rows, dtype=np.bool_)
     observation = task.observe()
     for t in range(steps):
         transition = task.act(controller, observation)
         observation = transition.observation
         alive &= ~transition.terminated
-        readings, radius = task.simulation.readings, robot.foot_radius
-        contact = readings.foot_force > config.reward.contact_threshold
-        slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, np.array([-radius, radius]))
+        contact = task.context.foot_contact
+        slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, sole)
         recorder.write(
             readings,
             valid=alive,

@@ -139,9 +139,10 @@ class Replay:
         if self.motion is None:
             return None
         start = self.motion.base_pose[0]
-        feet = self.robot.foot_centres(self.played.positions[0], start)
+        clearance = self.robot.sole_heights(self.played.positions[0], start)
         field = HeightField.of(build_model(terrain=self.motion.terrain, robot=self.robot))
-        clearance = feet[:, 2] - self.robot.foot_radius - (0.0 if field is None else field.at(feet))
+        if field is not None:
+            clearance -= field.at(self.robot.foot_centres(self.played.positions[0], start))
         return {
             **self.motion.terrain.provenance(),
             "seconds": self.motion.joints.duration,

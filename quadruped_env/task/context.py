@@ -116,9 +116,14 @@ class TaskContext:
         return height if self._height_field is None else height - self._height_field.at(positions)
 
     @property
+    def foot_contact(self) -> Any:
+        """True for each foot on the ground, (N, L)."""
+        return self.readings.foot_force > self.contact_threshold
+
+    @property
     def contact(self) -> Any:
         """1.0 for each foot on the ground, else 0.0, (N, L)."""
-        return self.xp.number(self.readings.foot_force > self.contact_threshold)
+        return self.xp.number(self.foot_contact)
 
     def command_of(self, name: str) -> Floats:
         """One component of the command by name, (N,)."""

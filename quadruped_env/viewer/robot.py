@@ -201,16 +201,16 @@ class TaskRobot:
 
     def _sample(self, transition: Transition | None = None) -> ViewedTrace:
         """The current sample, after a step or, without one, at the start of an episode."""
-        readings, task = self._simulation.readings, self.task
+        task = self.task
         return sample(
             self.robot,
             self.timestep,
             self.terrain,
-            readings,
+            self._simulation.readings,
             time=task.steps * self.timestep,
             command=task.command,
             smooth_velocity=task.smooth_velocity,
-            contact=readings.foot_force > task.config.reward.contact_threshold,
+            contact=task.context.foot_contact,
             reward_terms=np.zeros((1, len(self.term_names))) if transition is None else transition.terms,
         )
 

@@ -1,6 +1,6 @@
 """Samples of a viewed robot for plots and recordings."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -9,22 +9,15 @@ from numpy.typing import NDArray
 from quadruped_env.readings import Readings
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
-from quadruped_env.trace import FlagPerLeg, PerJoint, PerTerm, PositionPerLeg, Scalar, Trace, Velocity, measured
+from quadruped_env.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ViewedTrace(Trace):
+class ViewedTrace(CommandedTrace):
     """Trace of a viewed robot, arrays (T, ...), or one of its samples, arrays (...)."""
 
     time: Scalar
     """Time since the start of the episode, s (T,)"""
-    # Always known of a viewed robot.
-    joint_velocity: PerJoint = field()
-    joint_torque: PerJoint = field()
-    velocity: Velocity = field()
-    command: Velocity = field()
-    contact: FlagPerLeg = field()
-
     smooth_velocity: Velocity
     """Velocity averaged over about one gait cycle, m/s and rad/s (T, 2)"""
     foot_position: PositionPerLeg
