@@ -243,12 +243,16 @@ def compare_policies(
 
 
 def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task without randomization, with command ranges that include the commands."""
+    """A policy's task without randomization and curriculum, with command ranges that include the commands.
+
+    On tiles every episode then starts on a random tile, which its seed gives.
+    """
     ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
-    return dataclasses.replace(config, randomization=RandomizationConfig(), command=ranges)
+    terrain = config.terrain.replace(curriculum=False) if "curriculum" in config.terrain else config.terrain
+    return dataclasses.replace(config, randomization=RandomizationConfig(), command=ranges, terrain=terrain)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

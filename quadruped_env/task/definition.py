@@ -14,7 +14,9 @@ from quadruped_env.control.task_file import TaskFile, execute, merged, robot_in
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.simulation.terrain import TERRAINS, Terrain
+from quadruped_env.simulation.ground import Terrain
+from quadruped_env.simulation.terrain import TERRAINS
+from quadruped_env.simulation.tiles import Tiles
 from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
@@ -69,9 +71,9 @@ class TaskDefinition:
         return dataclasses.replace(self, robot=robot)
 
     def with_terrain(self, terrain: Terrain) -> Self:
-        """A copy with one more terrain, in place of one of the same name; its seed and parameters are not kept."""
+        """A copy with one more terrain, in place of one of the same name, without its seed, level and parameters."""
         plain = terrain.variant()
-        if plain in self.terrains:
+        if plain in self.terrains or isinstance(plain, Tiles):
             return self
         terrains = merged(self.terrains, [plain])
         return dataclasses.replace(self, terrains=terrains, added_terrains=(*self.added_terrains, plain))

@@ -42,7 +42,7 @@ STEPS = """
 from quadruped_env.task import terrain
 
 @terrain(size=8.0)
-def steps(grid, height: float = 0.02):
+def ridges(grid, height: float = 0.02):
     return height * (grid.x // 0.4 % 2)
 """
 
@@ -85,16 +85,16 @@ def test_comparison_on_a_terrain_puts_all_controllers_on_it():
 def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    arguments = ["evaluate", "flat", "--task", str(file), "--terrain", "steps"]
+    arguments = ["evaluate", "flat", "--task", str(file), "--terrain", "ridges"]
     parser = argparse.ArgumentParser()
     add_evaluation_options(parser, "")
-    steps = named_terrain(parser.parse_args(arguments[2:]))
-    assert steps == find_terrain("steps", load_task_file(file).terrains)
-    comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=steps)
-    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {steps}
-    assert comparison.config.terrain.name == "steps"
+    ridges = named_terrain(parser.parse_args(arguments[2:]))
+    assert ridges == find_terrain("ridges", load_task_file(file).terrains)
+    comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=ridges)
+    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {ridges}
+    assert comparison.config.terrain.name == "ridges"
     arguments[-1] = "swamp"
-    with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills, steps"):
+    with pytest.raises(QuadrupedError, match=r"terrain: 'swamp' is unknown; there are flat, rough, .*, ridges$"):
         named_terrain(parser.parse_args(arguments[2:]))
 
 
@@ -206,15 +206,18 @@ def test_scene_draws_robots_at_their_places_on_the_ground(tmp_path):
 def test_live_nodes_take_the_terrain_of_a_file(tmp_path, capsys):
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    typed = ["sim", "--task", str(file), "--terrain", "steps", "--seed", "3"]
+    typed = ["sim", "--task", str(file), "--terrain", "ridges", "--seed", "3"]
     arguments = make_parser(only="sim").parse_args(typed)
-    steps = find_terrain("steps", load_task_file(file).terrains)
-    assert chosen_terrain(arguments) == steps.variant(3)
+    ridges = find_terrain("ridges", load_task_file(file).terrains)
+    assert chosen_terrain(arguments) == ridges.variant(3)
     simulated = SimulatedRobot(3, chosen_terrain(arguments), robot_of(arguments))
-    expected = HeightField.of(build_model(terrain=steps)).highest(np.zeros(2), MINI_QUADRUPED.footprint)
+    expected = HeightField.of(build_model(terrain=ridges)).highest(np.zeros(2), MINI_QUADRUPED.footprint)
     assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + expected)
     assert main(["live", "walk", "--task", str(file), "--terrain", "swamp"]) == 2
-    assert "terrain: 'swamp' is unknown; there are flat, rough, hills, steps" in capsys.readouterr().err
+    assert (
+        "terrain: 'swamp' is unknown; there are flat, rough, hills, slope, steps, stairs, gaps, wave, tiles, ridges"
+        in capsys.readouterr().err
+    )
 
 
 def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
@@ -234,15 +237,15 @@ def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
 def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    ground = ["--task", str(file), "--terrain", "steps"]
+    ground = ["--task", str(file), "--terrain", "ridges"]
     tiny = ["baseline", *ground, "--seconds", "0.5", "--episodes", "1"]
     assert main([*tiny, "-o", str(tmp_path / "walk.csv")]) == 0
     assert main([*tiny, "--commands", "-o", str(tmp_path / "commands.csv")]) == 0
-    assert json.loads((tmp_path / "walk.json").read_text())["terrain"] == "steps"
+    assert json.loads((tmp_path / "walk.json").read_text())["terrain"] == "ridges"
     replayed = tmp_path / "replay"
     assert main(["replay", str(tmp_path / "commands.csv"), *ground, "--no-report", "-o", str(replayed)]) == 0
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
-    assert json.loads((replayed / "tracking.json").read_text())["motion"]["terrain"] == "steps"
+    assert json.loads((replayed / "tracking.json").read_text())["motion"]["terrain"] == "ridges"
 
 
 def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
@@ -251,7 +254,7 @@ def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
     shape = '{"terrain": {"seed": 5, "name": "rough"}}'
     assert main(["train", *budget, "--task", shape, "--terrain", "rough", "-o", str(tmp_path / "runs")]) == 0
     config = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
-    assert config["task"]["terrain"] == {"name": "rough", "seed": 5, "height": 0.01, "distance": 0.2}
+    assert config["task"]["terrain"] == {"name": "rough", "seed": 5, "level": None, "height": 0.01, "distance": 0.2}
     policy = load_policy(tmp_path / "runs" / "latest")
     assert policy.make_env().unwrapped.task.config.ground == find_terrain("rough").variant(5)
     assert policy.make_env(terrain="hills").unwrapped.task.config.ground == find_terrain("hills").variant(5)
@@ -277,8 +280,8 @@ def test_report_of_a_built_in_policy_on_a_terrain_of_a_file(tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    arguments = ["--task", str(file), "--terrain", "steps", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
     assert main(["evaluate", "flat", *arguments]) == 0
     document = json.loads(Path(tmp_path, "metrics.json").read_text())
-    assert document["config"]["terrain"] == {"name": "steps", "seed": 0, "height": 0.02}
-    assert f"--task {file} --terrain steps" in json.dumps(document)
+    assert document["config"]["terrain"] == {"name": "ridges", "seed": 0, "height": 0.02}
+    assert f"--task {file} --terrain ridges" in json.dumps(document)

@@ -21,7 +21,7 @@ from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
 from quadruped_env.simulation.terrain import hills, rough
 from quadruped_env.task import Task, TaskConfig, TerrainConfig, load_task_file
 
-UNEVEN = ("rough", "hills")
+UNEVEN = ("rough", "hills", "stairs", "tiles")
 
 
 # --- the task
@@ -67,8 +67,8 @@ def test_config_on_a_terrain_that_its_definition_lacks_has_its_seed_and_paramete
     assert TaskConfig().on_terrain(rough.variant(3)) == TaskConfig().on_terrain("rough", 3)
     steep = dataclasses.replace(slope, name="rough")
     assert TaskConfig().on_terrain("rough").on_terrain(steep).ground == steep
-    with pytest.raises(QuadrupedError, match="'slope' is unknown; there are flat, rough, hills"):
-        TaskConfig().on_terrain("slope")
+    with pytest.raises(QuadrupedError, match="'cliff' is unknown; there are flat, rough, hills"):
+        TaskConfig().on_terrain("cliff")
 
 
 @pytest.mark.parametrize("name", UNEVEN)
@@ -104,7 +104,8 @@ def test_env_on_a_terrain_is_made_again_from_its_spec_and_in_workers():
     env = gymnasium.make(ENV_ID, terrain="rough", config={"terrain": {"seed": 2}})
     again = gymnasium.make(gymnasium.envs.registration.EnvSpec.from_json(env.spec.to_json()))
     for one in (env, again):
-        assert dict(one.unwrapped.task.config.terrain) == {"name": "rough", "seed": 2, "height": 0.01, "distance": 0.2}
+        section = one.unwrapped.task.config.terrain
+        assert dict(section) == {"name": "rough", "seed": 2, "level": None, "height": 0.01, "distance": 0.2}
     np.testing.assert_array_equal(again.unwrapped.model.hfield_data, env.unwrapped.model.hfield_data)
     # Not forked: other tests leave threads in this process.
     vector_kwargs = {"context": "spawn"}
@@ -170,7 +171,7 @@ import numpy as np
 from quadruped_env.task import terrain
 
 @terrain(size=6.0, cell=0.05)
-def steps(grid, height: float = 0.02):
+def ridges(grid, height: float = 0.02):
     "Steps of 0.5 m."
     return height * (grid.x // 0.5)
 """
@@ -184,7 +185,7 @@ print(float(env.step([0.1] * 8)[1]).hex())
 def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     file = tmp_path / "own.py"
     file.write_text(OWN)
-    env = gymnasium.make(ENV_ID, task_file=file, config={"terrain": {"name": "steps", "height": 0.05}})
+    env = gymnasium.make(ENV_ID, task_file=file, config={"terrain": {"name": "ridges", "height": 0.05}})
     env.reset(seed=0)
     field = env.unwrapped.task.simulation.height_field
     assert field.points().shape == (121, 121, 3)
@@ -197,5 +198,5 @@ def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     expected = float(env.step(np.full(8, 0.1))[1]).hex()
     done = subprocess.run([sys.executable, "-c", STEP, pickled], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == expected
-    with pytest.raises(QuadrupedError, match="'steps' is unknown; there are flat, rough, hills"):
-        gymnasium.make(ENV_ID, terrain="steps")
+    with pytest.raises(QuadrupedError, match="'ridges' is unknown; there are flat, rough, hills"):
+        gymnasium.make(ENV_ID, terrain="ridges")
