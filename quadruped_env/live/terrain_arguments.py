@@ -3,9 +3,10 @@
 import argparse
 
 from quadruped_env.simulation import Terrain, find_terrain, flat
-from quadruped_env.simulation.ground import LEVELS, leg_scale
+from quadruped_env.simulation.ground import LEVELS
 from quadruped_env.simulation.terrain import summary
 from quadruped_env.task.definition import BUILT_IN, load_task_file
+from quadruped_env.task.terrain_section import leg_scale
 
 
 def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:

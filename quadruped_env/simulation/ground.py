@@ -7,11 +7,8 @@ from typing import Any, Final, Self, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import whole_number
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter, described, parameters_of, stay_importable
-from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.grid import CELL, MAX_POINTS, SIZE, Grid
 
 Floats = NDArray[np.float64]
@@ -20,11 +17,6 @@ LEVELS: Final = 10
 """Number of levels of a terrain that has levels, from 1 to the hardest."""
 FIELDS: Final = ("name", "seed", "level")
 """Fields of every terrain in the config."""
-
-
-def leg_scale(robot: Robot) -> float:
-    """Leg length of a robot (the height of its base in the stance) relative to the built-in one's."""
-    return robot.stance_height / MINI_QUADRUPED.stance_height
 
 
 @dataclass(frozen=True)
@@ -47,7 +39,7 @@ class Terrain:
     level: int | None = None
     """Level from 1 to `LEVELS`, which determines the parameters in `hardest`; None: they have their defaults."""
     scale: float = 1.0
-    """Factor on the lengths of the levels; see `leg_scale`."""
+    """Leg length relative to the built-in robot's, a factor on the lengths of the levels."""
     values: tuple[tuple[str, float], ...] = ()
     """Name and value of the parameters that differ from their defaults, or from those of the level."""
 
@@ -89,9 +81,11 @@ class Terrain:
         if level is None:
             return values
         if self.hardest is None:
-            raise QuadrupedError(f"terrain {self.name}: it has no levels, found level {short(level)}; leave it out")
-        if whole_number("level", level, 1) > LEVELS:
-            raise QuadrupedError(f"level: expected a whole number from 1 to {LEVELS}; found {level}")
+            raise QuadrupedError(f"terrain {self.name}: found level {short(level)}, but it has no levels; leave it out")
+        if isinstance(level, bool) or not isinstance(level, (int, np.integer)) or not 1 <= level <= LEVELS:
+            raise QuadrupedError(
+                f"terrain {self.name}: level must be a whole number from 1 to {LEVELS}; found {short(level)}"
+            )
         for name, value in self.hardest.items():
             length = scale if self.parameters[name][0].unit == "m" else 1.0
             values[name] = value * length * level / LEVELS
@@ -103,7 +97,7 @@ class Terrain:
         Args:
             seed: seed of its random numbers.
             level: from 1 to `LEVELS`; None: no level.
-            scale: leg length relative to the built-in robot's (`leg_scale`); it counts only with a level.
+            scale: leg length relative to the built-in robot's; it counts only with a level.
             values: values of parameters by name.
 
         Raises:

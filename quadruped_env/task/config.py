@@ -31,7 +31,7 @@ from quadruped_env.task.settings import (
     range_entry,
     weights_entry,
 )
-from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, terrain_schema, values_of
+from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, leg_scale, terrain_schema, values_of
 
 ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
@@ -55,7 +55,7 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
         "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
     }
     termination: dict[str, Entry] = {}
-    size = definition.robot.stance_height / BUILT_IN.robot.stance_height
+    size = leg_scale(definition.robot)
     for section, terms in ((reward, definition.rewards), (termination, definition.terminations)):
         for term in terms:
             for name, (parameter, default) in term.parameters.items():

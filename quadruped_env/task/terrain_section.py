@@ -7,10 +7,11 @@ from typing import Any, Final, NamedTuple, Self
 from quadruped_env.control.config import check
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
-from quadruped_env.simulation.ground import FIELDS, LEVELS, Terrain, leg_scale
+from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.ground import FIELDS, LEVELS, Terrain
 from quadruped_env.simulation.terrain import find_terrain
 from quadruped_env.simulation.tiles import Tiles
-from quadruped_env.task.definition import TaskDefinition
+from quadruped_env.task.definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.settings import Entry, Schema, Section, number, parameter_entry, whole_entry
 
 DEFAULT_TERRAIN: Final = "flat"
@@ -29,6 +30,11 @@ class Choice(NamedTuple):
         if not isinstance(values, Mapping):
             return cls()
         return cls(values.get("name", DEFAULT_TERRAIN), values.get("level"))
+
+
+def leg_scale(robot: Robot) -> float:
+    """Leg length of a robot (the height of its base in the stance) relative to the built-in one's."""
+    return robot.stance_height / BUILT_IN.robot.stance_height
 
 
 def terrain_schema(choice: Choice, definition: TaskDefinition) -> Schema:

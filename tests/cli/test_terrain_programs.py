@@ -98,6 +98,22 @@ def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
         named_terrain(parser.parse_args(arguments[2:]))
 
 
+def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles():
+    policy = load_policy("flat")
+    on_tiles = policy.config.on_terrain("tiles")
+    curriculum = dataclasses.replace(on_tiles, terrain=on_tiles.terrain.replace(curriculum=True, levels=3))
+    trained = type(policy)(policy.weights, policy.biases, policy.activation, curriculum, policy.card)
+    comparison = compare(trained, 6, 2.0, [(0.4, 0.0)])
+    assert comparison.config.terrain.to_dict() == curriculum.terrain.to_dict() | {"curriculum": False}
+    starts = {name: rollout.base_position[0, :, :2] for name, rollout in comparison.rollouts.items()}
+    centres = curriculum.ground.centres().reshape(-1, 2)
+    nearest = {name: np.abs(centres[:, None] - start).max(-1).argmin(0) for name, start in starts.items()}
+    assert len(set(nearest["policy"])) > 3
+    for name, start in starts.items():
+        np.testing.assert_array_equal(nearest[name], nearest["policy"], err_msg="the seed gives the tile")
+        np.testing.assert_allclose(start, centres[nearest[name]], atol=0.05)
+
+
 def test_baseline_on_a_terrain_measures_and_records_on_it():
     rough, flat = (run_baseline(seconds=2.0, episodes=1, terrain=name) for name in ("rough", None))
     assert (rough.report()["terrain"], flat.report()["terrain"]) == ("rough", "flat")
@@ -171,6 +187,27 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     assert [motion.trace.terrain for motion in filmed] == [HILLS.ground]
 
 
+def test_viewer_shows_a_level_and_the_tiles_of_a_policy(tmp_path, monkeypatch):
+    sources, _ = find_controllers(runs=tmp_path)
+    stairs = find_terrain("stairs").variant(level=4)
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results", terrain=stairs)
+    assert robot(controller, 0).terrain == stairs
+    np.testing.assert_array_equal(controller.model().hfield_data, build_model(terrain=stairs).hfield_data)
+    controller.close()
+    on_tiles = TaskConfig().on_terrain("tiles")
+    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: on_tiles)
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results")
+    controller.set_source(1, "stand still")
+    places = [robot(controller, i).data.qpos[:2].copy() for i in range(2)]
+    np.testing.assert_array_equal(*places)
+    assert np.abs(on_tiles.ground.centres() - places[0]).max(-1).min() < 1e-9
+    controller.close()
+    # On other ground a robot does not start where one of its tiles would be.
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results", terrain=HILLS.ground)
+    np.testing.assert_array_equal(robot(controller, 0).data.qpos[:2], [0.0, 0.0])
+    controller.close()
+
+
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: HILLS)
     sources, _ = find_controllers(runs=tmp_path)
@@ -218,6 +255,16 @@ def test_live_nodes_take_the_terrain_of_a_file(tmp_path, capsys):
         "terrain: 'swamp' is unknown; there are flat, rough, hills, slope, steps, stairs, gaps, wave, tiles, ridges"
         in capsys.readouterr().err
     )
+
+
+@pytest.mark.parametrize("name", ["steps", "stairs", "gaps", "tiles"])
+def test_simulated_robot_stands_on_a_terrain_with_edges(name):
+    shape = find_terrain(name)
+    simulated = SimulatedRobot(1, shape if shape.hardest is None else shape.variant(level=10))
+    for _ in range(200):
+        simulated.step()
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=3e-3)
+    assert simulated.state.up_b[0, 2] > 0.9999
 
 
 def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():

@@ -14,9 +14,10 @@ from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import TERRAINS, build_model, find_terrain
 from quadruped_env.simulation.grid import Grid
-from quadruped_env.simulation.ground import LEVELS, leg_scale
+from quadruped_env.simulation.ground import LEVELS
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.task import terrain
+from quadruped_env.task import TaskConfig, terrain
+from quadruped_env.task.terrain_section import leg_scale
 
 KINDS = ("flat", "slope", "rough", "steps", "stairs", "gaps", "wave")
 LEVEL = 4
@@ -172,6 +173,11 @@ def test_tallest_level_is_30_percent_of_the_leg_length():
     assert find_terrain("slope").defaults(LEVELS, scale)["angle"] == pytest.approx(math.radians(20.0))
     tall = find_terrain("steps").variant(level=LEVELS, scale=scale).heights()
     assert tall.max() == pytest.approx(0.055 * scale)
+    config = TaskConfig().for_robot(ROBOT).on_terrain(find_terrain("steps").variant(level=5))
+    assert config.terrain.height == pytest.approx(0.0275 * scale)
+    assert config.ground.heights().max() == pytest.approx(0.0275 * scale)
+    tiles = TaskConfig().for_robot(ROBOT).on_terrain("tiles").ground
+    assert tiles.tile(3, LEVELS).max() == pytest.approx(0.055 * scale)
 
 
 def test_levels_of_the_page_are_those_of_the_terrains():
@@ -199,12 +205,12 @@ def test_level_gives_the_defaults_and_a_parameter_replaces_one():
 
 @pytest.mark.parametrize("level", [0, 11, 2.5, "4", True])
 def test_invalid_level_is_refused_with_the_valid_ones(level):
-    with pytest.raises(QuadrupedError, match=r"level: expected a whole number"):
+    with pytest.raises(QuadrupedError, match="terrain stairs: level must be a whole number from 1 to 10; found"):
         find_terrain("stairs").variant(level=level)
 
 
 def test_level_of_a_terrain_without_levels_is_refused():
-    with pytest.raises(QuadrupedError, match="terrain hills: it has no levels, found level 3; leave it out"):
+    with pytest.raises(QuadrupedError, match="terrain hills: found level 3, but it has no levels; leave it out"):
         find_terrain("hills").variant(level=3)
 
 

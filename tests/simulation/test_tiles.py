@@ -150,7 +150,7 @@ def test_seed_kinds_levels_and_scale_change_the_tiles():
 def test_kind_without_levels_or_with_an_uneven_edge_is_refused():
     with pytest.raises(QuadrupedError, match="terrain tiles: the kind hills has no levels"):
         TILES.of([find_terrain("hills")], 3)
-    with pytest.raises(QuadrupedError, match="terrain tiles: it has no levels, found level 3"):
+    with pytest.raises(QuadrupedError, match="terrain tiles: found level 3, but it has no levels"):
         TILES.variant(level=3)
 
     @terrain(hardest={"height": 0.1})
