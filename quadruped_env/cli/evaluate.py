@@ -43,7 +43,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     report, numbers, missing = write_report(
         subject,
         comparison,
-        f"{invocation.program} {subject.source} {task_option(arguments.task)}{terrain_option(arguments.terrain)}"
+        f"{invocation.program} {subject.source} {task_option(arguments.task)}{terrain_option(arguments)}"
         f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),

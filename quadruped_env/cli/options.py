@@ -3,12 +3,14 @@
 import argparse
 import shlex
 from pathlib import Path
-from typing import Final, cast
+from typing import Final
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
-from quadruped_env.simulation.terrain import Terrain, find_terrain, summary
+from quadruped_env.simulation.ground import LEVELS, Terrain
+from quadruped_env.simulation.terrain import TERRAINS, find_terrain, summary
 
 NEXT_FREE: Final = "or that name with the next free number"
 
@@ -67,7 +69,7 @@ def add_robot_file(parser: argparse.ArgumentParser, terrain: bool = False) -> No
 
 
 def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add `--terrain`.
+    """Add `--terrain` and `--level`.
 
     Args:
         parser: of the command.
@@ -78,24 +80,44 @@ def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
         metavar="NAME",
         help=f"the ground: {summary()}; or one from --task's file (default: {default})",
     )
+    parser.add_argument(
+        "--level",
+        type=int,
+        metavar="N",
+        help=f"level of the --terrain, from 1 to {LEVELS}, which is the hardest (default: none, with the sizes above)",
+    )
 
 
 def named_terrain(arguments: argparse.Namespace) -> str | Terrain | None:
-    """The terrain of `--terrain`: its name, or the terrain of that name with the file of `--task`; None without one.
+    """The terrain of `--terrain` and `--level`, with the file of `--task`; its name without level and file.
+
+    None without `--terrain`.
 
     Raises:
-        QuadrupedError: if the file has no such terrain, or cannot be loaded.
+        QuadrupedError: if the file has no such terrain or cannot be loaded, or there is no such level.
     """
-    if arguments.terrain is None or arguments.task is None:
-        return cast("str | None", arguments.terrain)
+    name: str | None = arguments.terrain
+    check_level_has_terrain(arguments)
+    if name is None or (arguments.task is None and arguments.level is None):
+        return name
     from quadruped_env.task import load_task_file
 
-    return find_terrain(arguments.terrain, load_task_file(arguments.task).terrains)
+    terrain = find_terrain(name, TERRAINS if arguments.task is None else load_task_file(arguments.task).terrains)
+    return terrain if arguments.level is None else terrain.variant(level=arguments.level)
 
 
-def terrain_option(terrain: str | None) -> str:
-    """The option `--terrain` as a user types it again, and a space; nothing without a terrain."""
-    return "" if terrain is None else f"--terrain {shlex.quote(terrain)} "
+def check_level_has_terrain(arguments: argparse.Namespace) -> None:
+    """Raise a QuadrupedError for `--level` without `--terrain`."""
+    if arguments.level is not None and arguments.terrain is None:
+        raise QuadrupedError(f"--level: found {arguments.level} without --terrain; name the terrain, too")
+
+
+def terrain_option(arguments: argparse.Namespace) -> str:
+    """The options `--terrain` and `--level` as a user types them again, and a space; nothing without a terrain."""
+    if arguments.terrain is None:
+        return ""
+    level = "" if arguments.level is None else f"--level {arguments.level} "
+    return f"--terrain {shlex.quote(arguments.terrain)} {level}"
 
 
 def task_option(task_file: Path | None) -> str:

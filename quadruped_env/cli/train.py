@@ -16,7 +16,7 @@ from typing import Any, Final, get_args
 
 from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_terrain
+from quadruped_env.cli.options import add_output, add_terrain, check_level_has_terrain
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import BUILT_IN, load_task_file
@@ -75,8 +75,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if "hidden" in typed:
         typed["hidden"] = tuple(typed["hidden"])
     task_file, typed_task = task_changes(typed.pop("task", []))
+    check_level_has_terrain(arguments)
     if arguments.terrain is not None:
-        typed_task = merged(typed_task, {"terrain": {"name": arguments.terrain}})
+        level = {} if arguments.level is None else {"level": arguments.level}
+        typed_task = merged(typed_task, {"terrain": {"name": arguments.terrain, **level}})
     if typed_task:
         typed["task"] = typed_task
     runs, resume = arguments.output, arguments.resume

@@ -12,7 +12,7 @@ import argparse
 import signal
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_task_file, add_terrain
+from quadruped_env.cli.options import add_output, add_task_file, add_terrain, named_terrain
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 
@@ -56,7 +56,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.port,
         arguments.output,
         arguments.task,
-        arguments.terrain,
+        named_terrain(arguments),
     )
     return run_show(show, arguments.host, arguments.port, arguments.measure)
 

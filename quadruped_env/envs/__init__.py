@@ -5,29 +5,46 @@ from typing import TYPE_CHECKING, Any
 import gymnasium
 
 from quadruped_env.envs import arguments
+from quadruped_env.envs.rough import ROUGH_CONFIG, MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
 from quadruped_env.envs.single import MiniQuadrupedEnv
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
+from quadruped_env.task.tile_assignment import EPISODE_SECONDS
 
 if TYPE_CHECKING:
     from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 
-__all__ = ["ENV_ID", "MiniQuadrupedEnv", "MiniQuadrupedVectorEnv", "make_sb3_vec_env", "register"]
+__all__ = [
+    "ENV_ID",
+    "EPISODE_SECONDS",
+    "ROUGH_CONFIG",
+    "ROUGH_ENV_ID",
+    "MiniQuadrupedEnv",
+    "MiniQuadrupedRoughEnv",
+    "MiniQuadrupedRoughVectorEnv",
+    "MiniQuadrupedVectorEnv",
+    "make_sb3_vec_env",
+    "register",
+]
 
 ENV_ID = "MiniQuadruped-v0"
-EPISODE_SECONDS = 20.0
+ROUGH_ENV_ID = "MiniQuadrupedRough-v0"
 MAX_EPISODE_STEPS = 1000
 """Number of control steps in `EPISODE_SECONDS` at 50 Hz."""
 
 
 def register() -> None:
-    """Register `MiniQuadruped-v0` for `gymnasium.make` and `make_vec`; `import quadruped_env` calls this."""
-    if ENV_ID not in gymnasium.registry:
-        gymnasium.register(
-            id=ENV_ID,
-            entry_point="quadruped_env.envs.single:MiniQuadrupedEnv",
-            vector_entry_point="quadruped_env.envs.vector:MiniQuadrupedVectorEnv",
-            max_episode_steps=MAX_EPISODE_STEPS,
-        )
+    """Register the environments for `gymnasium.make` and `make_vec`; `import quadruped_env` calls this."""
+    for env_id, single, vector in (
+        (ENV_ID, "single:MiniQuadrupedEnv", "vector:MiniQuadrupedVectorEnv"),
+        (ROUGH_ENV_ID, "rough:MiniQuadrupedRoughEnv", "rough:MiniQuadrupedRoughVectorEnv"),
+    ):
+        if env_id not in gymnasium.registry:
+            gymnasium.register(
+                id=env_id,
+                entry_point=f"quadruped_env.envs.{single}",
+                vector_entry_point=f"quadruped_env.envs.{vector}",
+                max_episode_steps=MAX_EPISODE_STEPS,
+            )
 
 
 def make_sb3_vec_env(

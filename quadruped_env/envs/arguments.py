@@ -2,7 +2,8 @@
 
 import dataclasses
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Final
 
 import numpy as np
@@ -27,6 +28,7 @@ def task_config(
     task_file: str | os.PathLike[str] | None = None,
     robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
     terrain: str | None = None,
+    defaults: Mapping[str, Any] = MappingProxyType({}),
 ) -> TaskConfig:
     """The task's config from an environment's arguments.
 
@@ -36,6 +38,7 @@ def task_config(
         task_file: user's file of terms, which is executed; None: the built-in terms, or those of a given TaskConfig.
         robot: robot, its design, or the result of `Robot.to_dict`; None: that of the file or of a given TaskConfig.
         terrain: name of a terrain that replaces that of the config; None keeps it.
+        defaults: changes to the default config that apply where the given changes do not; a complete config has none.
 
     Raises:
         QuadrupedError: if the mode, the file, the robot, the terrain or a field of the config is not valid.
@@ -48,11 +51,24 @@ def task_config(
     if isinstance(config, TaskConfig):
         task = config if definition == config.definition else config.with_definition(definition)
     else:
-        task = TaskConfig.from_dict({} if config is None else config, definition)
+        changes = {} if config is None else config
+        task = TaskConfig.from_dict(_over(defaults, changes) if isinstance(changes, dict) else changes, definition)
     if action_mode is not None:
         mode: Any = action_mode  # checked by ActionConfig
         task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))
     return task if terrain is None else task.on_terrain(terrain)
+
+
+def _over(defaults: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Nested defaults with changes applied. A section that names another terrain replaces the default one."""
+    result = dict(defaults)
+    for name, value in changes.items():
+        default = defaults.get(name)
+        result[name] = value
+        if isinstance(value, Mapping) and isinstance(default, Mapping):
+            named = default.get("name")
+            result[name] = _over(default, value) if value.get("name", named) == named else value
+    return result
 
 
 def as_robot(value: Any) -> Robot:

@@ -1,6 +1,8 @@
 """The single environment."""
 
 import os
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import gymnasium
@@ -62,9 +64,11 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     {rewards}
 
     ## Terrain
-    Level ground, or a height field of 40 m x 40 m with level ground in its middle, where episodes start, and around it.
-    It is the same for all episodes and envs of a config. Heights in rewards and starts are those over the ground below.
-    MuJoCo's friction cone is pyramidal on level ground and elliptic on a height field (docs/environment.md).
+    Level ground, or a height field with level ground in its middle, where episodes start, and around it. It is the same
+    for all episodes and envs of a config. Heights in rewards and starts are those over the ground below. `level`, 1 to
+    10, sets height, depth or angle of a terrain that has levels. On `tiles`, the seed gives the tile on which an
+    episode starts. MuJoCo's friction cone is pyramidal on level ground and elliptic on a height field
+    (docs/terrain.md).
 
     {terrains}
 
@@ -101,6 +105,9 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     * v0: initial version.
     """
 
+    default_config: Mapping[str, Any] = MappingProxyType({})
+    """Changes to the default config that the argument `config` may change again."""
+
     # gymnasium.make reads the render modes from the class; an instance has its own frame rate.
     metadata = spaces.metadata(TaskConfig())
 
@@ -117,7 +124,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ) -> None:
         arguments.check_render_mode(render_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config, task_file, robot, terrain)
+        task_config = arguments.task_config(action_mode, config, task_file, robot, terrain, self.default_config)
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         task_robot = task_config.robot

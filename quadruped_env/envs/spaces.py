@@ -78,7 +78,9 @@ def readings(task: Task, at: int | slice = slice(None)) -> dict[str, NDArray[Any
     columns = task.simulation.sensor_columns
     values = task.simulation.sensordata[at].copy()
     foot_force = values[..., columns["foot_force"]]
+    tiles = task.tiles
     return {
+        **({} if tiles is None else {"terrain_kind": tiles.kind[at].copy(), "terrain_level": tiles.level[at].copy()}),
         "command": task.command[at].copy(),
         "base_position": values[..., columns["base_position"]],
         "base_linear_velocity": values[..., columns["linear_velocity_b"]],

@@ -5,7 +5,8 @@ from typing import Any, TypeVar
 
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.task import BUILT_IN
+from quadruped_env.simulation import Terrain, Tiles
+from quadruped_env.task import BUILT_IN, TerrainConfig
 
 Class = TypeVar("Class", bound=type)
 
@@ -76,13 +77,20 @@ def terrain_table() -> list[str]:
             (
                 f"`{terrain.name}`",
                 _sentence(terrain.description),
-                ", ".join(
-                    ["`seed` = 0", *(f"`{name}` = {x:g} {p.unit}" for name, (p, x) in terrain.parameters.items())]
-                ),
+                ", ".join(_terrain_fields(terrain)),
             )
             for terrain in BUILT_IN.terrains
         ),
     )
+
+
+def _terrain_fields(terrain: Terrain) -> list[str]:
+    """Fields of a terrain in the config, with their defaults."""
+    if isinstance(terrain, Tiles):
+        section = TerrainConfig(name=terrain.name)
+        return [f"`{name}`" if name == "kinds" else f"`{name}` = {section[name]}" for name in section if name != "name"]
+    level = ["`level`"] if terrain.hardest is not None else []
+    return ["`seed` = 0", *level, *(f"`{name}` = {x:.3g} {p.unit}" for name, (p, x) in terrain.parameters.items())]
 
 
 def _table(header: tuple[str, ...], rows: Iterable[tuple[Any, ...]]) -> list[str]:

@@ -1,7 +1,8 @@
 """Native vector environment: many robots without a loop over them."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import gymnasium
@@ -43,6 +44,9 @@ class MiniQuadrupedVectorEnv(
         QuadrupedError: if an argument is not valid; the message says what is valid.
     """
 
+    default_config: Mapping[str, Any] = MappingProxyType({})
+    """See `MiniQuadrupedEnv`."""
+
     def __init__(
         self,
         num_envs: int = 1,
@@ -66,7 +70,7 @@ class MiniQuadrupedVectorEnv(
         self.render_mode = render_mode
         self.autoreset_mode = arguments.autoreset_mode(autoreset_mode)
         self._frame_size = arguments.frame_size(width, height)
-        task_config = arguments.task_config(action_mode, config, task_file, robot, terrain)
+        task_config = arguments.task_config(action_mode, config, task_file, robot, terrain, self.default_config)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
         task_robot = task_config.robot
         model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground, task_robot)

@@ -245,12 +245,16 @@ def compare_policies(
 
 
 def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task, of whose randomization only the built-in start stays, with ranges that include the commands."""
+    """A policy's task, of whose randomization only the built-in start stays, with ranges that include the commands.
+
+    There is no curriculum: on tiles, every episode starts on the tile that its seed gives.
+    """
     ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
-    return dataclasses.replace(config.without_randomization(RANDOM_START), command=ranges)
+    terrain = config.terrain.replace(curriculum=False) if "curriculum" in config.terrain else config.terrain
+    return dataclasses.replace(config.without_randomization(RANDOM_START), command=ranges, terrain=terrain)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

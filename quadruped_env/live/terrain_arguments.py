@@ -3,12 +3,14 @@
 import argparse
 
 from quadruped_env.simulation import Terrain, find_terrain, flat
+from quadruped_env.simulation.ground import LEVELS
 from quadruped_env.simulation.terrain import summary
 from quadruped_env.task.definition import BUILT_IN, load_task_file
+from quadruped_env.task.terrain_section import leg_scale
 
 
 def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
-    """Add `--terrain` and `--seed`; `chosen_terrain` reads them.
+    """Add `--terrain`, `--level` and `--seed`; `chosen_terrain` reads them.
 
     Args:
         parser: parser of the node.
@@ -20,6 +22,12 @@ def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
         default=flat.name,
         help=f"the ground: {summary()}; or one from --task's file (%(default)s)",
     )
+    parser.add_argument(
+        "--level",
+        type=int,
+        metavar="N",
+        help=f"level of the terrain, from 1 to {LEVELS}, which is the hardest (none, with the sizes above)",
+    )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{seed} (%(default)s)")
 
 
@@ -27,7 +35,8 @@ def chosen_terrain(arguments: argparse.Namespace) -> Terrain:
     """The terrain that the arguments name.
 
     Raises:
-        QuadrupedError: if there is no such terrain, or the file of `--task` cannot be loaded.
+        QuadrupedError: if there is no such terrain or level, or the file of `--task` cannot be loaded.
     """
     definition = BUILT_IN if arguments.task is None else load_task_file(arguments.task)
-    return find_terrain(arguments.terrain, definition.terrains).variant(arguments.seed)
+    terrain = find_terrain(arguments.terrain, definition.terrains)
+    return terrain.variant(arguments.seed, arguments.level, leg_scale(definition.robot))

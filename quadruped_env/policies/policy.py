@@ -17,7 +17,7 @@ from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.simulation.terrain import TERRAIN_FILE
+from quadruped_env.simulation.ground import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
 
 

@@ -6,6 +6,7 @@ from quadruped_env.simulation.model import build_model
 from quadruped_env.simulation.placement import highest_ground
 from quadruped_env.simulation.single import SingleSimulation
 from quadruped_env.simulation.terrain import TERRAINS, Grid, Terrain, find_terrain, flat
+from quadruped_env.simulation.tiles import Tiles
 
 __all__ = [
     "TERRAINS",
@@ -14,6 +15,7 @@ __all__ = [
     "Simulation",
     "SingleSimulation",
     "Terrain",
+    "Tiles",
     "build_model",
     "find_terrain",
     "flat",

@@ -1,193 +1,124 @@
-"""Terrains: functions that give the heights of the ground around the start."""
+"""Built-in terrains: functions that give the heights of the ground around the start."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Annotated, Any, Final, Self, overload
+import math
+from collections.abc import Sequence
+from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import Parameter, described, parameters_of, stay_importable
-from quadruped_env.provenance import TaskFile
+from quadruped_env.parameters import Parameter
+from quadruped_env.simulation.grid import MAX_POINTS, ROUNDING, START, Floats, Grid
+from quadruped_env.simulation.ground import LEVELS, Terrain, terrain
+from quadruped_env.simulation.tiles import Tiles, tiles_of
 
-Floats = NDArray[np.float64]
+__all__ = [
+    "LEVELS",
+    "MAX_POINTS",
+    "TERRAINS",
+    "Grid",
+    "Terrain",
+    "Tiles",
+    "find_terrain",
+    "flat",
+    "hills",
+    "rough",
+    "summary",
+    "terrain",
+    "tiles",
+]
 
-SIZE: Final = 40.0
-"""Default side length of the square around the start, m; the ground is level beyond it."""
-CELL: Final = 0.1
-"""Default grid spacing, m. Contacts at the edges between cells slow a turning robot down: by 2 %, at 0.05 m by 6 %."""
-MAX_POINTS: Final = 2001
-"""Maximum number of grid points per side."""
-TERRAIN_FILE: Final = "terrain_file"
-"""Field of configs and results that names the user's file that defines the terrain."""
-_START: Final = (0.4, 1.2)
-"""Distances from the start up to which `Grid.fade` is 0, and from which it is 1, m."""
-_EDGE: Final = 1.0
-"""Width of the strip along the edge in which `Grid.fade` goes to 0, m."""
+HIGHEST: Final = 0.055
+"""Height at the hardest level, m: 30 % of the built-in robot's leg length of 0.184 m."""
+STEEPEST: Final = math.radians(20.0)
+"""Slope at the hardest level, rad."""
+FINE: Final = 0.05
+"""Grid spacing of the terrains with edges, m. The side of a step is one cell wide."""
+_LARGE: Final = 24.0
+"""Side length of these terrains, m: a robot at 0.6 m/s walks for 18 s until it reaches the edge."""
+_FLIGHT: Final = 3
+"""Number of steps of a flight of stairs."""
 
-
-@dataclass(frozen=True, eq=False)
-class Grid:
-    """Input of a terrain's function: P x P points, and random numbers."""
-
-    x: Floats
-    """World coordinate along x of each point (P, P), m; it changes along the second axis."""
-    y: Floats
-    """World coordinate along y of each point (P, P), m; it changes along the first axis."""
-    size: float
-    """Side length of the square, m; the start is in its middle."""
-    random: np.random.Generator
-    """Random generator from the terrain's seed."""
-
-    @classmethod
-    def square(cls, size: float, cell: float, seed: int) -> Self:
-        """Grid of a square around the start, with points `cell` apart, m."""
-        along = np.linspace(-0.5 * size, 0.5 * size, round(size / cell) + 1)
-        return cls(*np.meshgrid(along, along), size, np.random.default_rng(seed))
-
-    @property
-    def fade(self) -> Floats:
-        """Factor (P, P) that is 0 around the start and at the edge, and 1 between them."""
-        near, full = _START
-        from_start = np.hypot(self.x, self.y)
-        to_edge = 0.5 * self.size - np.maximum(np.abs(self.x), np.abs(self.y))
-        return _smoothstep((from_start - near) / (full - near)) * _smoothstep(to_edge / _EDGE)
-
-    def smooth_noise(self, distance: float) -> Floats:
-        """Random numbers in [0, 1) at points `distance` apart, m, smoothly interpolated: (P, P)."""
-        knots = self.random.random((round(self.size / distance) + 2,) * 2)
-        at = (self.x[0] + 0.5 * self.size) / distance
-        index = np.minimum(at.astype(int), len(knots) - 2)
-        share = _smoothstep(at - index)
-        along = knots[index] * (1.0 - share[:, None]) + knots[index + 1] * share[:, None]
-        return along[:, index] * (1.0 - share) + along[:, index + 1] * share
+Height = Annotated[float, Parameter("m", 0.0)]
+Length = Annotated[float, Parameter("m", 0.2)]
 
 
-@dataclass(frozen=True)
-class Terrain:
-    """A named shape of the ground. Created by `terrain`; `variant` changes its seed and parameters."""
-
-    name: str
-    function: Callable[..., Any]
-    """Function (grid, parameters) -> heights (P, P), m. The start is at the origin."""
-    parameters: dict[str, tuple[Parameter, float]] = field(compare=False)
-    """Unit, valid range and default of each parameter."""
-    description: str = field(compare=False)
-    size: float = SIZE
-    """Side length of the square around the start, m."""
-    cell: float = CELL
-    """Grid spacing, m."""
-    seed: int = 0
-    values: tuple[tuple[str, float], ...] = ()
-    """Name and value of the parameters that differ from their defaults."""
-    file: TaskFile | None = field(default=None, compare=False)
-    """User's file that defines it; None for a terrain that is built in or defined in Python alone."""
-
-    def __post_init__(self) -> None:
-        reserved = sorted({"name", "seed"} & set(self.parameters))
-        if reserved:
-            raise QuadrupedError(
-                f"terrain {self.name}: {reserved[0]!r} is a field of every terrain; rename the parameter"
-            )
-        if not (0.0 < self.cell <= self.size and self.size / self.cell <= MAX_POINTS - 1):
-            raise QuadrupedError(
-                f"terrain {self.name}: expected a size and a cell in m with 1 to {MAX_POINTS - 1} cells per side; "
-                f"found size={self.size:g}, cell={self.cell:g}"
-            )
-
-    def variant(self, seed: int = 0, **values: float) -> Self:
-        """The same terrain with a seed and values of its parameters; the others have their defaults.
-
-        Raises:
-            QuadrupedError: if a parameter is unknown or its value is not valid.
-        """
-        for name, value in values.items():
-            if name not in self.parameters:
-                valid = ", ".join(self.parameters) or "none"
-                raise QuadrupedError(f"terrain {self.name}: unknown parameter {name!r}; its parameters are: {valid}")
-            parameter = self.parameters[name][0]
-            if not parameter.accepts(value):
-                raise QuadrupedError(f"terrain {self.name}: {name} must be {parameter.rule()}; found {short(value)}")
-        changed = ((name, float(value)) for name, value in sorted(values.items()) if value != self.parameters[name][1])
-        return replace(self, seed=seed, values=tuple(changed))
-
-    def provenance(self) -> dict[str, Any]:
-        """Name of the terrain and, as `terrain_file`, name and SHA-256 of the file that defines it, for results."""
-        return {"terrain": self.name, **({} if self.file is None else {TERRAIN_FILE: self.file.to_dict()})}
-
-    def heights(self) -> Floats:
-        """Heights (P, P) in m, first axis along y, second along x; the same seed gives the same heights.
-
-        Raises:
-            QuadrupedError: if the function raises an error or returns something else.
-        """
-        grid = Grid.square(self.size, self.cell, self.seed)
-        try:
-            heights = np.asarray(self.function(grid, **dict(self.values)), dtype=np.float64)
-        except Exception as error:
-            raise QuadrupedError(f"terrain {self.name}: {type(error).__name__}: {error}") from error
-        if heights.shape != grid.x.shape or not np.isfinite(heights).all():
-            found = f"shape {heights.shape}" if heights.shape != grid.x.shape else "a height that is not finite"
-            raise QuadrupedError(
-                f"terrain {self.name}: expected finite heights of shape {grid.x.shape}, as grid.x; found {found}"
-            )
-        return heights
-
-
-@overload
-def terrain(function: Callable[..., Any], /) -> Terrain: ...
-@overload
-def terrain(*, size: float = SIZE, cell: float = CELL) -> Callable[[Callable[..., Any]], Terrain]: ...
-def terrain(
-    function: Callable[..., Any] | None = None, /, *, size: float = SIZE, cell: float = CELL
-) -> Terrain | Callable[[Callable[..., Any]], Terrain]:
-    """Decorator: a function (grid) -> heights (P, P) becomes a terrain of the same name.
-
-    Arguments with a default, after the grid, are parameters that the config can change. Use it as `@terrain`, or with
-    arguments as `@terrain(cell=0.05)`.
-
-    Args:
-        function: function of a `Grid`.
-        size: side length of the square around the start, m.
-        cell: grid spacing, m.
-    """
-
-    def decorate(function: Callable[..., Any]) -> Terrain:
-        stay_importable(function)
-        return Terrain(function.__name__, function, parameters_of(function), described(function), size, cell)
-
-    return decorate if function is None else decorate(function)
-
-
-@terrain
+@terrain(hardest={})
 def flat(grid: Grid) -> Floats:
     """Level ground."""
     return np.zeros_like(grid.x)
 
 
-@terrain
-def rough(
-    grid: Grid,
-    height: Annotated[float, Parameter("m", 0.0)] = 0.01,
-    distance: Annotated[float, Parameter("m", 0.2)] = 0.2,
-) -> Floats:
+@terrain(hardest={"height": HIGHEST})
+def rough(grid: Grid, height: Height = 0.01, distance: Length = 0.2) -> Floats:
     """Bumps of up to 1 cm, 0.2 m apart."""
     return height * grid.smooth_noise(distance) * grid.fade
 
 
 @terrain
-def hills(
-    grid: Grid,
-    height: Annotated[float, Parameter("m", 0.0)] = 0.08,
-    distance: Annotated[float, Parameter("m", 0.2)] = 2.5,
-) -> Floats:
+def hills(grid: Grid, height: Height = 0.08, distance: Length = 2.5) -> Floats:
     """Hills of up to 8 cm, 2.5 m apart."""
     return height * grid.smooth_noise(distance) * grid.fade
 
 
-TERRAINS: Final = (flat, rough, hills)
-"""Built-in terrains. A policy that was trained on flat ground can walk on all of them."""
+@terrain(size=_LARGE, cell=FINE, hardest={"angle": STEEPEST})
+def slope(
+    grid: Grid,
+    angle: Annotated[float, Parameter("rad", 0.0, math.radians(45.0))] = math.radians(10.0),
+    length: Length = 2.0,
+) -> Floats:
+    """Slopes of 10 degrees up and down in turn, 2 m long, in squares around the start."""
+    pairs = max(1, math.floor(grid.ring_end / (2.0 * length) + ROUNDING))
+    # In a tile there is less space than that.
+    cells = math.floor(min(length, 0.5 * grid.ring_end / pairs) / FINE + ROUNDING)
+    length = cells * FINE
+    ring = np.where(grid.inside(2.0 * pairs * length), grid.ring, 0.0)
+    return grid.first * math.tan(angle) * (length - np.abs(length - ring % (2.0 * length)))
+
+
+@terrain(size=_LARGE, cell=FINE, hardest={"height": HIGHEST})
+def steps(grid: Grid, height: Height = 0.02, width: Length = 0.4) -> Floats:
+    """Square blocks of 0.4 m, high by 2 cm and low in turn."""
+    blocks = math.floor(grid.ring_end / width + ROUNDING)
+    column, line = (np.floor((np.abs(along) - START) / width + ROUNDING) for along in (grid.x, grid.y))
+    return height * ((column + line) % 2.0) * grid.inside(blocks * width)
+
+
+@terrain(size=_LARGE, cell=FINE, hardest={"height": HIGHEST})
+def stairs(grid: Grid, height: Height = 0.02, run: Length = 0.2) -> Floats:
+    """Stairs in squares around the start: 3 steps up and 3 down in turn, 2 cm high and 0.2 m long."""
+    pairs = math.floor((grid.ring_end + run) / (2.0 * _FLIGHT * run) + ROUNDING)
+    number = np.floor(grid.ring / run + ROUNDING) % (2.0 * _FLIGHT)
+    treads = _FLIGHT - np.abs(_FLIGHT - 1.0 - number)
+    return grid.first * height * treads * grid.inside(2.0 * _FLIGHT * pairs * run)
+
+
+@terrain(size=_LARGE, cell=FINE, hardest={"depth": HIGHEST})
+def gaps(
+    grid: Grid,
+    depth: Height = 0.02,
+    width: Annotated[float, Parameter("m", 0.1)] = 0.15,
+    distance: Length = 0.45,
+) -> Floats:
+    """Trenches in squares around the start, 2 cm deep, 0.15 m wide and 0.45 m apart."""
+    number = math.floor(grid.ring_end / distance + ROUNDING)
+    trench = (grid.ring + ROUNDING) % distance >= distance - width - ROUNDING
+    # At the edge the ground goes down to the bottom of the trenches, or it would end in a step of this height.
+    return -depth * np.maximum(trench & grid.inside(number * distance), grid.descent)
+
+
+@terrain(size=_LARGE, cell=FINE, hardest={"height": HIGHEST})
+def wave(grid: Grid, height: Height = 0.02, length: Length = 0.8) -> Floats:
+    """Waves of up to 2 cm along x and y, 0.8 m long."""
+    along_x, along_y = (np.cos(math.tau * along / length) for along in (grid.x, grid.y))
+    return 0.25 * height * (2.0 - along_x - along_y) * grid.fade
+
+
+tiles: Final = tiles_of((flat, slope, rough, steps, stairs, gaps, wave), FINE)
+"""All terrains with levels."""
+
+TERRAINS: Final = (flat, rough, hills, slope, steps, stairs, gaps, wave, tiles)
+"""Built-in terrains. A policy that was trained on flat ground can walk on `rough` and `hills`."""
 
 
 def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrain:
@@ -205,9 +136,3 @@ def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrai
 def summary(terrains: Sequence[Terrain] = TERRAINS) -> str:
     """Names and descriptions in one line, for the help of an option."""
     return "; ".join(f"{entry.name}: {entry.description.removesuffix('.').lower()}" for entry in terrains)
-
-
-def _smoothstep(x: Floats) -> Floats:
-    """Smoothstep function: from 0 to 1 while x goes from 0 to 1."""
-    x = np.clip(x, 0.0, 1.0)
-    return x * x * (3.0 - 2.0 * x)

@@ -4,7 +4,8 @@ from quadruped_env.control.config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
 from quadruped_env.parameters import Parameter
 from quadruped_env.provenance import TaskFile
-from quadruped_env.simulation.terrain import Grid, Terrain, terrain
+from quadruped_env.simulation.grid import Grid
+from quadruped_env.simulation.ground import Terrain, terrain
 from quadruped_env.task.config import (
     CommandConfig,
     RandomizationConfig,

@@ -20,7 +20,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.simulation.terrain import TERRAIN_FILE, Terrain, find_terrain
+from quadruped_env.simulation.ground import TERRAIN_FILE, Terrain
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.settings import (
     Entry,
@@ -32,10 +32,8 @@ from quadruped_env.task.settings import (
     parameter_entry,
     range_entry,
     weights_entry,
-    whole_entry,
 )
-
-DEFAULT_TERRAIN: Final = "flat"
+from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, leg_scale, terrain_schema, values_of
 
 ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
@@ -60,7 +58,7 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
         "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
     }
     termination: dict[str, Entry] = {}
-    size = definition.robot.stance_height / BUILT_IN.robot.stance_height
+    size = leg_scale(definition.robot)
     for section, terms in ((reward, definition.rewards), (termination, definition.terminations)):
         for term in terms:
             for name, (parameter, default) in term.parameters.items():
@@ -84,39 +82,19 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     return {"command": command, "reward": reward, "termination": termination, "randomization": randomization}
 
 
-@functools.cache
-def _terrain_schema(terrain: Terrain) -> Schema:
-    """Fields of the section `terrain`, which depend on the terrain that it names."""
-
-    def name(value: Any, path: str) -> str:
-        if value != terrain.name:
-            raise QuadrupedError(
-                f"{path}: this section is for {terrain.name!r}; found {short(value)}; make a new section, or use "
-                f"TaskConfig.on_terrain"
-            )
-        return terrain.name
-
-    own = {name: parameter_entry(parameter, default) for name, (parameter, default) in terrain.parameters.items()}
-    return {"name": Entry(DEFAULT_TERRAIN, name), "seed": whole_entry(terrain.seed), **own}
+def _schema(name: str, choice: Choice, definition: TaskDefinition) -> Schema:
+    """Fields of a section."""
+    return terrain_schema(choice, definition) if name == "terrain" else _schemas(definition)[name]
 
 
-def _schema(name: str, terrain: Any, definition: TaskDefinition) -> Schema:
-    """Fields of a section; `terrain` is the name of the terrain."""
-    if name != "terrain":
-        return _schemas(definition)[name]
-    return _terrain_schema(find_terrain(terrain, definition.terrains))
-
-
-def _terrain_in(values: Any) -> Any:
-    """Name of the terrain that values of the section `terrain` select."""
-    return values.get("name", DEFAULT_TERRAIN) if isinstance(values, Mapping) else DEFAULT_TERRAIN
-
-
-def _terrain_of_file(recorded: Any, name: Any, definition: TaskDefinition) -> Terrain:
-    """The terrain of a name, which must be from the recorded file."""
-    found = [entry for entry in definition.terrains if entry.name == name and entry.file is not None]
-    check_task_file(recorded, found[0].file if found else None, TERRAIN_FILE, f"the terrain {short(name)}")
-    return found[0]
+def _terrains_of_file(recorded: Any, section: Any, definition: TaskDefinition) -> list[Terrain]:
+    """The terrains that a section names, itself or as kinds of its tiles, and that must be from the recorded file."""
+    values = section if isinstance(section, Mapping) else {}
+    kinds = values.get("kinds")
+    names = [values.get("name"), *(kinds if isinstance(kinds, (list, tuple)) else ())]
+    found = [entry for entry in definition.terrains if entry.name in names and entry.file is not None]
+    check_task_file(recorded, found[0].file if found else None, TERRAIN_FILE, f"the terrain {short(names[0])}")
+    return found
 
 
 def _sections(definition: TaskDefinition) -> tuple[str, ...]:
@@ -130,16 +108,18 @@ def _known(values: dict[str, Any], schema: Schema) -> dict[str, Any]:
 
 
 def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
-    return _remade(name, definition, _terrain_in(values), values)
+    return _remade(name, definition, Choice.of(values).name, values)
 
 
 def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) -> Section:
     """A section of the config; that of a terrain stays one of this terrain when it is changed."""
-    schema = _schema(name, terrain, definition)
+    schema = _schema(name, Choice.of(values)._replace(name=terrain), definition)
     section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain))
     if name == "command":
         shares = section.standing_fraction + section.straight_fraction
         check(shares <= 1, "command.standing_fraction + straight_fraction", shares, "at most 1")
+    elif name == "terrain":
+        check_tiles(section)
     return section
 
 
@@ -199,7 +179,7 @@ class TaskConfig(PlainFields):
         check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
         for name in _sections(self.definition):
             section = getattr(self, name)
-            schema = _schema(name, _terrain_in(section), self.definition)
+            schema = _schema(name, Choice.of(section), self.definition)
             if section is None or not section.has(schema):
                 # A section of the built-in task, in a task with other terms.
                 values = {} if section is None else _known(section.to_dict(), schema)
@@ -216,7 +196,7 @@ class TaskConfig(PlainFields):
         sections: dict[str, Any] = {}
         for name in _sections(definition):
             section = getattr(self, name)
-            changes = _known(section.changes(), _schema(name, _terrain_in(section), definition))
+            changes = _known(section.changes(), _schema(name, Choice.of(section), definition))
             sections[name] = _section(name, changes, definition)
         return dataclasses.replace(self, motor=motor, definition=definition, **sections)
 
@@ -232,12 +212,10 @@ class TaskConfig(PlainFields):
     @property
     def ground(self) -> Terrain:
         """The terrain with its seed and parameters, for `build_model`."""
-        seed, values = self.terrain["seed"], dict(self.terrain)
-        parameters = {name: value for name, value in values.items() if name not in ("name", "seed")}
-        return find_terrain(self.terrain["name"], self.definition.terrains).variant(seed, **parameters)
+        return ground_of(self.terrain, self.definition)
 
     def on_terrain(self, terrain: str | Terrain, seed: int | None = None) -> Self:
-        """A copy of the config on another terrain; the terrain that it already has keeps its parameters.
+        """A copy of the config on another terrain; the terrain that it already has keeps its level and parameters.
 
         Args:
             terrain: name of a terrain of the task's definition, or any terrain; it may be a variant.
@@ -249,10 +227,15 @@ class TaskConfig(PlainFields):
         if isinstance(terrain, Terrain):
             with_it = dataclasses.replace(self, definition=self.definition.with_terrain(terrain))
             on_it = with_it.on_terrain(terrain.name, seed if seed is not None else terrain.seed or None)
-            return dataclasses.replace(on_it, terrain=on_it.terrain.replace(**dict(terrain.values)))
+            values = values_of(terrain)
+            if "level" in values:  # which replaces the parameters that it has
+                section = _section("terrain", {"seed": on_it.terrain["seed"], **values}, on_it.definition)
+            else:
+                section = on_it.terrain.replace(**values)
+            return dataclasses.replace(on_it, terrain=section)
         name = terrain
-        kept = self.terrain if name == self.terrain["name"] else {"name": name, "seed": self.terrain["seed"]}
-        values = {**kept, **({} if seed is None else {"seed": seed})}
+        kept = self.terrain.changes() if name == self.terrain["name"] else {"seed": self.terrain["seed"]}
+        values = {**kept, "name": name, **({} if seed is None else {"seed": seed})}
         return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))
 
     def without_randomization(self, apart_from: Mapping[str, Any] = _NOTHING) -> Self:
@@ -323,10 +306,11 @@ class TaskConfig(PlainFields):
             check_task_file(file, definition.file)
             check_same_robot(values.pop(ROBOT, None), definition.robot)
             if terrain_file is not None:
-                terrain = _terrain_of_file(terrain_file, _terrain_in(values.get("terrain")), definition)
-                # The file gave the config its terrain and nothing else.
-                own = definition if file is not None else BUILT_IN.with_robot(definition.robot)
-                definition = own.with_terrain(terrain)
+                terrains = _terrains_of_file(terrain_file, values.get("terrain"), definition)
+                # The file gave the config its terrains and nothing else.
+                definition = definition if file is not None else BUILT_IN.with_robot(definition.robot)
+                for terrain in terrains:
+                    definition = definition.with_terrain(terrain)
         return _build(cls, values, "config", definition)
 
 

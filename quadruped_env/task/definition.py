@@ -15,7 +15,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.simulation.terrain import TERRAINS, Terrain
+from quadruped_env.simulation.ground import Terrain
+from quadruped_env.simulation.terrain import TERRAINS
+from quadruped_env.simulation.tiles import Tiles
 from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
@@ -70,7 +72,12 @@ class TaskDefinition:
         return dataclasses.replace(self, robot=robot)
 
     def with_terrain(self, terrain: Terrain) -> Self:
-        """A copy with one more terrain, in place of one of the same name; its seed and parameters are not kept."""
+        """A copy with one more terrain, in place of one of the same name, without its seed, level and parameters.
+
+        Tiles add their kinds.
+        """
+        if isinstance(terrain, Tiles):
+            return functools.reduce(type(self).with_terrain, terrain.kinds, self)
         plain = terrain.variant()
         if plain in self.terrains:
             return self

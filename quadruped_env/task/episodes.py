@@ -85,8 +85,13 @@ class Randomizer:
             purposes.slices[randomization.name],
         )
 
-    def begin_episodes(self, env_ids: EnvIds) -> Floats:
-        """Set some envs (R,) to random initial states, and return their commands (R, C)."""
+    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None) -> Floats:
+        """Set some envs (R,) to random initial states, and return their commands (R, C).
+
+        Args:
+            env_ids: indices of the envs.
+            place: position (R, 2) of each start, m; None: the origin.
+        """
         draws = self._draws.uniform(self._at_start, env_ids, np.zeros(len(env_ids), dtype=np.int64))
         control, robot = self._control, self._control.robot
         event = Event(
@@ -99,6 +104,8 @@ class Randomizer:
         )
         event.qpos[:, 2] = robot.stance_height + self._clearance
         event.qpos[:, 7:] = robot.stance
+        if place is not None:
+            event.qpos[:, :2] = place
         for start in self._starts:
             start.carry_out(event, draws)
         event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])

@@ -98,7 +98,8 @@ class Section(Mapping[str, Any]):
         """A copy of the section with other values for some fields; raises a QuadrupedError as the constructor does."""
         if self._remake is None:
             return type(self)(self._name, self._schema, self._values | changes)
-        return cast(Self, self._remake(self._values | changes))
+        # Without the defaults, some of which depend on other fields.
+        return cast(Self, self._remake(self.changes() | changes))
 
     def changes(self) -> dict[str, Any]:
         """The values that are not the defaults; of a section within the section, its changes."""

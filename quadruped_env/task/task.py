@@ -18,12 +18,13 @@ from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.control.velocity_command import VELOCITY, check_command
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.simulation import Simulation
+from quadruped_env.simulation import Simulation, Tiles
 from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.draws import Draws
 from quadruped_env.task.episodes import Randomizer
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
+from quadruped_env.task.tile_assignment import TileAssignment
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -87,6 +88,9 @@ class Task:
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
         self._terminations = Terminations(definition.terminations, config.termination, self.context)
         self._randomizer = Randomizer(simulation, self.control, self.draws, config)
+        ground = config.ground
+        self.tiles = TileAssignment(ground, config.terrain, n) if isinstance(ground, Tiles) else None
+        """Tile of each env, on the terrain `tiles`; else None."""
         self._noise = config.randomization.observation_noise > 0.0
         self._own_terms = definition.file is not None
         self.term_names = self._rewards.names
@@ -158,16 +162,19 @@ class Task:
         """
         if command is not None:
             command = check_command(command, self.config.commands)
+        first = np.zeros(len(env_ids), dtype=np.bool_)
         for i, env_id in enumerate(env_ids):
             if seeds is not None and seeds[i] is not None:
                 self.generators[env_id], self.seeds[env_id] = seeding.np_random(seeds[i])
             if self._keyed[env_id] is not self.generators[env_id]:
                 self.draws.set_key(int(env_id), self.generators[env_id])
                 self._keyed[env_id] = self.generators[env_id]
+                first[i] = True
         self.draws.begin_episode(env_ids)
         self._memory.clear(env_ids)
         self.context.memory.clear(env_ids)
-        sampled = self._randomizer.begin_episodes(env_ids)
+        place = None if self.tiles is None else self.tiles.begin_episodes(env_ids, first, self.draws)
+        sampled = self._randomizer.begin_episodes(env_ids, place)
         self._started[env_ids] = True
         self._fixed[env_ids] = command is not None
         self._set_command(env_ids, sampled if command is None else np.tile(command, (len(env_ids), 1)))
@@ -230,6 +237,8 @@ class Task:
             truncated = np.zeros(self.num_envs, dtype=np.bool_)
         else:
             truncated = self.steps >= self.max_episode_steps
+        if self.tiles is not None:
+            self.tiles.update(self.context, terminated, diverged, running)
         terms = self._rewards(self.context)
         # Added one by one in the declared order: the result of a pairwise sum would depend on the shape of the array.
         reward = np.add.accumulate(terms, axis=0)[-1]
@@ -271,7 +280,9 @@ class Task:
         self.simulation.set_state(env_id, state["simulation"])
 
     def _parts(self) -> dict[str, EpisodeMemory | Draws]:
+        tiles = {} if self.tiles is None else {"tiles": self.tiles.memory}
         return {
+            **tiles,
             "episode": self._memory,
             "control": self.control.memory,
             "terms": self.context.memory,

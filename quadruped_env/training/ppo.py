@@ -228,6 +228,8 @@ class Recorder(BaseCallback):
         rate = 1.0 / self._task_config.control_timestep
         for name, value in zip(self._task.term_names, self._terms / self._steps * rate, strict=True):
             self.logger.record(f"reward_per_second/{name}", float(value))
+        for name, value in ({} if self._task.tiles is None else self._task.tiles.mean_levels()).items():
+            self.logger.record(f"terrain/{name}", value)
         self.logger.dump(self.num_timesteps)
         self._bar.set_postfix_str(
             f"return {row['return']:.1f}, falls {row['fall_rate']:.2f}, "

@@ -125,7 +125,9 @@ class TaskRobot:
         if randomization is not None:
             config = config.without_randomization(randomization)
         self._controller = controller
-        self.terrain = config.ground if terrain is None else terrain
+        if terrain is not None:
+            config = config.on_terrain(terrain, terrain.seed)
+        self.terrain = config.ground
         model = build_model(config.physics_timestep, config.motor, self.terrain, robot)
         self._simulation = SingleSimulation(model, robot)
         self.task = Task(self._simulation, config)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.policies import find_controllers
-from quadruped_env.simulation import find_terrain
+from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, ViewController
@@ -141,7 +141,7 @@ def open_show(
     port: int = PORT,
     results: Path = RESULTS,
     task_file: Path | None = None,
-    terrain: str | None = None,
+    terrain: str | Terrain | None = None,
 ) -> Show:
     """Open a show of the requested sources, ready to run.
 
@@ -153,7 +153,7 @@ def open_show(
         port: the first port to try; 0 takes any free port.
         results: directory for recordings.
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
-        terrain: name of a terrain, built-in or of that file; None: that of the first robot's task.
+        terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -161,7 +161,7 @@ def open_show(
     """
     import_viser()
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
-    ground = None if terrain is None else find_terrain(terrain, definition.terrains)
+    ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
     sources, chosen = find_controllers(asked, task_file=task_file)
     controller = ViewController(sources, chosen, results, definition.robot, ground)
     try:

@@ -43,7 +43,7 @@ STEPS = """
 from quadruped_env.task import terrain
 
 @terrain(size=8.0)
-def steps(grid, height: float = 0.02):
+def ridges(grid, height: float = 0.02):
     return height * (grid.x // 0.4 % 2)
 """
 
@@ -86,18 +86,34 @@ def test_comparison_on_a_terrain_puts_all_controllers_on_it():
 def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    arguments = ["evaluate", "flat", "--task", str(file), "--terrain", "steps"]
+    arguments = ["evaluate", "flat", "--task", str(file), "--terrain", "ridges"]
     parser = argparse.ArgumentParser()
     add_evaluation_options(parser, "")
-    steps = named_terrain(parser.parse_args(arguments[2:]))
-    assert steps == find_terrain("steps", load_task_file(file).terrains)
-    comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=steps)
-    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {steps}
-    assert comparison.config.terrain.name == "steps"
+    ridges = named_terrain(parser.parse_args(arguments[2:]))
+    assert ridges == find_terrain("ridges", load_task_file(file).terrains)
+    comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=ridges)
+    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {ridges}
+    assert comparison.config.terrain.name == "ridges"
     assert comparison.config.to_dict()["terrain_file"] == load_task_file(file).file.to_dict()
     arguments[-1] = "swamp"
-    with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills, steps"):
+    with pytest.raises(QuadrupedError, match=r"terrain: 'swamp' is unknown; there are flat, rough, .*, ridges$"):
         named_terrain(parser.parse_args(arguments[2:]))
+
+
+def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles():
+    policy = load_policy("flat")
+    on_tiles = policy.config.on_terrain("tiles")
+    curriculum = dataclasses.replace(on_tiles, terrain=on_tiles.terrain.replace(curriculum=True, levels=3))
+    trained = type(policy)(policy.weights, policy.biases, policy.activation, curriculum, policy.card)
+    comparison = compare(trained, 6, 2.0, [(0.4, 0.0)])
+    assert comparison.config.terrain.to_dict() == curriculum.terrain.to_dict() | {"curriculum": False}
+    starts = {name: rollout.base_position[0, :, :2] for name, rollout in comparison.rollouts.items()}
+    centres = curriculum.ground.centres().reshape(-1, 2)
+    nearest = {name: np.abs(centres[:, None] - start).max(-1).argmin(0) for name, start in starts.items()}
+    assert len(set(nearest["policy"])) > 3
+    for name, start in starts.items():
+        np.testing.assert_array_equal(nearest[name], nearest["policy"], err_msg="the seed gives the tile")
+        np.testing.assert_allclose(start, centres[nearest[name]], atol=0.05)
 
 
 def test_baseline_on_a_terrain_measures_and_records_on_it():
@@ -173,6 +189,27 @@ def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, mo
     assert [clip.trace.terrain for clip in filmed] == [HILLS.ground]
 
 
+def test_viewer_shows_a_level_and_the_tiles_of_a_policy(tmp_path, monkeypatch):
+    sources, _ = find_controllers(runs=tmp_path)
+    stairs = find_terrain("stairs").variant(level=4)
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results", terrain=stairs)
+    assert robot(controller, 0).terrain == stairs
+    np.testing.assert_array_equal(controller.model().hfield_data, build_model(terrain=stairs).hfield_data)
+    controller.close()
+    on_tiles = TaskConfig().on_terrain("tiles")
+    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: on_tiles)
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results")
+    controller.set_source(1, "stand still")
+    places = [robot(controller, i).data.qpos[:2].copy() for i in range(2)]
+    np.testing.assert_array_equal(*places)
+    assert np.abs(on_tiles.ground.centres() - places[0]).max(-1).min() < 1e-9
+    controller.close()
+    # On other ground a robot does not start where one of its tiles would be.
+    controller = ViewController(sources, ["policy flat"], tmp_path / "results", terrain=HILLS.ground)
+    np.testing.assert_array_equal(robot(controller, 0).data.qpos[:2], [0.0, 0.0])
+    controller.close()
+
+
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: HILLS)
     sources, _ = find_controllers(runs=tmp_path)
@@ -208,15 +245,28 @@ def test_scene_draws_robots_at_their_places_on_the_ground(tmp_path):
 def test_live_nodes_take_the_terrain_of_a_file(tmp_path, capsys):
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    typed = ["sim", "--task", str(file), "--terrain", "steps", "--seed", "3"]
+    typed = ["sim", "--task", str(file), "--terrain", "ridges", "--seed", "3"]
     arguments = make_parser(only="sim").parse_args(typed)
-    steps = find_terrain("steps", load_task_file(file).terrains)
-    assert chosen_terrain(arguments) == steps.variant(3)
+    ridges = find_terrain("ridges", load_task_file(file).terrains)
+    assert chosen_terrain(arguments) == ridges.variant(3)
     simulated = SimulatedRobot(3, chosen_terrain(arguments), robot_of(arguments))
-    expected = HeightField.of(build_model(terrain=steps)).highest(np.zeros(2), MINI_QUADRUPED.footprint)
+    expected = HeightField.of(build_model(terrain=ridges)).highest(np.zeros(2), MINI_QUADRUPED.footprint)
     assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT + expected)
     assert main(["live", "walk", "--task", str(file), "--terrain", "swamp"]) == 2
-    assert "terrain: 'swamp' is unknown; there are flat, rough, hills, steps" in capsys.readouterr().err
+    assert (
+        "terrain: 'swamp' is unknown; there are flat, rough, hills, slope, steps, stairs, gaps, wave, tiles, ridges"
+        in capsys.readouterr().err
+    )
+
+
+@pytest.mark.parametrize("name", ["steps", "stairs", "gaps", "tiles"])
+def test_simulated_robot_stands_on_a_terrain_with_edges(name):
+    shape = find_terrain(name)
+    simulated = SimulatedRobot(1, shape if shape.hardest is None else shape.variant(level=10))
+    for _ in range(200):
+        simulated.step()
+    assert simulated.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=3e-3)
+    assert simulated.state.up_b[0, 2] > 0.9999
 
 
 def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
@@ -236,18 +286,18 @@ def test_simulated_robot_starts_and_is_picked_up_over_the_highest_ground():
 def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    ground = ["--task", str(file), "--terrain", "steps"]
+    ground = ["--task", str(file), "--terrain", "ridges"]
     tiny = ["baseline", *ground, "--seconds", "0.5", "--episodes", "1"]
     assert main([*tiny, "-o", str(tmp_path / "walk.csv")]) == 0
     assert main([*tiny, "--commands", "-o", str(tmp_path / "commands.csv")]) == 0
     origin = {"name": "my_terrain.py", "sha256": hashlib.sha256(STEPS.encode()).hexdigest()}
     numbers = json.loads((tmp_path / "walk.json").read_text())
-    assert (numbers["terrain"], numbers["terrain_file"]) == ("steps", origin)
+    assert (numbers["terrain"], numbers["terrain_file"]) == ("ridges", origin)
     replayed = tmp_path / "replay"
     assert main(["replay", str(tmp_path / "commands.csv"), *ground, "--no-report", "-o", str(replayed)]) == 0
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
     motion = json.loads((replayed / "tracking.json").read_text())["motion"]
-    assert (motion["terrain"], motion["terrain_file"]) == ("steps", origin)
+    assert (motion["terrain"], motion["terrain_file"]) == ("ridges", origin)
 
 
 def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
@@ -256,7 +306,7 @@ def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
     shape = '{"terrain": {"seed": 5, "name": "rough"}}'
     assert main(["train", *budget, "--task", shape, "--terrain", "rough", "-o", str(tmp_path / "runs")]) == 0
     config = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
-    assert config["task"]["terrain"] == {"name": "rough", "seed": 5, "height": 0.01, "distance": 0.2}
+    assert config["task"]["terrain"] == {"name": "rough", "seed": 5, "level": None, "height": 0.01, "distance": 0.2}
     policy = load_policy(tmp_path / "runs" / "latest")
     assert policy.make_env().unwrapped.task.config.ground == find_terrain("rough").variant(5)
     assert policy.make_env(terrain="hills").unwrapped.task.config.ground == find_terrain("hills").variant(5)
@@ -282,8 +332,8 @@ def test_report_of_a_built_in_policy_on_a_terrain_of_a_file(tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    arguments = ["--task", str(file), "--terrain", "steps", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
     assert main(["evaluate", "flat", *arguments]) == 0
     document = json.loads(Path(tmp_path, "metrics.json").read_text())
-    assert document["config"]["terrain"] == {"name": "steps", "seed": 0, "height": 0.02}
-    assert f"--task {file} --terrain steps" in json.dumps(document)
+    assert document["config"]["terrain"] == {"name": "ridges", "seed": 0, "height": 0.02}
+    assert f"--task {file} --terrain ridges" in json.dumps(document)

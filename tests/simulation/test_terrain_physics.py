@@ -58,9 +58,9 @@ def test_walking_robot_leaves_the_field_without_falling():
     assert not fallen.any()
 
 
-def plane_beside_the_field(spec, heights, size):
+def plane_beside_the_field(spec, heights, extent):
     """The arrangement that doubled the contacts: the plane stays where it was."""
-    lay(spec, heights, size)
+    lay(spec, heights, extent)
     spec.geom("surroundings").pos = [0.0, 0.0, 0.0]
 
 
@@ -123,7 +123,7 @@ def body_on_slope(shape, *geoms):
     spec = mujoco.MjSpec()
     spec.option.timestep, spec.option.impratio = 0.002, 100.0
     spec.worldbody.add_geom(name="ground", type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 0.05], friction=_FRICTION)
-    model_module._lay(spec, shape.heights(), shape.size)
+    model_module._lay(spec, shape.heights(), shape.extent)
     body = spec.worldbody.add_body()
     body.add_freejoint()
     for geom in geoms:

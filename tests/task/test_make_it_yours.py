@@ -68,11 +68,23 @@ def test_terms_of_a_file_appear_in_env_info_and_config(my_task):
 
 
 def test_terrain_of_the_page_is_the_ground_of_envs_that_name_it(my_task):
-    env = gymnasium.make_vec(ENV_ID, num_envs=2, task_file=my_task, terrain="steps", config={"terrain": {"seed": 1}})
+    env = gymnasium.make_vec(ENV_ID, num_envs=2, task_file=my_task, terrain="ridges", config={"terrain": {"seed": 1}})
     env.reset(seed=0)
     field = env.unwrapped.task.simulation.height_field
     np.testing.assert_allclose(field.at(np.array([[2.2, 3.0], [2.6, 3.0], [0.0, 0.0]])), [0.02, 0.0, 0.0], atol=1e-9)
-    assert env.unwrapped.task.config.to_dict()["terrain"] == {"name": "steps", "seed": 1, "height": 0.02, "width": 0.4}
+    expected = {"name": "ridges", "seed": 1, "level": None, "height": 0.02, "width": 0.4}
+    assert env.unwrapped.task.config.to_dict()["terrain"] == expected
+
+
+def test_terrain_of_the_page_is_a_kind_of_tiles(my_task):
+    on_tiles = {"terrain": {"name": "tiles", "kinds": ["ridges", "flat"], "levels": 4}}
+    env = gymnasium.make_vec(ENV_ID, num_envs=2, task_file=my_task, config=on_tiles)
+    env.reset(seed=0)
+    heights = env.unwrapped.task.simulation.height_field.points()[..., 2]
+    assert heights.max() == pytest.approx(4 * 0.0055)
+    middle = len(heights) // 2
+    assert heights[:middle].any(), "the kinds are along y, the first of them at the bottom"
+    assert not heights[middle:].any()
 
 
 def test_randomized_model_field_is_drawn_per_env_and_scales_inertia_too(my_task):

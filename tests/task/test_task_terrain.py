@@ -23,7 +23,7 @@ from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
 from quadruped_env.simulation.terrain import hills, rough
 from quadruped_env.task import Task, TaskConfig, TerrainConfig, load_task_file
 
-UNEVEN = ("rough", "hills")
+UNEVEN = ("rough", "hills", "stairs", "tiles")
 
 
 # --- the task
@@ -69,8 +69,8 @@ def test_config_on_a_terrain_that_its_definition_lacks_has_its_seed_and_paramete
     assert TaskConfig().on_terrain(rough.variant(3)) == TaskConfig().on_terrain("rough", 3)
     steep = dataclasses.replace(slope, name="rough")
     assert TaskConfig().on_terrain("rough").on_terrain(steep).ground == steep
-    with pytest.raises(QuadrupedError, match="'slope' is unknown; there are flat, rough, hills"):
-        TaskConfig().on_terrain("slope")
+    with pytest.raises(QuadrupedError, match="'cliff' is unknown; there are flat, rough, hills"):
+        TaskConfig().on_terrain("cliff")
 
 
 GRAVEL = """
@@ -109,6 +109,23 @@ def test_config_on_a_terrain_of_a_file_names_the_file_and_is_read_back_with_it_a
     assert whole["task_file"] == definition.file.to_dict()
     assert "terrain_file" not in whole
     assert "terrain_file" not in config.on_terrain("hills").to_dict()
+
+
+def test_config_on_tiles_with_a_kind_of_a_file_names_the_file_and_is_read_back_with_it_alone(tmp_path):
+    text = GRAVEL.replace("size=8.0", 'hardest={"height": 0.03}')
+    definition, gravel = gravel_from(tmp_path / "gravel.py", text)
+    tiles = find_terrain("tiles").of([find_terrain("slope"), gravel], levels=2)
+    config = TaskConfig().on_terrain(tiles)
+    assert config.ground.kinds == tiles.kinds
+    document = json.loads(json.dumps(config.to_dict()))
+    assert document["terrain"]["kinds"] == ["slope", "gravel"]
+    assert document["terrain_file"] == definition.file.to_dict()
+    again = TaskConfig.from_dict(document, definition)
+    assert again == config
+    assert again.ground.provenance() == {"terrain": "tiles", "terrain_file": definition.file.to_dict()}
+    assert "aside" not in again.randomization, "the file gave its terrain alone"
+    with pytest.raises(QuadrupedError, match=r"the terrain 'tiles' from 'gravel.py', which is not executed"):
+        TaskConfig.from_dict(document)
 
 
 def test_config_on_a_terrain_of_a_file_is_refused_without_the_file_and_with_another(tmp_path):
@@ -169,7 +186,8 @@ def test_env_on_a_terrain_is_made_again_from_its_spec_and_in_workers():
     env = gymnasium.make(ENV_ID, terrain="rough", config={"terrain": {"seed": 2}})
     again = gymnasium.make(gymnasium.envs.registration.EnvSpec.from_json(env.spec.to_json()))
     for one in (env, again):
-        assert dict(one.unwrapped.task.config.terrain) == {"name": "rough", "seed": 2, "height": 0.01, "distance": 0.2}
+        section = one.unwrapped.task.config.terrain
+        assert dict(section) == {"name": "rough", "seed": 2, "level": None, "height": 0.01, "distance": 0.2}
     np.testing.assert_array_equal(again.unwrapped.model.hfield_data, env.unwrapped.model.hfield_data)
     # Not forked: other tests leave threads in this process.
     vector_kwargs = {"context": "spawn"}
@@ -235,7 +253,7 @@ import numpy as np
 from quadruped_env.task import terrain
 
 @terrain(size=6.0, cell=0.05)
-def steps(grid, height: float = 0.02):
+def ridges(grid, height: float = 0.02):
     "Steps of 0.5 m."
     return height * (grid.x // 0.5)
 """
@@ -249,7 +267,7 @@ print(float(env.step([0.1] * 8)[1]).hex())
 def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     file = tmp_path / "own.py"
     file.write_text(OWN)
-    env = gymnasium.make(ENV_ID, task_file=file, config={"terrain": {"name": "steps", "height": 0.05}})
+    env = gymnasium.make(ENV_ID, task_file=file, config={"terrain": {"name": "ridges", "height": 0.05}})
     env.reset(seed=0)
     field = env.unwrapped.task.simulation.height_field
     assert field.points().shape == (121, 121, 3)
@@ -262,5 +280,5 @@ def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     expected = float(env.step(np.full(8, 0.1))[1]).hex()
     done = subprocess.run([sys.executable, "-c", STEP, pickled], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == expected
-    with pytest.raises(QuadrupedError, match="'steps' is unknown; there are flat, rough, hills"):
-        gymnasium.make(ENV_ID, terrain="steps")
+    with pytest.raises(QuadrupedError, match="'ridges' is unknown; there are flat, rough, hills"):
+        gymnasium.make(ENV_ID, terrain="ridges")

@@ -3,7 +3,7 @@ import json
 import numpy as np
 import pytest
 
-from benchmarks import throughput
+from benchmarks import terrain_speed, throughput
 from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
 from benchmarks.shipping import acceptance
 from quadruped_env.policies import load_policy
@@ -59,6 +59,12 @@ def test_gymnasiums_benchmarks_are_measured_over_ant():
         "time of a reset",
     ]
     assert all(measure.value > 0 for measure in measures)
+
+
+def test_physics_on_tiles_is_measured_over_both_planes():
+    over_same_cone, over_default, step = terrain_speed.ratios(num_envs=4, chunks=1)
+    assert min(over_same_cone, over_default, step) > 0.0
+    assert "terrain" in throughput.WORKS
 
 
 def test_measures_are_written_as_a_table_and_as_json(tmp_path):

@@ -253,6 +253,30 @@ def test_tensorboard_has_the_columns_of_progress(run):
         np.testing.assert_allclose(values, column(run, name), rtol=1e-5, err_msg=name)
 
 
+def test_tensorboard_has_the_levels_of_the_curriculum(watched, tmp_path):
+    terrain = {"name": "tiles", "kinds": ["stairs", "rough"], "levels": 4, "curriculum": True}
+    task = {"termination": {"max_tilt": 0.03}, "terrain": terrain}
+    run = watched().train(tmp_path, config(timesteps=4 * SAMPLES, task=task))
+    env = gymnasium.make_vec(
+        ENV_ID, num_envs=ENVS, action_mode="residual", config=task, max_episode_steps=EPISODE_STEPS
+    )
+    env.reset(seed=SEED)
+    levels, means = env.unwrapped.task.tiles, []
+    for number, actions in enumerate(run.actions, 1):
+        env.step(actions)
+        if number % (ROWS_EVERY * N_STEPS) == 0:
+            means.append([levels.level.mean(), levels.level[levels.kind == 0].mean()])
+    shown = tensorboard(run.directory)
+    assert {name for name in shown if name.startswith("terrain/")} == {
+        "terrain/mean_level",
+        "terrain/level_stairs",
+        "terrain/level_rough",
+    }
+    assert len(means) == 2
+    found = [shown[f"terrain/{name}"][1] for name in ("mean_level", "level_stairs")]
+    np.testing.assert_allclose(np.transpose(found), means, rtol=1e-6)
+
+
 def tensorboard(directory):
     """Name of each scalar -> steps and values."""
     from tensorboard.backend.event_processing.event_accumulator import EventAccumulator

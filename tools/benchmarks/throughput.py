@@ -22,6 +22,7 @@ from gymnasium.vector import AutoresetMode
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
+from benchmarks import terrain_speed
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
 from quadruped_env.files import write_json
 from quadruped_env.robot import MINI_QUADRUPED
@@ -254,6 +255,14 @@ def training_over_bare() -> list[Measure]:
     return [Measure("PPO end to end over bare Batch.step", ratio, "", ">= 0.50", ratio >= 0.50, detail)]
 
 
+def terrain_over_plane(chunks: int = CHUNKS) -> list[Measure]:
+    """Physics on tiles of all kinds and levels over that on the plane; `chunks`: how often the grounds take turns."""
+    tiles, plane, step = terrain_speed.ratios(ROWS, chunks)
+    detail = f"{plane:.2f} x the default plane, on which a physics step takes {step:.1f} us"
+    name = "physics on tiles over a plane with the same friction cone"
+    return [Measure(name, tiles, "x", "<= 1.5", tiles <= 1.5, detail)]
+
+
 _MEMORY_PROGRAM: Final = """
 import json, os, sys
 from pathlib import Path
@@ -329,6 +338,7 @@ WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "sync": vector_over_sync,
     "vector": vector_over_bare,
     "training": training_over_bare,
+    "terrain": terrain_over_plane,
 }
 """Name -> what is measured; `memory` comes after them"""
 MEMORY: Final = "memory"

@@ -2,8 +2,8 @@
 
 Draws the robot of /joint_states at the pose of /odom, or standing without /odom. The sliders and the arrow
 keys send /cmd_vel, the push button /push, the sliders of the scripted gait /gait; each control is shown while a node
-subscribes to its topic. No message describes the ground: give it the options --terrain and --seed of `sim`. The page
-accepts browsers on this machine only; the log prints its address.
+subscribes to its topic. No message describes the ground: give it the options --terrain, --level and --seed of `sim`.
+The page accepts browsers on this machine only; the log prints its address.
 """
 
 import argparse

@@ -30,7 +30,8 @@ def start(arguments: argparse.Namespace) -> int:
     # The terminal then shows teleop's status line only.
     shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
     robot = robot_arguments(arguments)
-    ground = ["--seed", str(arguments.seed), "--terrain", arguments.terrain]
+    level = [] if arguments.level is None else ["--level", str(arguments.level)]
+    ground = ["--seed", str(arguments.seed), "--terrain", arguments.terrain, *level]
     nodes = [
         ["sim", *ground, "--pick-up", "3", *robot, *shared],
         ["controller", arguments.policy, *robot, *shared],

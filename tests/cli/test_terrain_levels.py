@@ -1,0 +1,101 @@
+"""Levels and tiles in programs: `--level`, the live nodes, and training."""
+
+import argparse
+import json
+
+import pytest
+
+from quadruped_env.cli.main import main
+from quadruped_env.cli.options import add_evaluation_options, named_terrain, terrain_option
+from quadruped_env.evaluation.baseline import run_baseline
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.live.__main__ import make_parser
+from quadruped_env.live.terrain_arguments import chosen_terrain
+from quadruped_env.policies import load_policy
+from quadruped_env.simulation import find_terrain
+from quadruped_env.task import TaskConfig
+
+
+def parsed(arguments):
+    parser = argparse.ArgumentParser()
+    add_evaluation_options(parser, "")
+    return parser.parse_args(arguments)
+
+
+def test_level_option_gives_the_terrain_at_this_level_and_is_typed_again():
+    chosen = parsed(["--terrain", "stairs", "--level", "4"])
+    assert named_terrain(chosen) == find_terrain("stairs").variant(level=4)
+    assert terrain_option(chosen) == "--terrain stairs --level 4 "
+    plain = parsed(["--terrain", "stairs"])
+    assert (named_terrain(plain), terrain_option(plain)) == ("stairs", "--terrain stairs ")
+    assert (named_terrain(parsed([])), terrain_option(parsed([]))) == (None, "")
+
+
+def test_comparison_and_baseline_on_a_level_run_on_its_ground():
+    stairs = find_terrain("stairs").variant(level=2)
+    comparison = compare(load_policy("flat"), 1, 2.0, [(0.4, 0.0)], terrain=stairs)
+    assert {rollout.terrain for rollout in comparison.rollouts.values()} == {stairs}
+    assert comparison.config.terrain.to_dict() == {"name": "stairs", "seed": 0, "level": 2, "height": 0.011, "run": 0.2}
+    assert run_baseline(seconds=1.0, episodes=1, terrain=stairs).recording.terrain == stairs
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--level", "4"], "--level: found 4 without --terrain; name the terrain, too"),
+        (
+            ["--terrain", "stairs", "--level", "11"],
+            "stairs: level must be a whole number from 1 to 10; found 11",
+        ),
+        (["--terrain", "stairs", "--level", "0"], "stairs: level must be a whole number from 1 to 10; found 0"),
+        (["--terrain", "hills", "--level", "2"], "terrain hills: found level 2, but it has no levels; leave it out"),
+        (["--terrain", "tiles", "--level", "2"], "terrain tiles: found level 2, but it has no levels; leave it out"),
+        (["--terrain", "swamp", "--level", "2"], "terrain: 'swamp' is unknown; there are flat, rough, hills"),
+    ],
+)
+@pytest.mark.parametrize("program", [["evaluate", "flat"], ["baseline"], ["view", "flat"]])
+def test_program_with_an_invalid_level_says_what_is_valid(program, arguments, message, capsys, tmp_path):
+    assert main([*program, *arguments, "-o", str(tmp_path / "out")]) == 2
+    assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--level", "4"], "--level: found 4 without --terrain; name the terrain, too"),
+        (["--terrain", "stairs", "--level", "11"], "terrain.level must be a whole number from 1 to 10; found 11"),
+        (
+            ["--terrain", "hills", "--level", "2"],
+            "'hills' has no levels; leave it out, or name one of flat, rough, slope",
+        ),
+    ],
+)
+def test_training_on_an_invalid_level_says_what_is_valid(arguments, message, capsys, tmp_path):
+    pytest.importorskip("stable_baselines3")
+    assert main(["train", *arguments, "-o", str(tmp_path)]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_live_nodes_take_a_level(tmp_path, capsys):
+    for typed in (["sim"], ["view"], ["walk"]):
+        arguments = make_parser(only=typed[0]).parse_args([*typed, "--terrain", "slope", "--level", "6", "--seed", "3"])
+        assert chosen_terrain(arguments) == find_terrain("slope").variant(3, level=6)
+    assert main(["live", "walk", "--terrain", "slope", "--level", "12"]) == 2
+    assert "terrain slope: level must be a whole number from 1 to 10; found 12" in capsys.readouterr().err
+
+
+def test_training_on_tiles_records_kinds_levels_and_curriculum(tmp_path):
+    pytest.importorskip("stable_baselines3")
+    budget = ["--timesteps", "64", "--num-envs", "8", "--n-steps", "8", "--batch-size", "32", "--hidden", "8"]
+    shape = '{"terrain": {"name": "tiles", "kinds": ["stairs", "gaps"], "levels": 3, "curriculum": true}}'
+    runs = tmp_path / "runs"
+    assert main(["train", *budget, "--task", shape, "-o", str(runs)]) == 0
+    terrain = json.loads((runs / "latest" / "config.json").read_text())["task"]["terrain"]
+    assert (terrain["kinds"], terrain["levels"], terrain["curriculum"]) == (["stairs", "gaps"], 3, True)
+    trained = load_policy(runs / "latest").config
+    assert trained.terrain.to_dict() == TaskConfig.from_dict({"terrain": terrain}).terrain.to_dict()
+    assert main(["train", "--resume", str(runs / "latest"), "--timesteps", "64", "-o", str(runs)]) == 0
+    assert load_policy(runs / "latest").config == trained
+    level = ["--terrain", "stairs", "--level", "4"]
+    assert main(["train", *budget, *level, "-o", str(runs)]) == 0
+    assert load_policy(runs / "latest").config.terrain.height == pytest.approx(0.022)

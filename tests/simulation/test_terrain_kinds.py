@@ -1,0 +1,233 @@
+"""Terrains with levels: heights at hand-computed points, angles and edges, and what is refused."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+from built_in import STANCE_HEIGHT
+from grounds import ray_heights, ray_normals
+from paths import ROOT
+from second_robot import ROBOT
+
+from quadruped_env import QuadrupedError
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation import TERRAINS, build_model, find_terrain
+from quadruped_env.simulation.grid import Grid
+from quadruped_env.simulation.ground import LEVELS
+from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.task import TaskConfig, terrain
+from quadruped_env.task.terrain_section import leg_scale
+
+KINDS = ("flat", "slope", "rough", "steps", "stairs", "gaps", "wave")
+LEVEL = 4
+HEIGHT = 0.022
+"""Height of level 4, m: 4 * 5.5 mm."""
+
+
+def field_of(name, **values):
+    return HeightField.of(build_model(terrain=find_terrain(name).variant(**values)))
+
+
+# --- heights, at points that were computed by hand
+
+WAVE = 0.25 * HEIGHT
+HEIGHTS = {
+    # The level square around the start ends at 0.4 m. A step's side is the 5 cm before its edge.
+    "steps": [
+        (0.0, 0.0, 0.0),
+        (0.34, 0.1, 0.0),
+        (0.375, 0.0, 0.5 * HEIGHT),
+        (0.41, 0.0, HEIGHT),
+        (0.74, -0.3, HEIGHT),
+        (0.81, 0.0, 0.0),
+        (-0.6, 0.2, HEIGHT),
+        (0.6, 0.6, 0.0),
+        (1.0, 0.6, HEIGHT),
+        (1.3, 0.0, HEIGHT),
+    ],
+    "stairs": [
+        (0.34, 0.1, 0.0),
+        (0.375, 0.0, 0.5 * HEIGHT),
+        (0.41, 0.0, HEIGHT),
+        (0.54, 0.5, HEIGHT),
+        (0.61, 0.0, 2 * HEIGHT),
+        (0.2, -0.9, 3 * HEIGHT),
+        (1.1, 1.0, 2 * HEIGHT),
+        (-1.3, 0.3, HEIGHT),
+        (1.5, 0.0, 0.0),
+        (1.7, 0.0, HEIGHT),
+    ],
+    "gaps": [
+        (0.0, 0.0, 0.0),
+        (0.64, 0.2, 0.0),
+        (0.675, 0.0, -0.5 * HEIGHT),
+        (0.71, 0.0, -HEIGHT),
+        (0.0, 0.79, -HEIGHT),
+        (0.825, 0.0, -0.5 * HEIGHT),
+        (-0.86, 0.0, 0.0),
+        (1.2, 0.0, -HEIGHT),
+        (1.3, 0.6, 0.0),
+    ],
+    # Crests of height 2 * WAVE along x where y is 0, and of the full height where both are at half a wave.
+    "wave": [(0.0, 0.0, 0.0), (2.0, 0.0, 2 * WAVE), (2.4, 0.0, 0.0), (2.0, 2.0, 4 * WAVE), (2.2, 0.0, WAVE)],
+    "slope": [
+        (0.4, 0.0, 0.0),
+        (1.4, 0.0, math.tan(math.radians(8.0))),
+        (0.0, 2.4, 2 * math.tan(math.radians(8.0))),
+        (-3.4, 1.0, math.tan(math.radians(8.0))),
+        (4.4, 4.4, 0.0),
+        (5.4, 0.0, math.tan(math.radians(8.0))),
+        (8.0, 0.0, 0.4 * math.tan(math.radians(8.0))),
+        (10.0, 0.0, 0.0),
+    ],
+}
+
+
+@pytest.mark.parametrize("name", HEIGHTS)
+def test_heights_of_a_kind_at_points_computed_by_hand(name):
+    field = field_of(name, level=LEVEL)
+    for x, y, height in HEIGHTS[name]:
+        assert field.at(np.array([x, y])) == pytest.approx(height, abs=1e-6), (x, y)
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_kind_is_level_around_the_start_and_repeats_with_its_seed(name):
+    shape = find_terrain(name).variant(3, level=LEVELS)
+    np.testing.assert_array_equal(shape.heights(), shape.variant(3, level=LEVELS).heights())
+    if name == "flat":
+        assert not shape.heights().any()
+        return
+    field = HeightField.of(build_model(terrain=shape))
+    # `fade` begins at a circle, into which the corners of the footprint reach.
+    assert abs(float(field.highest(np.zeros(2), MINI_QUADRUPED.footprint))) < 5e-4
+    around = np.random.default_rng(0).uniform(-0.2, 0.2, (200, 2))
+    np.testing.assert_allclose(field.at(around), 0.0, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", [name for name in KINDS if name != "flat"])
+def test_lookup_of_a_kind_equals_mujocos_rays(name):
+    model = build_model(terrain=find_terrain(name).variant(1, level=7))
+    points = np.random.default_rng(0).uniform(-12.5, 12.5, (1000, 2))
+    np.testing.assert_allclose(HeightField.of(model).at(points), ray_heights(model, points), atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["rough", "steps", "stairs", "gaps", "wave"])
+def test_highest_and_lowest_point_follow_from_the_level(name):
+    for level in (1, 5, 10):
+        heights = find_terrain(name).variant(level=level).heights()
+        height = 0.0055 * level
+        if name == "stairs":
+            assert (heights.min(), heights.max()) == pytest.approx((0.0, 3 * height))
+        elif name == "gaps":
+            assert (heights.min(), heights.max()) == pytest.approx((-height, 0.0))
+        else:
+            assert heights.min() == pytest.approx(0.0, abs=1e-4 * height)
+            assert 0.97 * height < heights.max() <= height * (1 + 1e-12)
+
+
+def test_stairs_have_the_rise_and_run_of_their_parameters():
+    rise, run = 0.03, 0.25
+    field = field_of("stairs", height=rise, run=run)
+    x = np.linspace(0.3, 1.95, 3301)
+    heights = field.at(np.stack([x, np.full_like(x, 0.123)], -1))
+    treads = np.round(heights / rise)
+    on_tread = np.abs(heights - rise * treads) < 1e-7
+    np.testing.assert_array_equal(np.unique(treads[on_tread]), [0, 1, 2, 3])
+    # Middles of the sides of the steps, from the level square on.
+    sides = x[1:][np.diff(np.floor(heights / rise + 0.5)) != 0]
+    np.testing.assert_allclose(np.diff(sides), run, atol=2e-3)
+    assert sides[0] == pytest.approx(0.375, abs=2e-3)
+    np.testing.assert_array_equal(np.abs(np.diff(treads[on_tread])).max(), 1)
+
+
+@pytest.mark.parametrize("level", [1, 5, 10])
+def test_angle_between_the_normal_of_a_slope_and_the_vertical_is_that_of_its_level(level):
+    model = build_model(terrain=find_terrain("slope").variant(level=level))
+    inner = [(0.6, 0.1), (1.7, -0.4), (0.3, 2.1), (-1.2, 0.7), (-0.5, -1.9)]
+    outer = [(2.7, 0.1), (3.9, -1.4), (-0.3, 3.1)]
+    for points, sign in ((inner, 1.0), (outer, -1.0)):
+        normals = ray_normals(model, points)
+        np.testing.assert_allclose(np.degrees(np.arccos(normals[:, 2])), 2.0 * level, atol=1e-3)
+        # Up away from the start, and then down again.
+        assert (sign * (normals[:, :2] * points).sum(axis=1) < 0.0).all()
+
+
+def test_edge_of_a_field_with_gaps_goes_down_to_the_plane_around_it():
+    field = field_of("gaps", level=LEVELS)
+    assert field.at(np.array([11.99, 0.0])) == pytest.approx(-0.055, abs=1e-3)
+    assert field.at(np.array([12.01, 0.0])) == pytest.approx(-0.065, abs=1e-6)
+    along = field.at(np.stack([np.linspace(11.0, 12.0, 200), np.zeros(200)], -1))
+    assert (np.diff(along) <= 0.0).all()
+    assert np.abs(np.diff(along)).max() < 1e-3, "no step"
+
+
+# --- levels
+
+
+def test_tallest_level_is_30_percent_of_the_leg_length():
+    assert find_terrain("stairs").defaults(LEVELS)["height"] == pytest.approx(0.3 * STANCE_HEIGHT, abs=5e-4)
+    scale = leg_scale(ROBOT)
+    assert scale == pytest.approx(ROBOT.stance_height / STANCE_HEIGHT) != 1.0
+    assert find_terrain("stairs").defaults(LEVELS, scale)["height"] == pytest.approx(0.055 * scale)
+    assert find_terrain("slope").defaults(LEVELS, scale)["angle"] == pytest.approx(math.radians(20.0))
+    tall = find_terrain("steps").variant(level=LEVELS, scale=scale).heights()
+    assert tall.max() == pytest.approx(0.055 * scale)
+    config = TaskConfig().for_robot(ROBOT).on_terrain(find_terrain("steps").variant(level=5))
+    assert config.terrain.height == pytest.approx(0.0275 * scale)
+    assert config.ground.heights().max() == pytest.approx(0.0275 * scale)
+    tiles = TaskConfig().for_robot(ROBOT).on_terrain("tiles").ground
+    assert tiles.tile(3, LEVELS).max() == pytest.approx(0.055 * scale)
+
+
+def test_levels_of_the_page_are_those_of_the_terrains():
+    text = (ROOT / "docs" / "terrain.md").read_text()
+    lines = re.findall(r"^\| (\d+) \| ([\d.]+) \| (\d+) \|$", text, re.MULTILINE)
+    assert [int(level) for level, _, _ in lines] == list(range(1, LEVELS + 1))
+    for level, millimetres, degrees in lines:
+        for name in ("rough", "steps", "stairs", "wave"):
+            assert find_terrain(name).defaults(int(level))["height"] == pytest.approx(1e-3 * float(millimetres))
+        assert find_terrain("gaps").defaults(int(level))["depth"] == pytest.approx(1e-3 * float(millimetres))
+        assert find_terrain("slope").defaults(int(level))["angle"] == pytest.approx(math.radians(float(degrees)))
+    table = re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
+    assert {shape.name for shape in TERRAINS} <= set(table)
+
+
+def test_level_gives_the_defaults_and_a_parameter_replaces_one():
+    stairs = find_terrain("stairs")
+    assert stairs.variant(level=4) == stairs.variant(level=4, height=0.022)
+    assert stairs.variant(level=4) != stairs.variant(height=0.022), "the level is part of it"
+    np.testing.assert_array_equal(stairs.variant(level=4).heights(), stairs.variant(height=0.022).heights())
+    steep = stairs.variant(level=4, height=0.05)
+    assert steep.heights().max() == pytest.approx(0.15)
+    assert steep.variant(level=4) == stairs.variant(level=4)
+
+
+@pytest.mark.parametrize("level", [0, 11, 2.5, "4", True])
+def test_invalid_level_is_refused_with_the_valid_ones(level):
+    with pytest.raises(QuadrupedError, match="terrain stairs: level must be a whole number from 1 to 10; found"):
+        find_terrain("stairs").variant(level=level)
+
+
+def test_level_of_a_terrain_without_levels_is_refused():
+    with pytest.raises(QuadrupedError, match="terrain hills: found level 3, but it has no levels; leave it out"):
+        find_terrain("hills").variant(level=3)
+
+
+def test_users_terrain_has_levels_if_it_says_what_the_hardest_is():
+    @terrain(cell=0.05, size=10.0, hardest={"height": 0.1})
+    def ridges(grid: Grid, height: float = 0.02, width: float = 0.3):
+        """Ridges."""
+        return height * (grid.x // width % 2) * grid.fade
+
+    assert ridges.defaults(5) == {"height": 0.05, "width": 0.3}
+    assert ridges.variant(level=5).heights().max() == pytest.approx(0.05)
+    with pytest.raises(QuadrupedError, match=r"hardest must give valid values of its parameters; found depth=0.1"):
+
+        @terrain(hardest={"depth": 0.1})
+        def wrong(grid: Grid, height: float = 0.02):
+            """A parameter that does not exist."""
+            return grid.x
+
+    with pytest.raises(QuadrupedError, match="'level' is a field of every terrain"):
+        terrain(lambda grid, level=1: grid.x)

@@ -1,0 +1,67 @@
+"""Speed of the physics on tiles of all kinds and levels, with the tuned gait and random commands."""
+
+import time
+from typing import Any, Final
+
+import numpy as np
+
+from quadruped_env.envs import MAX_EPISODE_STEPS
+from quadruped_env.policies import CommandedGaitController
+from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.task import Task, TaskConfig
+
+_STEPS: Final = 60
+"""Control steps of a chunk."""
+
+
+class Drive:
+    """A task in which the tuned gait walks, and a clock around its physics.
+
+    Args:
+        config: config of the task.
+        cone: friction cone of the model, one of MuJoCo's `mjtCone`.
+        num_envs: number of robots.
+    """
+
+    def __init__(self, config: TaskConfig, cone: int, num_envs: int) -> None:
+        model = build_model(config.physics_timestep, terrain=config.ground)
+        model.opt.cone = cone
+        simulation = BatchSimulation(model, num_envs)
+        self._task = Task(simulation, config, MAX_EPISODE_STEPS)
+        self._controller = CommandedGaitController()
+        self._spent = 0.0
+        self._task.reset(np.arange(num_envs), range(num_envs))
+        step = simulation.step
+
+        def timed(*arguments: Any) -> None:
+            start = time.perf_counter()
+            step(*arguments)
+            self._spent += time.perf_counter() - start
+
+        simulation.step = timed  # type: ignore[assignment, method-assign]
+
+    def seconds(self) -> float:
+        """Time that the physics of the next chunk takes, s; robots that fell begin again."""
+        self._spent = 0.0
+        for _ in range(_STEPS):
+            transition = self._task.act(self._controller, self._task.observe())
+            ended = np.flatnonzero(transition.terminated | transition.truncated)
+            if len(ended):
+                self._task.reset(ended)
+        return self._spent
+
+
+def ratios(num_envs: int, chunks: int) -> tuple[float, float, float]:
+    """Physics on tiles over a plane with the same friction cone, and over the default plane; time of its step, us.
+
+    Args:
+        num_envs: number of robots.
+        chunks: how often the grounds take turns; the first does not count.
+    """
+    config = TaskConfig.from_dict({"action": {"mode": "residual"}})
+    on_tiles = config.on_terrain("tiles")
+    default, cone = build_model().opt.cone, build_model(terrain=on_tiles.ground).opt.cone
+    drives = [Drive(on_tiles, cone, num_envs), Drive(config, cone, num_envs), Drive(config, default, num_envs)]
+    tiles, same_cone, plane = np.array([[drive.seconds() for drive in drives] for _ in range(chunks + 1)])[1:].T
+    step = float(np.median(plane)) / (_STEPS * num_envs * config.decimation) * 1e6
+    return float(np.median(tiles / same_cone)), float(np.median(tiles / plane)), step
