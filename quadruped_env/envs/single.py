@@ -13,7 +13,7 @@ from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.envs.specification import with_tables
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
-from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
 
 _ENV_IDS = np.zeros(1, dtype=np.intp)
@@ -121,7 +121,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         task_robot = task_config.robot
-        model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground, task_robot)
+        model = task_config.build_model()
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
         self.action_space = spaces.action_space(self.task.control.robot)

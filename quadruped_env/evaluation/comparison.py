@@ -27,7 +27,7 @@ from quadruped_env.policies import (
 from quadruped_env.progress import Progress
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
-from quadruped_env.task import RandomizationConfig, TaskConfig
+from quadruped_env.task import TaskConfig
 
 Command = tuple[float, float]
 
@@ -168,11 +168,12 @@ def compare(
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
     terrain: str | Terrain | None = None,
+    randomization: str = "none",
 ) -> Comparison:
     """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, without randomization of friction, payload, pushes and sensor
-    noise; only the start of an episode is random. Commands may lie outside the training ranges.
+    The task is the one that the policy was trained for with another randomization: by default, only the start of an
+    episode is random. Commands may lie outside the training ranges.
 
     Args:
         policy: the trained policy.
@@ -181,11 +182,12 @@ def compare(
         commands: forward velocity in m/s and yaw rate in rad/s.
         progress: called with the fraction done.
         terrain: a terrain, or the name of one of the task's, in place of the task's own.
+        randomization: a preset in place of the task's own randomization: `none`, `moderate` or `hard`.
 
     Raises:
-        QuadrupedError: if there is no seed or no such terrain, or the episodes are too short to measure.
+        QuadrupedError: if there is no seed or no such terrain or preset, or the episodes are too short to measure.
     """
-    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress, terrain)
+    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress, terrain, randomization)
 
 
 def compare_policies(
@@ -195,6 +197,7 @@ def compare_policies(
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
     terrain: str | Terrain | None = None,
+    randomization: str = "none",
 ) -> Comparison:
     """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
 
@@ -216,7 +219,9 @@ def compare_policies(
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
     configs = {
-        name: _evaluation_task(policy.config if terrain is None else policy.config.on_terrain(terrain), commands)
+        name: _evaluation_task(
+            policy.config if terrain is None else policy.config.on_terrain(terrain), commands, randomization
+        )
         for name, policy in policies.items()
     }
     config = next(iter(configs.values()))
@@ -242,13 +247,13 @@ def compare_policies(
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
 
 
-def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task without randomization, with command ranges that include the commands."""
+def _evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
+    """A policy's task with a preset of the randomization, and with command ranges that include the commands."""
     ranges = config.command.replace(
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
-    return dataclasses.replace(config, randomization=RandomizationConfig(), command=ranges)
+    return dataclasses.replace(config.randomized(randomization), command=ranges)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

@@ -15,13 +15,17 @@ from quadruped_env.task.config import (
 )
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
-from quadruped_env.task.randomization import Event, ModelField, Randomization
+from quadruped_env.task.event import Event
+from quadruped_env.task.model_fields import ModelField
+from quadruped_env.task.presets import PRESETS, preset_values
+from quadruped_env.task.randomization import Randomization, SensorError
 from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
 
 __all__ = [
     "BUILT_IN",
+    "PRESETS",
     "ActionConfig",
     "Command",
     "CommandConfig",
@@ -35,6 +39,7 @@ __all__ = [
     "RewardConfig",
     "RewardTerm",
     "Section",
+    "SensorError",
     "Task",
     "TaskConfig",
     "TaskContext",
@@ -47,6 +52,7 @@ __all__ = [
     "Transition",
     "load_task_file",
     "observation",
+    "preset_values",
     "reward",
     "reward_group",
     "termination",

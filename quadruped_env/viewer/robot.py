@@ -15,7 +15,7 @@ from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model
+from quadruped_env.simulation import SingleSimulation, Terrain
 from quadruped_env.task import BUILT_IN, Section, Task, Transition
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
@@ -100,7 +100,7 @@ class TaskRobot:
 
     Args:
         source: its controller.
-        randomization: replaces the source's own randomization.
+        randomization: values or name of a preset that replace the source's own randomization.
         robot: its description.
         terrain: replaces the source's own terrain.
 
@@ -111,7 +111,7 @@ class TaskRobot:
     def __init__(
         self,
         source: ControllerSpec,
-        randomization: Section | None = None,
+        randomization: Section | str | None = None,
         robot: Robot = BUILT_IN.robot,
         terrain: Terrain | None = None,
     ) -> None:
@@ -121,11 +121,13 @@ class TaskRobot:
         config = task_config(controller.action_mode, task_of(controller, BUILT_IN.with_robot(robot)))
         if config.robot != robot:
             raise QuadrupedError(f"{source.name}: is for {config.robot!r}; the viewer shows {robot!r}")
-        if randomization is not None:
+        if isinstance(randomization, str):
+            config = config.randomized(randomization)
+        elif randomization is not None:
             config = replace(config, randomization=randomization)
         self._controller = controller
         self.terrain = config.ground if terrain is None else terrain
-        model = build_model(config.physics_timestep, config.motor, self.terrain, robot)
+        model = config.build_model(self.terrain)
         self._simulation = SingleSimulation(model, robot)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
