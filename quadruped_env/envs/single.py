@@ -70,8 +70,9 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     ## Starting state
     The stance, 1 cm above the highest ground below it, with uniform offsets: joints +-0.1 rad and +-0.5 rad/s, base
-    +-0.2 m/s and +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. Every random number depends only on
-    the seed, the episode, the step and its purpose.
+    +-0.2 m/s and +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. `config={"randomization": "hard"}`,
+    or `"moderate"`, also draws masses, motors, sensor errors, latency and pushes (docs/randomization.md). Every random
+    number depends only on the seed, the episode, the step and its purpose.
 
     ## Episode end
     Terminated when MuJoCo reports that the simulation diverged (`info["diverged"]`), or as a fall:

@@ -89,7 +89,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "rad",
         "joints",
         description="offset of each joint from the stance at the start",
-        source="start of the task",
+        source="part of the task",
     ),
     Randomization(
         "start_joint_velocity",
@@ -98,7 +98,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "rad/s",
         "joints",
         description="velocity of each joint at the start",
-        source="start of the task",
+        source="part of the task",
     ),
     Randomization(
         "start_base_velocity",
@@ -107,7 +107,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "m/s, rad/s",
         6,
         description="linear and angular velocity of the base along and about each axis at the start",
-        source="start of the task",
+        source="part of the task",
     ),
     Randomization(
         "start_tilt",
@@ -116,10 +116,10 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "rad",
         2,
         description="roll and pitch of the base at the start",
-        source="start of the task",
+        source="part of the task",
     ),
     Randomization(
-        "start_heading", _heading, math.pi, "rad", description="heading at the start", source="start of the task"
+        "start_heading", _heading, math.pi, "rad", description="heading at the start", source="part of the task"
     ),
     # MuJoCo uses the larger friction of the two geoms in contact, so all geoms are set.
     Randomization(
@@ -128,7 +128,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         None,
         valid=Parameter.positive(),
         description="coefficient of sliding friction of the ground and the robot",
-        source=f"0.5 to 1.25: {_MINITAUR}; 0.3: rubber on wet tiles",
+        source=f"0.5 to 1.25: {_MINITAUR}; rubber on wet tiles to rubber on dry concrete: 0.3 to 1.2",
     ),
     Randomization(
         "link_mass",
@@ -156,7 +156,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         3,
         valid=Parameter("m", -0.2, 0.2),
         description="offset of the base's own centre of mass along each axis",
-        source=f"0.03 m on a robot of 0.5 m: {_ANYMAL}",
+        source=f"+-0.02 m: {_ANYMAL}",
     ),
     Randomization(
         "payload_position",
@@ -166,7 +166,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         3,
         valid=Parameter("m", -0.5, 0.5),
         description="position of a payload relative to the base's centre of mass along each axis",
-        source="half of the way from the base's centre to its sides",
+        source="two thirds of the way from the base's centre to its sides",
     ),
     Randomization(
         "payload",
@@ -175,7 +175,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "kg",
         valid=Parameter("kg", -1.0, exclusive=True),
         description="mass added to the base, of the base's shape; a negative one is missing in the base as a whole",
-        source=f"a battery of 0.5 kg or less up to half of the base; 0 to half of the robot: {_RMA}",
+        source=f"from a battery less to half of the base more; up to half of the robot: {_RMA}",
     ),
     Randomization(
         "motor_strength",
@@ -192,7 +192,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         None,
         valid=_FACTOR,
         description="factor on the supply voltage: on stall torque and no-load speed of all motors",
-        source="six lithium cells of 3.4 to 4.2 V give 0.85 to 1.05 of 24 V",
+        source=f"six lithium cells of 3.4 to 4.2 V give 0.85 to 1.05 of 24 V; 14 to 16.8 V: {_MINITAUR}",
     ),
     Randomization(
         "position_gain",
@@ -201,7 +201,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         width="joints",
         valid=_FACTOR,
         description="factor on the position gain of each motor",
-        source=f"tolerance of a servo that no data sheet states; {_PENG}, {_RMA}",
+        source=f"no data sheet states the tolerance of a gain; 0.5 to 2: {_PENG}; 0.9 to 1.1: {_RMA}",
     ),
     Randomization(
         "velocity_gain",
@@ -210,7 +210,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         width="joints",
         valid=_FACTOR,
         description="factor on the velocity gain of each motor",
-        source=f"as the position gain; {_PENG}, {_RMA}",
+        source="as the position gain",
     ),
     Randomization(
         "joint_friction",
@@ -220,7 +220,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "joints",
         valid=Parameter("N m", _NOT_NEGATIVE),
         description="dry friction added to each joint",
-        source=f"0.05 N m in a direct drive of 3.5 N m: {_MINITAUR}; 1 % of the stall torque here",
+        source=f"0 to 0.05 N m: {_MINITAUR}; 1 % of the stall torque is 0.1 N m here",
     ),
     Randomization(
         "joint_damping",
@@ -230,7 +230,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         law="log_uniform",
         valid=_FACTOR,
         description="factor on the viscous damping of each joint",
-        source=f"{_PENG}; grease between 0 and 40 degrees C changes its viscosity by more",
+        source=f"0.2 to 20: {_PENG}; dry friction of 0.1 N m takes as much power at 4 rad/s as 0.03 N m s/rad more",
     ),
     Randomization(
         "rotor_inertia",
@@ -260,7 +260,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         3,
         valid=Parameter("rad", -0.5, 0.5),
         description="roll, pitch and yaw of the IMU in the base; it turns gravity and gyroscope readings",
-        source=f"0.05 rad: {_MINITAUR}; 1 mm under one end of a board of 40 mm is 0.025 rad",
+        source="1 mm under one end of a board of 40 mm is 0.025 rad",
     ),
     Randomization(
         "action_latency",
@@ -288,7 +288,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         2,
         interval=("push_interval", (4.0, 8.0)),
         description="velocity that a push adds to the base along each horizontal axis",
-        source=f"1 m/s on a robot of 0.5 m: {_MINUTES}",
+        source=f"+-1 m/s: {_MINUTES}",
     ),
     Randomization(
         "push_speed",

@@ -226,7 +226,7 @@ def check_physical(
 
 
 def _problem(field: str, low: Floats, high: Floats, model: mujoco.MjModel) -> str:
-    """What is impossible about the lowest and highest values of a field, and its fix; empty if nothing is."""
+    """Problem of the lowest and highest values of a field, with its fix; empty if there is none."""
     least = float(low.min(initial=np.inf))
     if field in _POSITIVE and least <= 0.0:
         return f"makes {field} {least:.3g}, which must be positive: raise the lower end"

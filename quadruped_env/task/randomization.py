@@ -85,7 +85,7 @@ class Randomization:
     duration: tuple[str, Range] | None = None
     """For one that lasts: the config's field for the duration in s, and its default. At its end, zeros are applied."""
     description: str = ""
-    """What is drawn, in the docs."""
+    """Meaning of the values, for the docs."""
     source: str = ""
     """Reason or reference for the built-in ranges, in the docs."""
 
