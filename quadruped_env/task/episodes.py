@@ -107,8 +107,12 @@ class Randomizer:
         amplitude = np.zeros(layout.width)
         for name, columns in layout.slices.items():
             amplitude[columns] = amplitudes[name]
-        self._noise_amplitude = config.randomization.observation_noise * amplitude
-        self._noise = Purposes({"observation_noise": control.layout.width})
+        self._noisy = np.flatnonzero(amplitude)
+        self._noise_amplitude = config.randomization.observation_noise * amplitude[self._noisy]
+        # A draw is a hash of its column, so that leaving some out does not change the others.
+        self._noise = Purposes({"observation_noise": layout.width})
+        self._noise.constants = self._noise.constants[self._noisy]
+        self._noise_values = np.zeros((control.num_envs, layout.width))
 
     def _bound(self, randomization: Randomization, purposes: Purposes) -> _Active:
         return _Active(
@@ -199,9 +203,10 @@ class Randomizer:
         return Event(self._simulation, self._control.robot, env_ids, _NO_STATE, _NO_STATE, _NO_STATE, self.sensors)
 
     def observation_noise(self) -> Floats:
-        """Noise on the unscaled readings (N, width); identical if called again at the same step."""
+        """Noise on the unscaled readings (N, width), the same at the same step; overwritten by the next call."""
         uniform = self._draws.uniform(self._noise, slice(None), self._control.steps)
-        return self._noise_amplitude * (2.0 * uniform - 1.0)
+        self._noise_values[:, self._noisy] = self._noise_amplitude * (2.0 * uniform - 1.0)
+        return self._noise_values
 
     def _in_steps(self, seconds: Floats) -> NDArray[np.int64]:
         return np.maximum(np.rint(seconds / self._config.control_timestep), 1.0).astype(np.int64)

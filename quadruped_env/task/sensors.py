@@ -4,6 +4,7 @@ A real robot has errors of its own, so they belong to the simulated task and not
 terminations, `info` and recordings use the true readings.
 """
 
+import dataclasses
 import math
 from collections.abc import Mapping
 from typing import Any, Final, Literal
@@ -21,6 +22,18 @@ Quantity = Literal["encoder_offset", "imu_mounting", "latency"]
 
 _IMU_VECTORS: Final = ("angular_velocity_b", "linear_acceleration_b", "up_b")
 """Readings in the frame of the IMU, which a mounting error turns."""
+MEASURED: Final = (
+    "joint_position",
+    "joint_velocity",
+    "joint_torque",
+    "orientation",
+    "angular_velocity_b",
+    "linear_acceleration_b",
+    "foot_force",
+    "up_b",
+)
+"""Readings of sensors that a robot can have. All others are known to the simulator alone, and have no errors."""
+
 _UNIT_VECTORS: Final = ("orientation", "up_b")
 """Readings of length 1, also between two of them."""
 _ROUNDING: Final = 1e-9
@@ -51,24 +64,29 @@ class Sensors:
         """Roll, pitch and yaw of the IMU in the frame of the base, (N, 3), rad."""
         self.latency: Floats = self.memory.zeros("latency", 1)
         """Age of the readings when the policy receives them, (N, 1), s."""
-        self._mounting: Floats = self.memory.zeros("imu_quaternion", 4)
+        self._turn: Floats = self.memory.zeros("imu_turn", 4, 4)
+        """Matrix that turns an orientation of the base into one of the IMU; both are quaternions."""
         self._to_imu: Floats = self.memory.zeros("imu_matrix", 3, 3)
+        """Matrix from the frame of the base to that of the IMU."""
         self._steps: NDArray[np.int64] = self.memory.zeros("latency_steps", dtype=np.int64)
         self._share: Floats = self.memory.zeros("latency_share", 1)
-        # A ring of readings, of as many control steps as the latency reaches back, and of the one before these.
-        self._depth = math.ceil(largest["latency"] / timestep - _ROUNDING) + 2 if "latency" in largest else 0
-        self._ring: Floats = self.memory.zeros("readings", self._depth, simulation.sensordata.shape[1])
-        self._all = np.arange(n)
-        self._sensordata = np.zeros_like(simulation.sensordata)
+        # A ring of readings: the latest, and those of as many control steps as the latency reaches back.
+        self._depth = math.ceil(largest["latency"] / timestep - _ROUNDING) + 1 if "latency" in largest else 0
+        ends = np.cumsum([simulation.sensordata[:, simulation.sensor_columns[name]].shape[1] for name in MEASURED])
+        self._columns = [slice(start, end) for start, end in zip([0, *ends[:-1]], ends, strict=True)]
+        self._ring: Floats = self.memory.zeros("readings", self._depth, int(ends[-1]))
+        self._rows = np.arange(n) * self._depth
+        self._measured, self._older = np.zeros((2, n, int(ends[-1])))
         self._bind()
 
     def _bind(self) -> None:
-        simulation = self._simulation
-        self._readings = Readings.from_sensordata(simulation.model, self._sensordata, simulation.robot)
+        own = {name: self._measured[:, columns] for name, columns in zip(MEASURED, self._columns, strict=True)}
+        self._true = [getattr(self._simulation.readings, name) for name in MEASURED]
+        self._readings = dataclasses.replace(self._simulation.readings, **own)
 
     def __getstate__(self) -> dict[str, Any]:
-        # The readings are views of the sensor data, and unpickling would turn them into copies.
-        return {name: value for name, value in self.__dict__.items() if name != "_readings"}
+        # The readings are views, and unpickling would turn them into copies.
+        return {name: value for name, value in self.__dict__.items() if name not in ("_readings", "_true")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -81,9 +99,10 @@ class Sensors:
             limits = self._simulation.model_field("actuator_ctrlrange")
             limits[env_ids] -= self.encoder_offset[env_ids][..., None]
         if "imu_mounting" in self._randomized:
-            self._mounting[env_ids] = rotations.from_roll_pitch_yaw(self.imu_mounting[env_ids])
-            columns = rotations.rotate_inverse(self._mounting[env_ids, None], np.eye(3))
-            self._to_imu[env_ids] = np.swapaxes(columns, 1, 2)
+            mounting = rotations.from_roll_pitch_yaw(self.imu_mounting[env_ids])[:, None]
+            # The columns of a matrix are what becomes of the unit vectors.
+            self._to_imu[env_ids] = np.swapaxes(rotations.rotate_inverse(mounting, np.eye(3)), 1, 2)
+            self._turn[env_ids] = np.swapaxes(rotations.multiply(np.eye(4), mounting), 1, 2)
         if "latency" in self._randomized:
             steps = self.latency[env_ids, 0] / self._timestep
             self._steps[env_ids] = whole = np.floor(steps + _ROUNDING).astype(np.int64)
@@ -92,7 +111,14 @@ class Sensors:
 
     def after_start(self, env_ids: NDArray[np.intp]) -> None:
         """Store the first readings of some envs (R,); those before the episode are the same."""
-        self._ring[env_ids] = self._simulation.sensordata[env_ids, None]
+        if "latency" in self._randomized:
+            self._measure()
+            self._ring[env_ids] = self._measured[env_ids, None]
+
+    def _measure(self) -> None:
+        """Copy the true readings."""
+        for columns, true in zip(self._columns, self._true, strict=True):
+            self._measured[:, columns] = true
 
     def joint_target(self, target: Floats) -> Floats:
         """Joint positions (N, J) in rad at which the encoders show the targets (N, J)."""
@@ -100,25 +126,34 @@ class Sensors:
 
     def read(self, steps: NDArray[np.int64]) -> Readings:
         """Readings with their errors at a control step of each episode (N,); the next call overwrites them."""
+        self._measure()
         if "latency" in self._randomized:
-            self._ring[self._all, steps % self._depth] = self._simulation.sensordata
+            ring, newer, older = self._ring.reshape(-1, self._ring.shape[-1]), self._measured, self._older
+            ring[self._rows + steps % self._depth] = newer
             latest = steps - self._steps
-            newer, older = (self._ring[self._all, step % self._depth] for step in (latest, latest - 1))
+            ring.take(self._rows + latest % self._depth, 0, newer, "clip")
+            ring.take(self._rows + (latest - 1) % self._depth, 0, older, "clip")
             np.subtract(older, newer, older)
             np.multiply(older, self._share, older)
-            np.add(newer, older, self._sensordata)
+            np.add(newer, older, newer)
             for name in _UNIT_VECTORS:
                 vector = getattr(self._readings, name)
                 unit = vector / np.sqrt(np.vecdot(vector, vector))[:, None]
                 np.copyto(vector, unit, where=self._share > 0.0)
-        else:
-            np.copyto(self._sensordata, self._simulation.sensordata)
         readings = self._readings
         if "encoder_offset" in self._randomized:
             np.add(readings.joint_position, self.encoder_offset, readings.joint_position)
         if "imu_mounting" in self._randomized:
             for name in _IMU_VECTORS:
                 vector = getattr(readings, name)
-                vector[:] = np.vecdot(self._to_imu, vector[:, None])
-            readings.orientation[:] = rotations.multiply(readings.orientation, self._mounting)
+                vector[:] = _applied(self._to_imu, vector)
+            readings.orientation[:] = _applied(self._turn, readings.orientation)
         return readings
+
+
+def _applied(matrices: Floats, vectors: Floats) -> Floats:
+    """Products (N, K) of matrices (N, K, K) and vectors (N, K); a sum of columns, which is fast for small K."""
+    result = matrices[:, :, 0] * vectors[:, :1]
+    for i in range(1, vectors.shape[1]):
+        result += matrices[:, :, i] * vectors[:, i, None]
+    return result

@@ -1,5 +1,7 @@
 """Errors of the sensors: what the policy observes, recomputed from the true state, which rewards and info keep."""
 
+import dataclasses
+
 import gymnasium
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.envs import ENV_ID
 from quadruped_env.readings import Readings
 from quadruped_env.task import RandomizationConfig, TaskConfig
+from quadruped_env.task.sensors import MEASURED as DISTURBED
 
 STANCE = np.array([0.6, -0.72] * 4)
 SENSORS = {"imu_mounting": 0.2, "observation_latency": [0.0, 0.05]}
@@ -186,6 +189,16 @@ def test_imu_axes_are_turned_by_roll_pitch_and_yaw():
     base = Rotation.from_quat(task.simulation.readings.orientation.copy(), scalar_first=True)
     seen = Rotation.from_quat(readings.orientation, scalar_first=True)
     np.testing.assert_allclose((seen * (base * mounting).inv()).magnitude(), 0.0, atol=1e-7)
+
+
+def test_readings_that_only_a_simulator_knows_have_no_errors():
+    task = make_task(3, randomization=RandomizationConfig(preset="hard", observation_latency=[0.04, 0.04]))
+    for _ in range(3):
+        task.step(np.full((3, 8), 0.3))
+    readings, true = task._randomizer.sensors.read(task.steps), task.simulation.readings
+    for entry in dataclasses.fields(Readings):
+        same = np.array_equal(getattr(readings, entry.name), getattr(true, entry.name))
+        assert same == (entry.name not in DISTURBED), entry.name
 
 
 # --- noise ---
