@@ -122,7 +122,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         task_robot = task_config.robot
-        model = task_config.build_model()
+        model = task_config.compiled_model()
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
         self.action_space = spaces.action_space(self.task.control.robot)

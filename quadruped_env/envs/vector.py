@@ -69,7 +69,7 @@ class MiniQuadrupedVectorEnv(
         task_config = arguments.task_config(action_mode, config, task_file, robot, terrain)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
         task_robot = task_config.robot
-        model = task_config.build_model()
+        model = task_config.compiled_model()
         self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self.single_action_space = spaces.action_space(self.task.control.robot)

@@ -144,7 +144,7 @@ def record(
     """
     config = replace(task_config(controller.action_mode, config), randomization=STILL)
     robot = config.robot
-    model = config.build_model()
+    model = config.compiled_model()
     task = Task(SingleSimulation(model, robot), config)
     task.reset(_ROW, seeds=[0], command=command)
     # `reset` gives a random heading; a recording begins facing along x.

@@ -106,7 +106,7 @@ def roll_out(
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     rows, robot = len(command), config.robot
-    model = config.build_model()
+    model = config.compiled_model()
     task = Task(BatchSimulation(model, rows, robot=robot), config)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))

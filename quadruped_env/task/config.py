@@ -285,7 +285,7 @@ class TaskConfig(PlainFields):
                     delays += [float(part.changed(np.array(delays[-1]), end)) for end in ends_of(setting)]
         return max(delays)
 
-    def build_model(self, ground: Terrain | None = None) -> mujoco.MjModel:
+    def compiled_model(self, ground: Terrain | None = None) -> mujoco.MjModel:
         """Compiled model of the task's robot on a terrain, by default the config's; every call returns a new copy."""
         return build_model(
             self.physics_timestep, self.motor, ground or self.ground, self.robot, max_delay=self.max_delay

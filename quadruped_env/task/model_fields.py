@@ -236,7 +236,7 @@ def _problem(field: str, low: Floats, high: Floats, model: mujoco.MjModel) -> st
     if field == _DELAY and high.max() > longest + 1e-9:
         return (
             f"makes the delay of the motors {high.max():.3g} s, and the model's buffer holds {longest:.3g} s: lower "
-            f"the upper end, or build the model with TaskConfig.build_model()"
+            f"the upper end, or build the model with TaskConfig.compiled_model()"
         )
     return ""
 

@@ -127,7 +127,7 @@ class TaskRobot:
             config = replace(config, randomization=randomization)
         self._controller = controller
         self.terrain = config.ground if terrain is None else terrain
-        model = config.build_model(self.terrain)
+        model = config.compiled_model(self.terrain)
         self._simulation = SingleSimulation(model, robot)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names

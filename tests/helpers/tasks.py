@@ -38,7 +38,7 @@ STILL_START = RandomizationConfig(
 def make_task(rows=3, max_episode_steps=None, fixed_command=None, **config):
     """A task on the batch simulation, with every env reset."""
     task_config = TaskConfig(**config)
-    simulation = BatchSimulation(task_config.build_model(), rows, 1)
+    simulation = BatchSimulation(task_config.compiled_model(), rows, 1)
     task = Task(simulation, task_config, max_episode_steps)
     task.reset(np.arange(rows), list(range(rows)), fixed_command)
     return task

@@ -198,14 +198,15 @@ def test_own_latency_of_the_actions_gets_a_buffer_that_holds_it(tmp_path):
 def test_a_model_whose_buffer_is_too_short_for_the_latency_is_refused_with_the_fix(simulation):
     config = TaskConfig.from_dict({"randomization": {"action_latency": [0.0, 0.06]}})
     with pytest.raises(
-        QuadrupedError, match=r"action_latency: \[0.0, 0.06\] s makes the delay .*0.06 s.* holds 0 s.*build_model\(\)"
+        QuadrupedError,
+        match=r"action_latency: \[0.0, 0.06\] s makes the delay .*0.06 s.* holds 0 s.*compiled_model\(\)",
     ):
         Task(simulation(build_model()), config)
-    Task(simulation(config.build_model()), config)
+    Task(simulation(config.compiled_model()), config)
 
 
 def test_model_without_latency_has_no_buffer():
-    assert TaskConfig().build_model().nhistory == 0
+    assert TaskConfig().compiled_model().nhistory == 0
     assert TaskConfig().max_delay == 0.0
 
 
@@ -254,7 +255,7 @@ def test_randomizations_of_one_field_apply_in_their_order_and_start_anew_in_each
     )
     for rows in (1, 3):
         config = TaskConfig.from_dict({"randomization": {"link_mass": [1.5, 1.5]}}, load_task_file(file))
-        model = config.build_model()
+        model = config.compiled_model()
         simulation = SingleSimulation(model) if rows == 1 else BatchSimulation(model, rows, 1)
         leg = model.body("LF_leg").id
         task = Task(simulation, config)
