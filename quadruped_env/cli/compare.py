@@ -10,7 +10,14 @@ from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.evaluate import print_results
-from quadruped_env.cli.options import NEXT_FREE, add_evaluation_options, named_terrain, task_option, terrain_option
+from quadruped_env.cli.options import (
+    NEXT_FREE,
+    add_evaluation_options,
+    named_terrain,
+    randomization_option,
+    task_option,
+    terrain_option,
+)
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.files import free_path
 
@@ -36,7 +43,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     policies = {name: subject.policy for name, subject in subjects.items()}
     progress = ProgressLine("running")
     comparison = compare_policies(
-        policies, arguments.seeds, arguments.seconds, progress=progress, terrain=named_terrain(arguments)
+        policies,
+        arguments.seeds,
+        arguments.seconds,
+        progress=progress,
+        terrain=named_terrain(arguments),
+        randomization=arguments.randomization or "none",
     )
     sources = shlex.join(subject.source for subject in subjects.values())
     report, numbers, missing = write_comparison(
@@ -44,6 +56,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         comparison,
         output,
         f"{invocation.program} {sources} {task_option(arguments.task)}{terrain_option(arguments)}"
+        f"{randomization_option(arguments.randomization)}"
         f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),

@@ -11,7 +11,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_evaluation_options, named_terrain, task_option, terrain_option
+from quadruped_env.cli.options import (
+    add_evaluation_options,
+    named_terrain,
+    randomization_option,
+    task_option,
+    terrain_option,
+)
 from quadruped_env.cli.progress import ProgressLine
 
 
@@ -38,12 +44,18 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print(f"evaluating {subject.name}")
     progress = ProgressLine("running")
     comparison = compare(
-        subject.policy, arguments.seeds, arguments.seconds, progress=progress, terrain=named_terrain(arguments)
+        subject.policy,
+        arguments.seeds,
+        arguments.seconds,
+        progress=progress,
+        terrain=named_terrain(arguments),
+        randomization=arguments.randomization or "none",
     )
     report, numbers, missing = write_report(
         subject,
         comparison,
         f"{invocation.program} {subject.source} {task_option(arguments.task)}{terrain_option(arguments)}"
+        f"{randomization_option(arguments.randomization)}"
         f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),

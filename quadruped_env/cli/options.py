@@ -11,6 +11,7 @@ from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
 from quadruped_env.simulation.ground import LEVELS, Terrain
 from quadruped_env.simulation.terrain import TERRAINS, find_terrain, summary
+from quadruped_env.task import PRESETS
 
 NEXT_FREE: Final = "or that name with the next free number"
 
@@ -120,6 +121,26 @@ def terrain_option(arguments: argparse.Namespace) -> str:
     return f"--terrain {shlex.quote(arguments.terrain)} {level}"
 
 
+def add_randomization(parser: argparse.ArgumentParser, default: str) -> None:
+    """Add `--randomization`.
+
+    Args:
+        parser: of the command.
+        default: randomization without the option, in words.
+    """
+    parser.add_argument(
+        "--randomization",
+        choices=tuple(PRESETS),
+        metavar="PRESET",
+        help=f"randomization of the episodes: {', '.join(PRESETS)} (default: {default}; docs/randomization.md)",
+    )
+
+
+def randomization_option(preset: str | None) -> str:
+    """The option `--randomization` as a user types it again, and a space; nothing without a preset."""
+    return "" if preset is None else f"--randomization {preset} "
+
+
 def task_option(task_file: Path | None) -> str:
     """The option `--task` as a user types it again, and a space; nothing without a file."""
     return "" if task_file is None else f"--task {shlex.quote(str(task_file))} "
@@ -144,6 +165,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
     )
     add_task_file(parser)
     add_terrain(parser, "that of the policy's task")
+    add_randomization(parser, "none")
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
     add_overwrite(parser, "replace the file of --video if it exists")

@@ -3,6 +3,7 @@
 mini-quadruped train                          two minutes or less, then a policy that walks
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
+mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
@@ -16,10 +17,10 @@ from typing import Any, Final, get_args
 
 from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_terrain, check_level_has_terrain
+from quadruped_env.cli.options import add_output, add_randomization, add_terrain, check_level_has_terrain
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.task import BUILT_IN, load_task_file
+from quadruped_env.task import BUILT_IN, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
 
 RUNS: Final = Path("runs")
@@ -57,6 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             options.update(type=kind, metavar=_METAVARS[kind])
         parser.add_argument(option, **options)
     add_terrain(parser, "that of --task, or flat")
+    add_randomization(parser, "that of --task, or none")
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
     parser.add_argument(
         "--resume",
@@ -79,6 +81,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if arguments.terrain is not None:
         level = {} if arguments.level is None else {"level": arguments.level}
         typed_task = merged(typed_task, {"terrain": {"name": arguments.terrain, **level}})
+    if arguments.randomization is not None:
+        # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
+        robot = (BUILT_IN if task_file is None else load_task_file(task_file)).robot
+        typed_task = merged({"randomization": preset_values(arguments.randomization, robot)}, typed_task)
     if typed_task:
         typed["task"] = typed_task
     runs, resume = arguments.output, arguments.resume

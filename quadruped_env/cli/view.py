@@ -12,7 +12,7 @@ import argparse
 import signal
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_task_file, add_terrain, named_terrain
+from quadruped_env.cli.options import add_output, add_randomization, add_task_file, add_terrain, named_terrain
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 
@@ -41,6 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_task_file(parser)
     add_terrain(parser, "that of the first robot's task")
+    add_randomization(parser, "none, and every episode starts at rest")
     add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
     parser.add_argument(
         "--measure", type=float, metavar="S", help="end after this time in s, and print the speed of the playback"
@@ -57,6 +58,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.output,
         arguments.task,
         named_terrain(arguments),
+        arguments.randomization,
     )
     return run_show(show, arguments.host, arguments.port, arguments.measure)
 

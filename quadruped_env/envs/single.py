@@ -15,7 +15,7 @@ from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.envs.specification import with_tables
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
-from quadruped_env.simulation import SingleSimulation, build_model
+from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
 
 _ENV_IDS = np.zeros(1, dtype=np.intp)
@@ -74,8 +74,9 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     ## Starting state
     The stance, 1 cm above the highest ground below it, with uniform offsets: joints +-0.1 rad and +-0.5 rad/s, base
-    +-0.2 m/s and +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. Every random number depends only on
-    the seed, the episode, the step and its purpose.
+    +-0.2 m/s and +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. `config={"randomization": "hard"}`,
+    or `"moderate"`, also draws masses, motors, sensor errors, latency and pushes (docs/randomization.md). Every random
+    number depends only on the seed, the episode, the step and its purpose.
 
     ## Episode end
     Terminated when MuJoCo reports that the simulation diverged (`info["diverged"]`), or as a fall:
@@ -128,7 +129,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
         task_robot = task_config.robot
-        model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground, task_robot)
+        model = task_config.compiled_model()
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
         self.action_space = spaces.action_space(self.task.control.robot)

@@ -18,7 +18,7 @@ from quadruped_env.envs.member import MemberEnv
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
-from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
 
@@ -73,7 +73,7 @@ class MiniQuadrupedVectorEnv(
         task_config = arguments.task_config(action_mode, config, task_file, robot, terrain, self.default_config)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
         task_robot = task_config.robot
-        model = build_model(task_config.physics_timestep, task_config.motor, task_config.ground, task_robot)
+        model = task_config.compiled_model()
         self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self.single_action_space = spaces.action_space(self.task.control.robot)

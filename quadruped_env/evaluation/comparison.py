@@ -27,7 +27,7 @@ from quadruped_env.policies import (
 from quadruped_env.progress import Progress
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
-from quadruped_env.task import RANDOM_START, TaskConfig
+from quadruped_env.task import TaskConfig
 
 Command = tuple[float, float]
 
@@ -169,12 +169,12 @@ def compare(
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
     terrain: str | Terrain | None = None,
+    randomization: str = "none",
 ) -> Comparison:
     """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, without its randomizations and observation noise, a user's own
-    included; only the start of an episode is random, as in the built-in task. Commands may lie outside the training
-    ranges.
+    The task is the one that the policy was trained for, with a preset in place of its randomization, a user's own
+    included: by default, only the start of an episode is random. Commands may lie outside the training ranges.
 
     Args:
         policy: the trained policy.
@@ -183,11 +183,12 @@ def compare(
         commands: forward velocity in m/s and yaw rate in rad/s.
         progress: called with the fraction done.
         terrain: a terrain, or the name of one of the task's, in place of the task's own.
+        randomization: a preset in place of the task's own randomization: `none`, `moderate` or `hard`.
 
     Raises:
-        QuadrupedError: if there is no seed or no such terrain, or the episodes are too short to measure.
+        QuadrupedError: if there is no seed or no such terrain or preset, or the episodes are too short to measure.
     """
-    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress, terrain)
+    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress, terrain, randomization)
 
 
 def compare_policies(
@@ -197,6 +198,7 @@ def compare_policies(
     commands: Sequence[Command] = COMMANDS,
     progress: Progress | None = None,
     terrain: str | Terrain | None = None,
+    randomization: str = "none",
 ) -> Comparison:
     """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
 
@@ -218,7 +220,9 @@ def compare_policies(
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
     configs = {
-        name: _evaluation_task(policy.config if terrain is None else policy.config.on_terrain(terrain), commands)
+        name: _evaluation_task(
+            policy.config if terrain is None else policy.config.on_terrain(terrain), commands, randomization
+        )
         for name, policy in policies.items()
     }
     config = next(iter(configs.values()))
@@ -244,8 +248,8 @@ def compare_policies(
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
 
 
-def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskConfig:
-    """A policy's task, of whose randomization only the built-in start stays, with ranges that include the commands.
+def _evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
+    """A policy's task with a preset of the randomization, and with command ranges that include the commands.
 
     There is no curriculum: on tiles, every episode starts on the tile that its seed gives.
     """
@@ -254,7 +258,7 @@ def _evaluation_task(config: TaskConfig, commands: Sequence[Command]) -> TaskCon
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
     terrain = config.terrain.replace(curriculum=False) if "curriculum" in config.terrain else config.terrain
-    return dataclasses.replace(config.without_randomization(RANDOM_START), command=ranges, terrain=terrain)
+    return dataclasses.replace(config.randomized(randomization), command=ranges, terrain=terrain)
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

@@ -18,7 +18,7 @@ from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
+from quadruped_env.simulation import SingleSimulation, Terrain, flat, highest_ground
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trace import Recorder, Trace
@@ -140,7 +140,7 @@ def record(
     """
     config = task_config(controller.action_mode, config).without_randomization()
     robot = config.robot
-    model = build_model(config.physics_timestep, config.motor, config.ground, robot)
+    model = config.compiled_model()
     task = Task(SingleSimulation(model, robot), config)
     task.reset(_ROW, seeds=[0], command=command)
     qpos = _start(robot, start)

@@ -11,7 +11,7 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
-from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
 from quadruped_env.timestamps import NS_PER_SECOND
@@ -99,7 +99,7 @@ def roll_out(
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     rows, robot = len(command), config.robot
-    model = build_model(config.physics_timestep, config.motor, config.ground, robot)
+    model = config.compiled_model()
     task = Task(BatchSimulation(model, rows, robot=robot), config)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))

@@ -76,7 +76,6 @@ class MotorConfig(PlainFields):
             spec: specification of a robot; its time step must already be set.
             max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
         """
-        longest = self.delay if max_delay is None else max_delay
         for actuator in spec.actuators:
             motor, joint = self.of_joint(actuator.target), spec.joint(actuator.target)
             joint.damping[0] = motor.damping
@@ -90,9 +89,14 @@ class MotorConfig(PlainFields):
                 controller=[motor.kp, 0.0, motor.kd, 0.0, 0.0, VOLTAGE],
                 ctrlspec=actuator.ctrlspec,
             )
-            if longest > 0.0:
+        self.write_delay(spec, self.delay if max_delay is None else max_delay)
+
+    def write_delay(self, spec: mujoco.MjSpec, max_delay: float) -> None:
+        """Set the delay in a robot's specification, with a buffer for delays up to `max_delay` in s."""
+        if max_delay > 0.0:
+            for actuator in spec.actuators:
                 actuator.delay, actuator.interp = self.delay, _LINEAR
-                actuator.nsample = math.ceil(longest / spec.option.timestep - 1e-9) + 1
+                actuator.nsample = math.ceil(max_delay / spec.option.timestep - 1e-9) + 1
 
 
 def kind_of_joint(name: str) -> str:

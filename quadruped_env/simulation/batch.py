@@ -47,6 +47,8 @@ class BatchSimulation:
         self._qvel = self.batch.bind("qvel")
         self._ctrl = self.batch.bind("ctrl")
         self._history = self.batch.bind("history")
+        self._external = self.batch.bind("xfrc_applied")
+        self._base = model.body(robot.base_name).id
         self._warnings = self.batch.warning[:, DIVERGENCE_WARNINGS, _WARNING_COUNT]
         self._failed = np.zeros(num_envs, dtype=np.bool_)
         self._varied_fields: set[str] = set()
@@ -95,10 +97,23 @@ class BatchSimulation:
         # For an env whose state was just set, the batch still holds the forces of the state before.
         self._write_readings(env_ids, np.where(self._force_columns, before, self.sensordata[env_ids]))
 
+    def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
+        """See `Simulation.set_force`."""
+        self._external[env_ids, self._base, :3] = force
+
     def model_field(self, name: str) -> NDArray[np.float64]:
         """See `Simulation.model_field`."""
         self._varied_fields.add(name)
         return self.batch.expand(name)
+
+    def compiled_field(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.compiled_field`."""
+        return getattr(self.model, name)
+
+    def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
+        """See `Simulation.restore_model_fields`."""
+        for name in self._varied_fields:
+            self.batch.expand(name)[env_ids] = getattr(self.model, name)
 
     def get_state(self, env_id: int) -> SimulationState:
         """See `Simulation.get_state`."""

@@ -77,11 +77,26 @@ class Simulation(Protocol):
         """
         ...
 
+    def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
+        """Apply forces (R, 3) in the world frame, in N, at the centre of mass of the base of some envs (R,).
+
+        A force lasts until the next call or reset.
+        """
+        ...
+
     def model_field(self, name: str) -> NDArray[np.float64]:
         """A field of the model with one value per env, (N, ...), writable; call `reset` after writing to it.
 
         In `SingleSimulation` this is the field of the model itself, so other users of the model see the change too.
         """
+        ...
+
+    def compiled_field(self, name: str) -> NDArray[np.float64]:
+        """A field of the model as it was before `model_field` was first called for it; read-only."""
+        ...
+
+    def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
+        """Set every field that was requested with `model_field` back to the model's values, in some envs (R,)."""
         ...
 
     def get_state(self, env_id: int) -> SimulationState:

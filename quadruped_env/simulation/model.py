@@ -44,6 +44,7 @@ def build_model(
     motors: MotorConfig | None = None,
     terrain: Terrain = flat,
     robot: Robot = MINI_QUADRUPED,
+    max_delay: float = 0.0,
 ) -> mujoco.MjModel:
     """Compiled model of a robot on its terrain; every call returns a new copy.
 
@@ -54,6 +55,7 @@ def build_model(
         motors: motors that replace the robot's own.
         terrain: the ground; by default a plane.
         robot: the robot.
+        max_delay: longest delay of the motors that `actuator_delay` may be set to later, s.
 
     Raises:
         QuadrupedError: if the terrain's heights are not valid, or the robot's model does not hold the robot that it
@@ -61,18 +63,26 @@ def build_model(
     """
     path = asset_path(_SCENE)
     # Compiling takes thirty times as long as copying, so every process compiles each variant once.
-    return copy.copy(_compiled(timestep, motors, terrain, robot, path.stat().st_mtime_ns))
+    return copy.copy(_compiled(timestep, motors, terrain, robot, max_delay, path.stat().st_mtime_ns))
 
 
 @functools.lru_cache(maxsize=8)
 def _compiled(
-    timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, _modified: int
+    timestep: float | None,
+    motors: MotorConfig | None,
+    terrain: Terrain,
+    robot: Robot,
+    max_delay: float,
+    _modified: int,
 ) -> mujoco.MjModel:
     spec = scene(robot)
     if timestep is not None:
         spec.option.timestep = timestep
     if motors is not None and motors != robot.motors:
         motors.write(spec)
+    motors = motors or robot.motors
+    if max_delay > motors.delay:
+        motors.write_delay(spec, max_delay)
     heights = terrain.heights()
     if heights.any():
         _lay(spec, heights, terrain.extent)

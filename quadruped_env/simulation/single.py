@@ -25,7 +25,9 @@ class SingleSimulation:
         self.height_field = HeightField.of(model)
         self.data = mujoco.MjData(model)
         self._failed = False
-        self._varied_fields: set[str] = set()
+        self._varied_fields: dict[str, NDArray[np.float64]] = {}
+        """Values of the fields before they were varied, by name."""
+        self._base = model.body(robot.base_name).id
         self._force_columns = force_columns(model)
         self.sensor_columns = sensor_columns(model, robot)
         self._bind()
@@ -87,10 +89,27 @@ class SingleSimulation:
         # Restored, because a velocity that makes the env diverge clears them.
         self.data.sensordata[self._force_columns] = forces
 
+    def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
+        """See `Simulation.set_force`."""
+        if len(env_ids):
+            self.data.xfrc_applied[self._base, :3] = force[0]
+
     def model_field(self, name: str) -> NDArray[np.float64]:
         """See `Simulation.model_field`."""
-        self._varied_fields.add(name)
-        return getattr(self.model, name)[None]
+        values: NDArray[np.float64] = getattr(self.model, name)
+        if name not in self._varied_fields:
+            self._varied_fields[name] = values.copy()
+        return values[None]
+
+    def compiled_field(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.compiled_field`."""
+        return self._varied_fields.get(name, getattr(self.model, name))
+
+    def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
+        """See `Simulation.restore_model_fields`."""
+        if len(env_ids):
+            for name, values in self._varied_fields.items():
+                getattr(self.model, name)[...] = values
 
     def get_state(self, env_id: int) -> SimulationState:
         """See `Simulation.get_state`."""

@@ -16,14 +16,17 @@ from quadruped_env.task.config import (
 )
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
-from quadruped_env.task.randomization import RANDOM_START, Event, ModelField, Randomization
+from quadruped_env.task.event import Event
+from quadruped_env.task.model_fields import ModelField
+from quadruped_env.task.presets import PRESETS, preset_values
+from quadruped_env.task.randomization import Randomization, SensorError
 from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
 
 __all__ = [
     "BUILT_IN",
-    "RANDOM_START",
+    "PRESETS",
     "ActionConfig",
     "Command",
     "CommandConfig",
@@ -37,6 +40,7 @@ __all__ = [
     "RewardConfig",
     "RewardTerm",
     "Section",
+    "SensorError",
     "Task",
     "TaskConfig",
     "TaskContext",
@@ -49,6 +53,7 @@ __all__ = [
     "Transition",
     "load_task_file",
     "observation",
+    "preset_values",
     "reward",
     "reward_group",
     "termination",

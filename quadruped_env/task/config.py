@@ -10,8 +10,10 @@ import functools
 import typing
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any, Final, Literal, Self
+
+import mujoco
+import numpy as np
 
 from quadruped_env._plain import PlainFields, plain
 from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check
@@ -20,8 +22,12 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.simulation import build_model
 from quadruped_env.simulation.ground import TERRAIN_FILE, Terrain
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
+from quadruped_env.task.model_fields import ModelField
+from quadruped_env.task.presets import preset_values, with_preset
+from quadruped_env.task.randomization import ends_of, is_active
 from quadruped_env.task.settings import (
     Entry,
     Schema,
@@ -31,6 +37,7 @@ from quadruped_env.task.settings import (
     pair,
     parameter_entry,
     range_entry,
+    section_entry,
     weights_entry,
 )
 from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, leg_scale, terrain_schema, values_of
@@ -41,7 +48,6 @@ ROBOT: Final = "robot"
 _POSITIVE_SECONDS: Final = Parameter.positive("s")
 _OF_THE_DEFINITION: Final[Any] = None
 """Default of the fields whose defaults depend on the task's definition."""
-_NOTHING: Final[Mapping[str, Any]] = MappingProxyType({})
 
 
 @functools.cache
@@ -72,13 +78,23 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     for entry_ in definition.randomizations:
         setting = entry_.default
         randomization[entry_.name] = (
-            amplitude_entry(setting, entry_.unit)
+            amplitude_entry(setting, entry_.unit, entry_.valid)
             if isinstance(setting, (int, float))
             else range_entry(setting, entry_.valid, optional=True)
         )
-        if entry_.interval is not None:
-            randomization[entry_.interval[0]] = range_entry(entry_.interval[1], _POSITIVE_SECONDS)
+        for times in (entry_.interval, entry_.duration):
+            if times is None:
+                continue
+            if times[0] in randomization and randomization[times[0]].default != times[1]:
+                raise QuadrupedError(
+                    f"config: two randomizations have a field {times[0]!r} with different defaults; rename one"
+                )
+            randomization.setdefault(times[0], range_entry(times[1], _POSITIVE_SECONDS))
     randomization["observation_noise"] = parameter_entry(Parameter(low=0.0), 0.0)
+    amplitudes: dict[str, Entry] = {
+        entry.name: parameter_entry(Parameter(entry.unit, 0.0), entry.noise) for entry in definition.observations
+    }
+    randomization["noise_amplitude"] = section_entry("randomization.noise_amplitude", amplitudes)
     return {"command": command, "reward": reward, "termination": termination, "randomization": randomization}
 
 
@@ -114,6 +130,8 @@ def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
 def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) -> Section:
     """A section of the config; that of a terrain stays one of this terrain when it is changed."""
     schema = _schema(name, Choice.of(values)._replace(name=terrain), definition)
+    if name == "randomization":
+        values = with_preset(values, definition.robot)
     section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain))
     if name == "command":
         shares = section.standing_fraction + section.straight_fraction
@@ -139,7 +157,7 @@ def TerminationConfig(**values: Any) -> Section:  # noqa: N802
 
 
 def RandomizationConfig(**values: Any) -> Section:  # noqa: N802
-    """Randomization of episodes, with the built-in task's fields."""
+    """Randomization of episodes, with the built-in task's fields; `preset="hard"` starts from a preset."""
     return _section("randomization", values, BUILT_IN)
 
 
@@ -238,17 +256,39 @@ class TaskConfig(PlainFields):
         values = {**kept, "name": name, **({} if seed is None else {"seed": seed})}
         return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))
 
-    def without_randomization(self, apart_from: Mapping[str, Any] = _NOTHING) -> Self:
-        """A copy of the config without randomizations, a user's own included, and without observation noise.
+    def without_randomization(self) -> Self:
+        """A copy of the config without randomizations, a user's own included, and without observation noise."""
+        off = dict.fromkeys(entry.name for entry in self.definition.randomizations)
+        return self._with_randomization({**off, "observation_noise": 0.0})
 
-        Args:
-            apart_from: settings of built-in randomizations and of `observation_noise` that stay on. A randomization
-                that the definition has replaced is off all the same.
+    def randomized(self, preset: str) -> Self:
+        """A copy with a preset in place of the config's randomization: `none`, `moderate` or `hard`.
+
+        A user's own randomizations are off, and so is one that replaces a built-in one.
+
+        Raises:
+            QuadrupedError: if there is no such preset.
         """
-        own = {entry.name for entry in self.definition.randomizations if entry not in BUILT_IN.randomizations}
-        off = {**dict.fromkeys(entry.name for entry in self.definition.randomizations), "observation_noise": 0.0}
-        on = {name: value for name, value in apart_from.items() if name not in own}
-        return dataclasses.replace(self, randomization=self.randomization.replace(**{**off, **on}))
+        own = (entry.name for entry in self.definition.randomizations if entry not in BUILT_IN.randomizations)
+        return self._with_randomization({**preset_values(preset, self.robot), **dict.fromkeys(own)})
+
+    def _with_randomization(self, values: Mapping[str, Any]) -> Self:
+        return dataclasses.replace(self, randomization=_section("randomization", values, self.definition))
+
+    @property
+    def max_delay(self) -> float:
+        """Longest delay from joint target to motor that the config allows, s."""
+        delays = [self.motor.delay]
+        for entry in self.definition.randomizations:
+            setting = self.randomization[entry.name]
+            for part in entry.apply if isinstance(entry.apply, tuple) else (entry.apply,):
+                if isinstance(part, ModelField) and part.field == "actuator_delay" and is_active(setting):
+                    delays += [float(part.changed(np.array(delays[-1]), end)) for end in ends_of(setting)]
+        return max(delays)
+
+    def compiled_model(self) -> mujoco.MjModel:
+        """Compiled model of the task's robot on its terrain; every call returns a new copy."""
+        return build_model(self.physics_timestep, self.motor, self.ground, self.robot, max_delay=self.max_delay)
 
     @property
     def control(self) -> ControlConfig:

@@ -18,7 +18,8 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.ground import Terrain
 from quadruped_env.simulation.terrain import TERRAINS
 from quadruped_env.simulation.tiles import Tiles
-from quadruped_env.task.randomization import RANDOMIZATIONS, Randomization
+from quadruped_env.task.built_in_randomizations import RANDOMIZATIONS
+from quadruped_env.task.randomization import Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
 from quadruped_env.task.terms import RewardTerm, Termination

@@ -1,6 +1,7 @@
 """Random quantities of episodes: initial states, model parameters, commands, pushes and sensor noise."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -8,13 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env import rotations
+from quadruped_env.control.config import Range
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.simulation import Simulation, highest_ground
 from quadruped_env.task.commands import CommandSampler
 from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.draws import Draws, Purposes
-from quadruped_env.task.randomization import Event, Randomization, between, bound, is_active
+from quadruped_env.task.event import Event
+from quadruped_env.task.model_fields import ModelField, Payload, check_physical
+from quadruped_env.task.randomization import Randomization, SensorError, between, bound, ends_of, is_active
+from quadruped_env.task.sensors import Quantity, Sensors
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -38,6 +43,24 @@ class _Active:
         self.apply(event, self.randomization.values(draws[:, self.columns], self.setting))
 
 
+@dataclass(frozen=True, slots=True)
+class _Recurring:
+    """A randomization that repeats within an episode."""
+
+    active: _Active
+    purposes: Purposes
+    interval: Range
+    duration: Range | None
+    due: NDArray[np.int64]
+    """Control step at which it applies next, (N,)."""
+    until: NDArray[np.int64]
+    """Control step at which what was applied ends; 0 if nothing lasts, (N,)."""
+
+    @property
+    def name(self) -> str:
+        return self.active.randomization.name
+
+
 class Randomizer:
     """Applies the randomizations of a task, and samples its commands and observation noise.
 
@@ -55,6 +78,9 @@ class Randomizer:
         self._commands = CommandSampler(config.definition.commands, config.command)
         active = [r for r in config.definition.randomizations if is_active(config.randomization[r.name])]
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
+        self.sensors = _sensors(simulation, config, active)
+        """Errors of the sensors; None if they have none."""
+        self._check(starting)
         starts = Purposes({r.name: r.draws(robot) for r in starting})
         self._at_start = (
             starts + Purposes({"phase": 1, **{f"{r.name}/interval": 1 for r in recurring}}) + self._commands.purposes
@@ -63,19 +89,30 @@ class Randomizer:
             self._at_start.slices["command/kind"].start, self._at_start.slices["command/interval"].stop
         )
         self._starts = [self._bound(r, starts) for r in starting]
-        self._events = []
+        self._recurring: list[_Recurring] = []
         self.memory = EpisodeMemory(control.num_envs)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
         """Control step of the episode at which the next command is drawn, (N,)."""
         for r in recurring:
-            purposes = Purposes({r.name: r.draws(robot), f"{r.name}/interval": 1})
-            due = self.memory.zeros(f"{r.name}_due", dtype=np.int64)
+            lasting = {} if r.duration is None else {f"{r.name}/duration": 1}
+            purposes = Purposes({r.name: r.draws(robot), f"{r.name}/interval": 1, **lasting})
+            due, until = (self.memory.zeros(f"{r.name}_{which}", dtype=np.int64) for which in ("due", "until"))
             assert r.interval is not None
-            self._events.append((self._bound(r, purposes), purposes, config.randomization[r.interval[0]], due))
+            interval = config.randomization[r.interval[0]]
+            duration = None if r.duration is None else config.randomization[r.duration[0]]
+            self._recurring.append(_Recurring(self._bound(r, purposes), purposes, interval, duration, due, until))
         names = {"start_joint_position", "start_tilt"}
         self._clearance = _START_CLEARANCE if any(r.name in names for r in active) else 0.0
-        self._noise_amplitude = config.randomization.observation_noise * control.layout.noise
-        self._noise = Purposes({"observation_noise": control.layout.width})
+        amplitudes, layout = config.randomization.noise_amplitude, control.layout
+        amplitude = np.zeros(layout.width)
+        for name, columns in layout.slices.items():
+            amplitude[columns] = amplitudes[name]
+        self._noisy = np.flatnonzero(amplitude)
+        self._noise_amplitude = config.randomization.observation_noise * amplitude[self._noisy]
+        # A draw is a hash of its column, so that leaving some out does not change the others.
+        self._noise = Purposes({"observation_noise": layout.width})
+        self._noise.constants = self._noise.constants[self._noisy]
+        self._noise_values = np.zeros((control.num_envs, layout.width))
 
     def _bound(self, randomization: Randomization, purposes: Purposes) -> _Active:
         return _Active(
@@ -84,6 +121,17 @@ class Randomizer:
             self._config.randomization[randomization.name],
             purposes.slices[randomization.name],
         )
+
+    def _check(self, starting: list[Randomization]) -> None:
+        """Check that the ranges of the model's fields leave a model that is physically possible."""
+        fields = [
+            (r.name, part, ends_of(self._config.randomization[r.name]))
+            for r in starting
+            for part in (r.apply if isinstance(r.apply, tuple) else (r.apply,))
+            if isinstance(part, (ModelField, Payload))
+        ]
+        units = {r.name: r.unit for r in starting}
+        check_physical(fields, self._simulation, units.__getitem__)
 
     def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None) -> Floats:
         """Set some envs (R,) to random initial states, and return their commands (R, C).
@@ -101,7 +149,11 @@ class Randomizer:
             qpos=np.zeros((len(env_ids), robot.num_positions)),
             qvel=np.zeros((len(env_ids), robot.num_velocities)),
             tilt=np.zeros((len(env_ids), 3)),
+            sensors=self.sensors,
         )
+        self._simulation.restore_model_fields(env_ids)
+        if self.sensors is not None:
+            self.sensors.memory.clear(env_ids)
         event.qpos[:, 2] = robot.stance_height + self._clearance
         event.qpos[:, 7:] = robot.stance
         if place is not None:
@@ -110,12 +162,16 @@ class Randomizer:
             start.carry_out(event, draws)
         event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])
         event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
+        if self.sensors is not None:
+            self.sensors.before_start(env_ids)
         self._simulation.reset(env_ids, event.qpos, event.qvel)
+        if self.sensors is not None:
+            self.sensors.after_start(env_ids)
         self.memory.clear(env_ids)
         control.reset(env_ids, math.tau * draws[:, self._at_start.slices["phase"].start])
-        for active, _, interval, due in self._events:
-            column = self._at_start.slices[f"{active.randomization.name}/interval"].start
-            due[env_ids] = self._in_steps(between(interval, draws[:, column]))
+        for entry in self._recurring:
+            column = self._at_start.slices[f"{entry.name}/interval"].start
+            entry.due[env_ids] = self._in_steps(between(entry.interval, draws[:, column]))
         command, seconds = self._commands.sample(draws[:, self._command_columns])
         self.command_due[env_ids] = self._in_steps(seconds)
         return command
@@ -129,20 +185,49 @@ class Randomizer:
 
     def within_episodes(self, running: EnvIds | None) -> None:
         """Apply the randomizations that are due at this control step, in all envs or some (R,)."""
-        for active, purposes, interval, due in self._events:
-            env_ids = np.flatnonzero(self._control.steps >= due)
-            if running is not None:
-                env_ids = np.intersect1d(env_ids, running)
+        steps = self._control.steps
+        for entry in self._recurring:
+            active, until = entry.active, entry.until
+            if entry.duration is not None:
+                env_ids = _among(np.flatnonzero((until > 0) & (steps >= until)), running)
+                if len(env_ids):
+                    until[env_ids] = 0
+                    zeros = np.zeros((len(env_ids), active.randomization.columns(self._control.robot)))
+                    active.apply(self._event(env_ids), zeros)
+            env_ids = _among(np.flatnonzero(steps >= entry.due), running)
             if len(env_ids):
-                draws = self._draws.uniform(purposes, env_ids, self._control.steps[env_ids])
-                due[env_ids] += self._in_steps(between(interval, draws[:, -1]))
-                event = Event(self._simulation, self._control.robot, env_ids, _NO_STATE, _NO_STATE, _NO_STATE)
-                active.carry_out(event, draws)
+                draws = self._draws.uniform(entry.purposes, env_ids, steps[env_ids])
+                columns = entry.purposes.slices
+                wait = between(entry.interval, draws[:, columns[f"{entry.name}/interval"].start])
+                entry.due[env_ids] += self._in_steps(wait)
+                if entry.duration is not None:
+                    seconds = between(entry.duration, draws[:, columns[f"{entry.name}/duration"].start])
+                    until[env_ids] = steps[env_ids] + self._in_steps(seconds)
+                active.carry_out(self._event(env_ids), draws)
+
+    def _event(self, env_ids: EnvIds) -> Event:
+        """Some envs (R,) within their episodes."""
+        return Event(self._simulation, self._control.robot, env_ids, _NO_STATE, _NO_STATE, _NO_STATE, self.sensors)
 
     def observation_noise(self) -> Floats:
-        """Noise on the unscaled readings (N, width); identical if called again at the same step."""
+        """Noise on the unscaled readings (N, width), the same at the same step; overwritten by the next call."""
         uniform = self._draws.uniform(self._noise, slice(None), self._control.steps)
-        return self._noise_amplitude * (2.0 * uniform - 1.0)
+        self._noise_values[:, self._noisy] = self._noise_amplitude * (2.0 * uniform - 1.0)
+        return self._noise_values
 
     def _in_steps(self, seconds: Floats) -> NDArray[np.int64]:
         return np.maximum(np.rint(seconds / self._config.control_timestep), 1.0).astype(np.int64)
+
+
+def _among(env_ids: EnvIds, running: EnvIds | None) -> EnvIds:
+    return env_ids if running is None else np.intersect1d(env_ids, running)
+
+
+def _sensors(simulation: Simulation, config: TaskConfig, active: Sequence[Randomization]) -> Sensors | None:
+    """Errors of the sensors that the active randomizations set; None if they set none."""
+    largest: dict[Quantity, float] = {}
+    for randomization in active:
+        if isinstance(randomization.apply, SensorError):
+            quantity, ends = randomization.apply.quantity, ends_of(config.randomization[randomization.name])
+            largest[quantity] = max(largest.get(quantity, 0.0), *ends)
+    return Sensors(simulation, config.control_timestep, largest) if largest else None

@@ -166,7 +166,11 @@ def whole_entry(default: int) -> Entry:
 
 def weights_entry(name: str, defaults: Mapping[str, float]) -> Entry:
     """Field for a section with one number per name."""
-    schema = {term: Entry(default, number) for term, default in defaults.items()}
+    return section_entry(name, {term: Entry(default, number) for term, default in defaults.items()})
+
+
+def section_entry(name: str, schema: Schema) -> Entry:
+    """Field for a section within the section."""
     return Entry(Section(name, schema, {}), lambda value, path: Section(name, schema, value))
 
 
@@ -183,16 +187,20 @@ def range_entry(default: tuple[float, float] | None, parameter: Parameter, optio
     return Entry(default, convert, parameter.unit)
 
 
-def amplitude_entry(default: float, unit: str) -> Entry:
-    """Field for a pair (low, high), a number x, 0 or more, that stands for (-x, x), or None."""
+def amplitude_entry(default: float, unit: str, parameter: Parameter) -> Entry:
+    """Field for a pair (low, high), a number x, 0 or more, that stands for (-x, x), or None; each end is checked."""
 
     def convert(value: Any, path: str) -> float | tuple[float, float] | None:
         if value is None:
             return None
         if isinstance(value, (list, tuple)):
-            return pair(value, path)
+            low, high = pair(value, path)
+            check(parameter.accepts(low) and parameter.accepts(high), _field(path), (low, high), parameter.rule())
+            return low, high
         converted = number(value, path)
         check(converted >= 0, _field(path), converted, "at least 0" if unit == "1" else f"at least 0 ({unit})")
+        valid = parameter.accepts(converted) and parameter.accepts(-converted)
+        check(valid, _field(path), converted, f"an amplitude x with x and -x {parameter.rule()}")
         return converted
 
     return Entry(default, convert, unit)

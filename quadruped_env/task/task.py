@@ -228,7 +228,9 @@ class Task:
     def _move(self, target: Floats, restart: NDArray[np.bool_] | None = None) -> Transition:
         """Simulate one control step, compute its results, and prepare the next step."""
         running = None if restart is None else np.flatnonzero(~restart)
-        self.simulation.step(target, self.config.decimation, running)
+        sensors = self._randomizer.sensors
+        ctrl = target if sensors is None else sensors.joint_target(target)
+        self.simulation.step(ctrl, self.config.decimation, running)
         self.context.update()
         diverged = self.simulation.diverged()
         terminated = self._terminations(self.context, diverged)
@@ -258,7 +260,9 @@ class Task:
     def observe(self) -> NDArray[np.float32]:
         """Observations (N, width) of all envs in a new array."""
         noise = self._randomizer.observation_noise() if self._noise else None
-        return self.control.observe(self.simulation.readings, noise)
+        sensors = self._randomizer.sensors
+        readings = self.simulation.readings if sensors is None else sensors.read(self.steps)
+        return self.control.observe(readings, noise)
 
     def get_state(self, env_id: int) -> dict[str, Any]:
         """Complete state of an env: physics, episode, draws and random generator."""
@@ -280,9 +284,10 @@ class Task:
         self.simulation.set_state(env_id, state["simulation"])
 
     def _parts(self) -> dict[str, EpisodeMemory | Draws]:
-        tiles = {} if self.tiles is None else {"tiles": self.tiles.memory}
+        sensors = self._randomizer.sensors
         return {
-            **tiles,
+            **({} if self.tiles is None else {"tiles": self.tiles.memory}),
+            **({} if sensors is None else {"sensors": sensors.memory}),
             "episode": self._memory,
             "control": self.control.memory,
             "terms": self.context.memory,

@@ -9,8 +9,9 @@ import threading
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import methodcaller
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import mujoco
 
@@ -20,7 +21,7 @@ from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
-from quadruped_env.task import RANDOM_START, CommandConfig
+from quadruped_env.task import PRESETS, CommandConfig, TaskConfig
 from quadruped_env.viewer.robot import Offered, TaskRobot, ViewedRobot
 from quadruped_env.viewer.snapshot import View, robot_view
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
@@ -32,19 +33,13 @@ MAX_PUSH: Final = 1.5
 """Maximum velocity change by a push, m/s."""
 RESTART_AFTER: Final = 2.0
 """Time after a fall until the robot restarts, s."""
-RANDOMIZATIONS: Final[dict[str, Mapping[str, Any] | None]] = {
-    "off": {},
-    "start": RANDOM_START,
-    "start, ground, payload, noise, pushes": {
-        **RANDOM_START,
-        "friction": (0.4, 1.2),
-        "payload": (0.0, 1.0),
-        "push_velocity": 0.4,
-        "observation_noise": 1.0,
-    },
-    "as trained": None,
+START: Final = "start"
+RANDOMIZATIONS: Final[dict[str, Callable[[TaskConfig], TaskConfig]]] = {
+    "off": TaskConfig.without_randomization,
+    **{START if preset == "none" else preset: methodcaller("randomized", preset) for preset in PRESETS},
+    "as trained": lambda config: config,
 }
-"""Name -> settings of the built-in randomizations that are on; None is the source's own randomization."""
+"""Name -> function that gives a source's task this randomization."""
 
 _MAX_LAG: Final = 0.25
 """Maximum playback time that is caught up after a delay, s; the rest is skipped."""
@@ -78,6 +73,7 @@ class ViewController:
         results: directory for recordings.
         robot: description of the robots.
         terrain: ground of all simulated robots; None: that of the first robot's task.
+        randomization: initial randomization, a key of `RANDOMIZATIONS`.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit the robot.
@@ -90,6 +86,7 @@ class ViewController:
         results: Path = RESULTS,
         robot: Robot = MINI_QUADRUPED,
         terrain: Terrain | None = None,
+        randomization: str = "off",
     ) -> None:
         if not 1 <= len(chosen) <= MAX_ROBOTS:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
@@ -107,7 +104,7 @@ class ViewController:
         self._speed = 1.0
         self._command: Command = (0.0, 0.0)
         self._watched = 0
-        self._randomization = next(iter(RANDOMIZATIONS))
+        self._randomization = randomization
         self.restart_after_fall = True
         self._take: Take | None = None
         self._terrain = terrain

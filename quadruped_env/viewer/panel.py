@@ -176,7 +176,7 @@ class Panel:
     def _add_randomization(self) -> None:
         gui = self._server.gui
         with gui.add_folder("Episodes"):
-            choice = gui.add_dropdown("Randomize", tuple(RANDOMIZATIONS))
+            choice = gui.add_dropdown("Randomize", tuple(RANDOMIZATIONS), initial_value=self._controller.randomization)
             restart = gui.add_checkbox("Stand up after a fall", self._controller.restart_after_fall)
         self._on(choice, lambda: self._controller.set_randomization(choice.value))
         self._on(restart, lambda: setattr(self._controller, "restart_after_fall", restart.value))

@@ -1,9 +1,9 @@
 """One robot of the viewer: its source, its task, and its recent history."""
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final, Protocol
+from typing import Final, Protocol
 
 import mujoco
 import numpy as np
@@ -16,8 +16,8 @@ from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import SingleSimulation, Terrain, build_model
-from quadruped_env.task import BUILT_IN, Task, Transition
+from quadruped_env.simulation import SingleSimulation, Terrain
+from quadruped_env.task import BUILT_IN, Task, TaskConfig, Transition
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 HISTORY_SECONDS: Final = 5.0
@@ -101,7 +101,7 @@ class TaskRobot:
 
     Args:
         source: its controller.
-        randomization: settings of the built-in randomizations that are on, in place of the source's own randomization.
+        randomization: function that gives the source's task another randomization.
         robot: its description.
         terrain: replaces the source's own terrain.
 
@@ -112,7 +112,7 @@ class TaskRobot:
     def __init__(
         self,
         source: ControllerSpec,
-        randomization: Mapping[str, Any] | None = None,
+        randomization: Callable[[TaskConfig], TaskConfig] | None = None,
         robot: Robot = BUILT_IN.robot,
         terrain: Terrain | None = None,
     ) -> None:
@@ -123,12 +123,12 @@ class TaskRobot:
         if config.robot != robot:
             raise QuadrupedError(f"{source.name}: is for {config.robot!r}; the viewer shows {robot!r}")
         if randomization is not None:
-            config = config.without_randomization(randomization)
+            config = randomization(config)
         self._controller = controller
         if terrain is not None:
             config = config.on_terrain(terrain, terrain.seed)
         self.terrain = config.ground
-        model = build_model(config.physics_timestep, config.motor, self.terrain, robot)
+        model = config.compiled_model()
         self._simulation = SingleSimulation(model, robot)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names

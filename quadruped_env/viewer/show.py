@@ -11,7 +11,7 @@ from quadruped_env.policies import find_controllers
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.viewer.access import page_address
-from quadruped_env.viewer.controller import Command, ViewController
+from quadruped_env.viewer.controller import START, Command, ViewController
 from quadruped_env.viewer.panel import Panel
 from quadruped_env.viewer.plots import Plots
 from quadruped_env.viewer.scene import Scene
@@ -142,6 +142,7 @@ def open_show(
     results: Path = RESULTS,
     task_file: Path | None = None,
     terrain: str | Terrain | None = None,
+    randomization: str | None = None,
 ) -> Show:
     """Open a show of the requested sources, ready to run.
 
@@ -154,6 +155,7 @@ def open_show(
         results: directory for recordings.
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
         terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
+        randomization: preset of the episodes' randomization; None: every episode starts at rest in the stance.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -163,7 +165,8 @@ def open_show(
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
     sources, chosen = find_controllers(asked, task_file=task_file)
-    controller = ViewController(sources, chosen, results, definition.robot, ground)
+    randomized = {None: "off", "none": START}.get(randomization, randomization)
+    controller = ViewController(sources, chosen, results, definition.robot, ground, str(randomized))
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

@@ -85,7 +85,7 @@ def test_a_copy_taken_within_an_episode_continues_identically(mode, duplicate):
 @pytest.mark.parametrize("mode", ACTION_MODES)
 def test_a_restored_single_environment_continues_identically(mode):
     # A small tilt limit, so that some episodes end by a fall.
-    config = ROUGH | {"termination": {"max_tilt": 0.2}}
+    config = ROUGH | {"termination": {"max_tilt": 0.15}}
     env, fresh = (make(action_mode=mode, config=config, disable_env_checker=True).unwrapped for _ in range(2))
     env.reset(seed=4)
     play(env, 33)

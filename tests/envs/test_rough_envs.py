@@ -161,7 +161,7 @@ def test_sb3_environment_has_the_same_curriculum():
     env.reset(), native.reset(seed=2)
     rng = np.random.default_rng(0)
     seen = []
-    for _ in range(150):
+    for _ in range(300):
         action = rng.uniform(-1, 1, (5, 8)).astype(np.float32)
         env.step(action), native.step(action)
         np.testing.assert_array_equal(env.task.tiles.level, native.task.tiles.level)

@@ -7,7 +7,7 @@ from comparisons import random_policy
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.episode import record
 from quadruped_env.policies import ControllerSpec, PolicyController
-from quadruped_env.task import BUILT_IN, RANDOM_START, TaskConfig, load_task_file
+from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file, preset_values
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.controller import RANDOMIZATIONS
 
@@ -54,7 +54,7 @@ def policy(definition):
     return random_policy("residual", definition=definition)
 
 
-def test_task_without_randomization_has_every_one_off_but_those_named(own):
+def test_task_without_randomization_has_every_one_off_and_a_preset_those_of_the_user(own):
     config = TaskConfig.from_dict({"task_file": own.file.to_dict(), "randomization": {"observation_noise": 1.0}}, own)
     assert config.randomization.kick == (0.3, 0.5)
     off = config.without_randomization().randomization
@@ -62,12 +62,13 @@ def test_task_without_randomization_has_every_one_off_but_those_named(own):
     assert {"body_mass", "start_position", "kick", "start_tilt", "friction"} < names
     assert {name for name in names if off[name] is not None} == set()
     assert off.observation_noise == 0.0
-    some = config.without_randomization(
-        {**RANDOM_START, "friction": (0.4, 0.5), "observation_noise": 0.5}
-    ).randomization
-    assert some.friction == (0.4, 0.5)
-    assert some.observation_noise == 0.5
-    assert {name for name in names if some[name] is not None} == {"friction"} | (set(RANDOM_START) - {"start_tilt"})
+    moderate = config.randomized("moderate").randomization
+    assert (moderate.friction, moderate.observation_noise) == ((0.5, 1.1), 1.0)
+    plain = TaskConfig().randomized("moderate").randomization
+    assert [plain[name] for name in preset_values("moderate")] == [moderate[name] for name in preset_values("moderate")]
+    different = {name for name in names if moderate[name] != plain.get(name)}
+    assert different == {"start_tilt"}
+    assert moderate.start_tilt is None
 
 
 def test_recording_is_the_same_with_randomizations_of_a_user(own):

@@ -11,6 +11,7 @@ EPISODE_STEPS = 40
 ACTION_MODES = ("position", "residual")
 
 # Rough enough for falls within an episode of EPISODE_STEPS; every randomization is on.
+# 0.05 s and 0.03 s of latency are no whole numbers of control steps.
 ROUGH = {
     "command": {"resample_interval": [0.1, 0.5]},
     "termination": {"max_tilt": 0.35},
@@ -21,6 +22,26 @@ ROUGH = {
         "push_velocity": 3.0,
         "push_interval": [0.2, 0.8],
         "observation_noise": 1.0,
+        "noise_amplitude": {"joint_velocity": 0.5},
+        "link_mass": [0.8, 1.2],
+        "link_inertia": [0.8, 1.2],
+        "base_com": 0.02,
+        "payload_position": 0.05,
+        "motor_strength": [0.8, 1.2],
+        "supply_voltage": [0.85, 1.05],
+        "position_gain": [0.8, 1.2],
+        "velocity_gain": [0.8, 1.2],
+        "joint_friction": [0.0, 0.1],
+        "joint_damping": [0.5, 2.0],
+        "rotor_inertia": [0.7, 1.5],
+        "encoder_offset": 0.05,
+        "imu_mounting": 0.05,
+        "action_latency": [0.0, 0.05],
+        "observation_latency": [0.0, 0.03],
+        "push_speed": [0.5, 1.0],
+        "push_force": [5.0, 20.0],
+        "push_force_interval": [0.1, 0.4],
+        "push_force_duration": [0.05, 0.2],
     },
 }
 # Only the time limit ends an episode.

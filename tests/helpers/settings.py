@@ -23,6 +23,7 @@ def settings(
     push_velocity=None,
     push_interval=None,
     noise=None,
+    randomization=None,
 ):
     """The `config` argument of an env; None leaves a field at its default.
 
@@ -39,6 +40,7 @@ def settings(
         push_velocity: bound of a push along each axis, m/s.
         push_interval: range of the time between pushes, s.
         noise: of the observations; 1 is the full amplitude.
+        randomization: further settings, by name of the randomization.
     """
     standing, straight = (None, None) if shares is None else shares
     tilt, force = (math.pi, 1e9) if never_ends else (max_tilt, None)
@@ -60,6 +62,7 @@ def settings(
             "push_velocity": push_velocity,
             "push_interval": push_interval,
             "observation_noise": noise,
+            **(randomization or {}),
         },
     }
     config = {"decimation": 1} if fast_control else {}

@@ -11,7 +11,7 @@ from quadruped_env.control import ControlConfig, ControlInterface, ObservationLa
 from quadruped_env.envs import ENV_ID
 from quadruped_env.readings import Readings
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import (
     CommandConfig,
     RandomizationConfig,
@@ -38,7 +38,7 @@ STILL_START = RandomizationConfig(
 def make_task(rows=3, max_episode_steps=None, fixed_command=None, **config):
     """A task on the batch simulation, with every env reset."""
     task_config = TaskConfig(**config)
-    simulation = BatchSimulation(build_model(task_config.physics_timestep), rows, 1)
+    simulation = BatchSimulation(task_config.compiled_model(), rows, 1)
     task = Task(simulation, task_config, max_episode_steps)
     task.reset(np.arange(rows), list(range(rows)), fixed_command)
     return task

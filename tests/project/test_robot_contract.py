@@ -28,6 +28,7 @@ ENTRY_POINTS = {
     "simulation/model.py": "default of a public function",
     "simulation/single.py": "default of a public class",
     "task/definition.py": "robot of the built-in task",
+    "task/presets.py": "the robot for which the presets' ranges are",
     "training/gait_tuning.py": "the robot whose gaits are searched",
     "trajectory/joint_trajectory.py": "default of public methods",
     "trajectory/saving.py": "default of public options",
@@ -36,7 +37,7 @@ ENTRY_POINTS = {
 """Modules that name the built-in robot, and why."""
 
 # Constants of the package `robot` that hold neither numbers nor names of a robot.
-NEUTRAL = {"JOINT_KINDS", "ODOMETRY_FRAME"}
+NEUTRAL = {"JOINT_KINDS", "MAX_DELAY", "ODOMETRY_FRAME"}
 
 # Position of the robot among the arguments.
 NEEDS_ROBOT = {

@@ -177,7 +177,10 @@ def test_a_normal_value_has_a_quarter_of_the_width_as_deviation_and_is_clipped()
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"law": "lognormal"}, r"randomization x: law must be one of uniform, log_uniform, normal; found 'lognormal'"),
+        (
+            {"law": "lognormal"},
+            r"randomization x: law must be one of uniform, log_uniform, normal, direction; found 'lognormal'",
+        ),
         ({"width": 0}, r"randomization x: width must be 1 or more; found 0"),
         ({"default": (2.0, 1.0)}, r"randomization x: default must be .*low <= high.*found \(2.0, 1.0\)"),
         ({"default": (0.0, math.nan)}, r"randomization x: default must be .*found \(0.0, nan\)"),
@@ -219,7 +222,7 @@ def test_a_model_field_that_does_not_fit_is_refused_before_the_first_reset(field
 
 
 def test_an_unknown_mode_of_a_model_field_is_refused():
-    with pytest.raises(QuadrupedError, match=r"mode must be one of set, scale, add; found 'multiply'"):
+    with pytest.raises(QuadrupedError, match=r"mode must be one of set, scale, divide, add; found 'multiply'"):
         ModelField("body_mass", mode="multiply")
 
 
