@@ -126,7 +126,7 @@ def urdf(design: QuadrupedDimensions) -> str:
 <?xml version="1.0"?>
 <!-- Written by quadruped_env/robot/quadruped_files.py: edit the design there, not this file.
      A robot like that of the ROS 2 tutorial, with the inertia, collision and drives that it leaves out; the MJCF of the
-     same name is the same robot for MuJoCo. README.md in assets/mini_quadruped derives the built-in robot's numbers. -->
+     same name is the same robot for MuJoCo. assets/mini_quadruped/README.md derives the built-in robot's numbers. -->
 <robot name="{design.name}" xmlns:drake="http://drake.mit.edu">
   <material name="gray"><color rgba="0.5 0.5 0.5 1"/></material>
   <material name="blue"><color rgba="0.2 0.3 0.8 1"/></material>
