@@ -188,7 +188,7 @@ def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
 
 
 def _entry(policy: Policy, interface: PolicyInterface) -> dict[str, Any]:
-    """How a robot gets into the state in which the policy may start, with the numbers of the live controller."""
+    """State in which the policy may start, the way to it, and reasons to stop; numbers of the live controller."""
     safety = Safety()
     own = {entry.name for entry in interface.inputs}
     return {
