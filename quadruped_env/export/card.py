@@ -122,6 +122,7 @@ def _entry(manifest: Mapping[str, Any]) -> str:
                 f"command, hold the targets after {stop['no_reading_hold_s']:g} s without readings, and switch the "
                 f"motors off after {stop['no_reading_limp_s']:g} s, or at a tilt of {stop['tilt_rad']:g} rad."
             ),
+            _item("Check the targets before you send them: NaN in any reading makes all of them NaN."),
             _item("Test it in a simulation of your robot first, then on a stand."),
         ]
     )

@@ -18,7 +18,7 @@ from quadruped_env.export.interface import PolicyInterface
 from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, files_of, manifest
 from quadruped_env.export.results import evaluation_of
 from quadruped_env.export.runtime import largest_difference
-from quadruped_env.files import whole, write_json
+from quadruped_env.files import unwritable, whole, write_json
 from quadruped_env.policies import Policy
 from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.video import prepare_video, save_film
@@ -93,8 +93,11 @@ def check_output(output: Path, overwrite: bool = False) -> None:
     Raises:
         QuadrupedError: if something else is there, or an export and `overwrite` is false.
     """
-    if not os.path.lexists(output) or (output.is_dir() and not any(output.iterdir())):
-        return
+    try:
+        if not os.path.lexists(output) or (output.is_dir() and not any(output.iterdir())):
+            return
+    except OSError as error:
+        raise unwritable(output, error) from error
     if not output.is_dir() or not _is_export(output):
         raise QuadrupedError(f"{output}: exists already and is not an exported policy; name another place")
     if not overwrite:

@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 import pytest
+import second_robot
 from comparisons import TINY, random_policy
 from paths import ROOT
 
@@ -18,8 +19,9 @@ from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.folder import export_policy
-from quadruped_env.policies import find_controller, load_policy
+from quadruped_env.policies import Policy, find_controller, load_policy
 from quadruped_env.reporting.pages.evaluation_report import write_report
+from quadruped_env.task import ActionConfig, TaskConfig
 
 FILES = {"README.md", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors", "robot.urdf", "robot.xml"}
 
@@ -327,6 +329,24 @@ def test_folder_is_a_controller_like_a_run(flat):
     controller = find_controller(str(flat.folder)).make()
     assert controller.action_mode == "residual"
     np.testing.assert_array_equal(controller.policy.weights[0], load_policy("flat").weights[0])
+
+
+@pytest.mark.parametrize("mode", ["residual", "position"])
+def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_path, capsys):
+    (tmp_path / "my_robot.py").write_text("from second_robot import ROBOT\n")
+    policy = random_policy(mode)
+    task = TaskConfig(action=ActionConfig(mode=mode)).for_robot(second_robot.ROBOT)
+    Policy(policy.weights, policy.biases, policy.activation, task, policy.card).save(tmp_path / "run")
+    assert main(["export", str(tmp_path / "run")]) == 2
+    assert "--task FILE" in capsys.readouterr().err
+    assert main(["export", str(tmp_path / "run"), "--task", str(tmp_path / "my_robot.py")]) == 0
+    folder = tmp_path / "run" / "export"
+    document = json.loads((folder / "manifest.json").read_text())
+    assert document["robot"]["joints"][:3] == ["RH_hip_joint", "RH_knee_joint", "LF_hip_joint"]
+    assert (document["residual_gait"] is None) == (mode == "position")
+    assert {joint["kp_n_m_rad"] for joint in document["joints"]} == {70.0, 60.0}
+    assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
+    assert "70 N m/rad and 1.5 N m s/rad" in (folder / "README.md").read_text()
 
 
 def test_page_has_the_front_matter_of_a_hub_and_names_every_file(flat):

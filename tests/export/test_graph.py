@@ -179,6 +179,43 @@ def test_symmetric_policy_stays_symmetric_in_the_graph():
     assert np.abs(other["action"] - one["action"][:, joints]).max() > 0.05
 
 
+@pytest.mark.parametrize("symmetric", [True, False])
+def test_graph_of_a_training_is_torchs_policy(symmetric):
+    """From SB3's own network, of which a symmetric policy runs two mirrored copies, over the saved policy to ONNX."""
+    import torch
+
+    from quadruped_env.envs import make_sb3_vec_env
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import export_policy, make_model
+
+    torch.manual_seed(0)
+    config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
+    env = make_sb3_vec_env(2, seed=0, action_mode="residual")
+    model = make_model(config, env)
+    with torch.no_grad():
+        for parameter in model.policy.parameters():
+            parameter.add_(0.1 * torch.randn_like(parameter))
+    policy = export_policy(model, env.task.config, config.activation, {})
+    readings, command, phase, last_action = random_states(policy)
+    observation = control_of(policy, command, phase, last_action).observe(readings)
+    with torch.no_grad():
+        mean = model.policy.get_distribution(torch.from_numpy(observation)).distribution.mean.clamp(-1.0, 1.0).numpy()
+    found = runtime.run(session_of(policy), graph_inputs(readings, command, phase, last_action))
+    np.testing.assert_allclose(found["action"], mean, rtol=0, atol=TOLERANCE)
+    assert PolicyInterface(policy).is_symmetric() == symmetric
+    assert (np.abs(mean) < 1.0).mean() > 0.5
+
+
+@pytest.mark.parametrize("name", ["projected_gravity", "joint_position", "joint_velocity", "command", "gait_phase"])
+def test_reading_that_is_nan_gives_nan_targets(name):
+    policy = load_policy("flat")
+    inputs = graph_inputs(*random_states(policy, 4))
+    inputs[name][2] = np.nan
+    found = runtime.run(session_of(policy), inputs)
+    assert np.isnan(found["joint_target"][2]).all()
+    assert np.isfinite(found["joint_target"][[0, 1, 3]]).all()
+
+
 TERMS = """
 from quadruped_env.task import Command, observation
 

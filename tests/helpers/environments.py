@@ -10,9 +10,10 @@ NUM_ENVS = 6
 EPISODE_STEPS = 40
 ACTION_MODES = ("position", "residual")
 
-# Rough enough for falls within an episode of EPISODE_STEPS; every randomization is on.
+# Rough enough for falls within an episode of EPISODE_STEPS; every randomization and every reward term is on.
 ROUGH = {
     "command": {"resample_interval": [0.1, 0.5]},
+    "reward": {"weights": {"electrical_power": -0.002}},
     "termination": {"max_tilt": 0.35},
     "randomization": {
         "start_tilt": 0.2,
