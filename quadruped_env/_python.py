@@ -23,6 +23,7 @@ SCRIPTS = {
     "evaluate": "evaluate/policy.py",
     "compare": "evaluate/compare.py",
     "baseline": "evaluate/baseline.py",
+    "export": "evaluate/export.py",
     "view": "evaluate/view.py",
     "replay": "evaluate/replay.py",
     "convert": "evaluate/convert.py",

@@ -120,10 +120,12 @@ class PolicyController:
         """See `Controller.act`.
 
         Raises:
-            QuadrupedError: if the policy is for another robot, or its actions have another meaning in this task.
+            QuadrupedError: if the policy is for another robot, or its actions or observations have another meaning in
+                this task.
         """
         if control.config is not self._checked:
             check_same_robot(self.policy.robot.identity, control.robot)
             self.policy.check_control(control.config)
+            self.policy.check_observations(control.layout)
             self._checked = control.config
         return control.joint_target(self.policy.predict(observation).astype(np.float64))

@@ -114,8 +114,8 @@ class LiveController:
         robot: the robot that is driven. None: that of the policy, or the built-in one for other controllers.
 
     Raises:
-        QuadrupedError: if the controller's policy is for another robot, or observes something that the robot does not
-            measure.
+        QuadrupedError: if the controller's policy is for another robot, its actions have another meaning with this
+            config, or it observes something that the robot does not measure.
     """
 
     def __init__(
@@ -133,6 +133,9 @@ class LiveController:
             check_same_robot(policy.robot.identity, robot)
         if config is None:
             config = ControlConfig() if policy is None else policy.control
+        if policy is not None:
+            # Here, not when it acts: by then the robot would be on its feet.
+            policy.check_control(config)
         self.safety = safety or Safety()
         self.mode = Mode.WAITING
         self._say = say

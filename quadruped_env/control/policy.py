@@ -111,6 +111,22 @@ class Policy:
                     f"make its own with policy.make_env()"
                 )
 
+    def check_observations(self, layout: ObservationLayout) -> None:
+        """Check that a task's observations are those that the policy was trained on.
+
+        Raises:
+            QuadrupedError: if a field is missing or another one, or differs in its width, unit, scale or bounds.
+        """
+        expected, found = ObservationLayout(self.robot, self.fields).document(), layout.document()
+        if expected != found:
+            own, other = ([entry["name"] for entry in fields] for fields in (expected, found))
+            differing = [a["name"] for a, b in zip(expected, found, strict=False) if a != b]
+            what = f"has {', '.join(other)}" if own != other else f"differs in {', '.join(differing)}"
+            raise QuadrupedError(
+                f"policy: it was trained on the observations {', '.join(own)}, and this environment {what}; make its "
+                f"own with policy.make_env()"
+            )
+
     def save(self, directory: Path) -> None:
         """Write the policy's two files into a directory.
 

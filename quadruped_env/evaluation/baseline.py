@@ -29,8 +29,10 @@ SHOWN: Final = (
     "forward_velocity",
     "yaw_rate",
     "distance",
-    "cost_of_transport",
-    "mean_power",
+    "electrical_cost_of_transport",
+    "mechanical_cost_of_transport",
+    "electrical_power",
+    "mechanical_power",
     "stride_frequency",
     "foot_slip",
     "peak_torque",
@@ -62,10 +64,11 @@ class Baseline:
 
     def table(self) -> str:
         """The metrics as a plain-text table."""
+        width = max(len(METRICS[name].label) for name in SHOWN)
         lines = [
             f"{self.preset}: {self.rate:g} commands per second for {self.commands.duration:g} s, "
             f"{len(self.seeds)} random starts",
-            f"{'':<20}{'mean':>10}  {'95 % interval':<20}{'limit'}",
+            f"{'':<{width}}{'mean':>10}  {'95 % interval':<20}{'limit'}",
         ]
         for name in SHOWN:
             metric, estimate = METRICS[name], self.estimate(name)
@@ -76,9 +79,8 @@ class Baseline:
             limit = "" if most is None else f"{most:g} {metric.unit}"
             if most is not None and estimate.mean > most:
                 limit += ", exceeded"
-            lines.append(
-                f"{metric.label:<20}{metric.show(estimate.mean):>10}  {f'{interval} {metric.unit}':<20}{limit}".rstrip()
-            )
+            spread = f"{interval} {metric.unit}"
+            lines.append(f"{metric.label:<{width}}{metric.show(estimate.mean):>10}  {spread:<20}{limit}".rstrip())
         violations = self.gait.violations()
         lines.append("Within the joint limits." if not violations else "Exceeds the joint limits:")
         lines += [f"  {violation}" for violation in violations]

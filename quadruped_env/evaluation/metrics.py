@@ -17,7 +17,7 @@ from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import yaw
-from quadruped_env.task.quantities import mechanical_power
+from quadruped_env.task.quantities import electrical_power, mechanical_power
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -80,10 +80,26 @@ METRICS: Final[dict[str, Metric]] = {
     "distance": Metric("Distance", "m", "travelled forwards by the end of the episode, or by the fall"),
     "lateral_drift": Metric("Lateral drift", "m/m", "metres sideways per metre ahead, on straight commands", 3, True),
     "heading_drift": Metric("Heading drift", "rad/s", "change of heading over time, on straight commands", 3, True),
-    "cost_of_transport": Metric(
-        "Cost of transport", "", "motor power / (weight x speed); undefined for a robot that stands", 2, True
+    "electrical_cost_of_transport": Metric(
+        "Electrical cost of transport",
+        "",
+        "electrical power / (weight x speed); undefined for a robot that stands",
+        2,
+        True,
     ),
-    "mean_power": Metric("Motor power", "W", "mean positive mechanical power; braking recovers no energy", 1, True),
+    "mechanical_cost_of_transport": Metric(
+        "Mechanical cost of transport",
+        "",
+        "mechanical power / (weight x speed); undefined for a robot that stands",
+        2,
+        True,
+    ),
+    "electrical_power": Metric(
+        "Electrical power", "W", "mean of the mechanical power and the heat in the motors' windings", 1, True
+    ),
+    "mechanical_power": Metric(
+        "Mechanical power", "W", "mean positive power of the motors; braking recovers no energy", 1, True
+    ),
     "peak_torque": Metric(
         "Peak torque", "N m", "largest of any joint", 1, True, lambda robot: float(robot.effort_limit.max())
     ),
@@ -114,7 +130,9 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
     heading = heading_of(r.orientation)
     speed = masked_mean(forward, counted)
     hips = [joints[0] for joints in r.robot.leg_joints]
-    power = masked_mean(mechanical_power(r.joint_torque, r.joint_velocity), counted)
+    coefficient = r.motors.joule_coefficients(r.robot.joint_names)
+    electrical = masked_mean(electrical_power(r.joint_torque, r.joint_velocity, coefficient), counted)
+    mechanical = masked_mean(mechanical_power(r.joint_torque, r.joint_velocity), counted)
     return {
         "fall_rate": r.fallen * 1.0,
         "forward_velocity_error": tracking_error(forward, command[:, 0], counted, dt),
@@ -124,8 +142,10 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "distance": distance(forward, r.valid, dt),
         "lateral_drift": np.where(straight, lateral_drift(r.base_position, heading, counted, dt), np.nan),
         "heading_drift": np.where(straight, heading_drift(heading, counted, dt), np.nan),
-        "cost_of_transport": cost_of_transport(power, speed, r.robot.total_mass),
-        "mean_power": power,
+        "electrical_cost_of_transport": cost_of_transport(electrical, speed, r.robot.total_mass),
+        "mechanical_cost_of_transport": cost_of_transport(mechanical, speed, r.robot.total_mass),
+        "electrical_power": electrical,
+        "mechanical_power": mechanical,
         "peak_torque": peak(r.joint_torque, counted),
         "peak_joint_speed": peak(r.joint_velocity, counted),
         "joint_acceleration": joint_acceleration(r.joint_velocity, counted, dt),
@@ -254,10 +274,11 @@ def heading_drift(heading: Floats, counted: Mask, dt: float) -> Floats:
 
 
 def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
-    """Mean positive mechanical power / (m g |mean forward speed|), no unit, (N,).
+    """Mean power / (m g |mean forward speed|), no unit, (N,); NaN below `STANDING_SPEED`.
 
-    Defined as in Collins et al. 2005 (https://doi.org/10.1126/science.1107799): mechanical work only, without the
-    losses in electronics and motor windings. NaN below `STANDING_SPEED`.
+    Collins et al. 2005 (https://doi.org/10.1126/science.1107799) distinguish the mechanical cost, of the positive work
+    of the motors, and the energetic one, of all power that the robot draws. The electrical cost here is that of the
+    motors: their positive work and the heat in their windings, without electronics.
 
     Args:
         power: W (N,).

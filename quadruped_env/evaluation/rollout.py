@@ -11,6 +11,7 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
+from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
@@ -31,6 +32,8 @@ class Rollout(CommandedTrace):
     """
 
     controller: str
+    motors: MotorConfig
+    """Motors that moved the robot"""
     seeds: NDArray[np.int64]
     """Seed of each episode (N,)"""
     valid: Flag
@@ -129,6 +132,7 @@ def roll_out(
             break
     return recorder.trace(
         controller=controller.name,
+        motors=config.motor,
         timestep=config.control_timestep,
         command=np.broadcast_to(command, (steps, *command.shape)),
         seeds=seed,

@@ -207,8 +207,6 @@ def _against(comparison: Comparison, other: str) -> str:
 
 def _effort(comparison: Comparison) -> str:
     motion = "forwards" if comparison.conditions("forwards") else None
-    cost = comparison.estimate("policy", "cost_of_transport", motion).mean
-    tuned = comparison.estimate("tuned", "cost_of_transport", motion).mean
     largest = {
         name: float(np.nanmax(comparison.values["policy"][name], initial=0.0))
         for name in ("peak_torque", "peak_joint_speed")
@@ -218,10 +216,14 @@ def _effort(comparison: Comparison) -> str:
         for name, value in largest.items()
     )
     words = f"peaks of {peaks} in any joint"
-    if math.isnan(cost):
-        return f"{words}."
-    against = "" if math.isnan(tuned) else f" (tuned gait {tuned:.2f})"
-    return f"cost of transport {cost:.2f}{against}; {words}."
+    costs = []
+    for kind in ("electrical", "mechanical"):
+        name = f"{kind}_cost_of_transport"
+        cost, tuned = (comparison.estimate(who, name, motion).mean for who in ("policy", "tuned"))
+        against = "" if math.isnan(tuned) else f" (tuned gait {tuned:.2f})"
+        if not math.isnan(cost):
+            costs.append(f"{kind} cost of transport {cost:.2f}{against}; ")
+    return f"{''.join(costs)}{words}."
 
 
 def _percent(share: float, digits: int = 0) -> str:

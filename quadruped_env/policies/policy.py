@@ -13,6 +13,7 @@ from quadruped_env.control import by_name
 from quadruped_env.control import policy as control_policy
 from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import Controller, PolicyController
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError
@@ -83,16 +84,23 @@ class Policy(control_policy.Policy):
         return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **self._task_arguments(kwargs), **kwargs)
 
     def check_env(self, env: Any) -> None:
-        """Check that actions have the same meaning in an environment as in training.
+        """Check that actions and observations have the same meaning in an environment as in training.
 
         Args:
-            env: an environment of this package, with or without wrappers.
+            env: an environment of this package, with or without wrappers, or a vector environment with a list of such
+                environments (`gymnasium.vector.SyncVectorEnv`, SB3's `DummyVecEnv`).
 
         Raises:
-            QuadrupedError: if its robot, action mode, action scale, control rate or gait clock differs from the
-                policy's.
+            QuadrupedError: if its robot, action mode, action scale, control rate, gait clock or observations differ
+                from the policy's.
         """
-        task = getattr(getattr(env, "unwrapped", env), "task", None)
+        inner = getattr(env, "unwrapped", env)
+        task = getattr(inner, "task", None)
+        members = getattr(inner, "envs", None)
+        if task is None and isinstance(members, (list, tuple)) and members:
+            for member in members:
+                self.check_env(member)
+            return
         if not isinstance(task, Task):
             raise QuadrupedError(
                 f"policy: {env!r} is not an environment of this package; make one with policy.make_env()"
@@ -100,14 +108,15 @@ class Policy(control_policy.Policy):
         self.check_task(task.config)
 
     def check_task(self, config: TaskConfig) -> None:
-        """As `check_env`, for the config of a task. Fields that do not change the meaning of an action may differ.
+        """As `check_env`, for the config of a task. Fields that do not change these meanings may differ.
 
         Raises:
-            QuadrupedError: if the robot, action mode, action scale, control rate or gait clock differs from the
-                policy's.
+            QuadrupedError: if the robot, action mode, action scale, control rate, gait clock or observations differ
+                from the policy's.
         """
         check_same_robot(self.robot.identity, config.robot)
         self.check_control(config.control)
+        self.check_observations(ObservationLayout(config.robot, config.definition.observations))
 
     def _task_arguments(self, kwargs: dict[str, Any]) -> dict[str, Any]:
         for name in ("action_mode", "config", "task_file", "robot"):

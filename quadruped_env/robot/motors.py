@@ -1,6 +1,7 @@
 """Motor parameters: those of the model file, or those identified on a robot."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, Final
 
@@ -13,6 +14,10 @@ from quadruped_env.errors import QuadrupedError, short
 
 VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
+
+GEAR_RATIO: Final = 100.0
+"""Turns of a rotor per turn of its joint; only the rotor's inertia at the joint matters
+(assets/mini_quadruped/README.md)."""
 
 MAX_DELAY: Final = 0.5
 """Maximum delay, s."""
@@ -48,6 +53,26 @@ class JointMotor(PlainFields):
         for entry in fields(self):
             _check(entry.name, getattr(self, entry.name), positive=entry.name in _POSITIVE)
 
+    @property
+    def torque_constant(self) -> float:
+        """Torque per current, and voltage per speed, at the joint: K in N m/A = V s/rad."""
+        return VOLTAGE / self.no_load_speed
+
+    @property
+    def resistance(self) -> float:
+        """Resistance of the winding, R in Ohm: at rest the supply drives the stall torque's current through it."""
+        return self.torque_constant * VOLTAGE / self.stall_torque
+
+    @property
+    def joule_coefficient(self) -> float:
+        """Heat in the winding per squared torque, R / K^2 in W/(N m)^2; it does not depend on the supply voltage."""
+        return self.resistance / self.torque_constant**2
+
+    @property
+    def rotor_inertia(self) -> float:
+        """Inertia of the rotor about its own axis, before the gear, kg m^2."""
+        return self.armature / GEAR_RATIO**2
+
 
 @dataclass(frozen=True)
 class MotorConfig(PlainFields):
@@ -68,6 +93,10 @@ class MotorConfig(PlainFields):
         """The motor of a joint."""
         motor: JointMotor = getattr(self, kind_of_joint(name))
         return motor
+
+    def joule_coefficients(self, joint_names: Sequence[str]) -> NDArray[np.float64]:
+        """Heat in each joint's winding per squared torque (J,), W/(N m)^2."""
+        return np.array([self.of_joint(name).joule_coefficient for name in joint_names])
 
     def write(self, spec: mujoco.MjSpec, max_delay: float | None = None) -> None:
         """Set these motors in a robot's specification.

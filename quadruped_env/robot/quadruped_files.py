@@ -5,7 +5,7 @@ assets/mini_quadruped/README.md explains the choices for motors, contacts, senso
 
 from collections.abc import Iterable, Sequence
 
-from quadruped_env.robot.motors import JOINT_KINDS, VOLTAGE, JointMotor
+from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE, JointMotor
 from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
 
 
@@ -120,13 +120,14 @@ mass="0" rgba="0.9 0.4 0.1 0.4"/>
 
 
 def urdf(design: QuadrupedDimensions) -> str:
-    """The robot for ROS: links, joints, limits, inertia and collision."""
+    """The robot for ROS and other simulators: links, joints, limits, inertia, collision, and its drives."""
+    joints = design.joint_names
     return f"""\
 <?xml version="1.0"?>
 <!-- Written by quadruped_env/robot/quadruped_files.py: edit the design there, not this file.
-     A robot like that of the ROS 2 tutorial, with the inertia and collision that it leaves out; the MJCF of the same
-     name is the same robot for MuJoCo. README.md in assets/mini_quadruped derives the built-in robot's numbers. -->
-<robot name="{design.name}">
+     A robot like that of the ROS 2 tutorial, with the inertia, collision and drives that it leaves out; the MJCF of the
+     same name is the same robot for MuJoCo. assets/mini_quadruped/README.md derives the built-in robot's numbers. -->
+<robot name="{design.name}" xmlns:drake="http://drake.mit.edu">
   <material name="gray"><color rgba="0.5 0.5 0.5 1"/></material>
   <material name="blue"><color rgba="0.2 0.3 0.8 1"/></material>
   <material name="black"><color rgba="0.1 0.1 0.1 1"/></material>
@@ -134,6 +135,19 @@ def urdf(design: QuadrupedDimensions) -> str:
 {_urdf_link("base_link", f'box size="{numbers(*design.base_size)}"', "gray", design.base_mass, design.base_inertia)}
 
 {(chr(10) * 2).join(_urdf_leg(design, leg) for leg in design.leg_names)}
+
+  <!-- Drives, for Drake. Inertia of a rotor at its joint: rotor_inertia * gear_ratio^2, kg m^2. -->
+{_join(_transmission(name, _motor(design, name)) for name in joints)}
+
+  <!-- The same drives for ros2_control; put the plugin of your hardware or simulator in place of the mock. kp (N m/rad)
+       and kd (N m s/rad) are the gains of the position servo, within the limits of effort and velocity. -->
+  <ros2_control name="{design.name}" type="system">
+    <hardware>
+      <plugin>mock_components/GenericSystem</plugin>
+    </hardware>
+{_join(_ros2_control_joint(name, _range(design, name), _motor(design, name)) for name in joints)}
+{_join(_ros2_control_transmission(name) for name in joints)}
+  </ros2_control>
 </robot>
 """
 
@@ -144,6 +158,14 @@ def _join(lines: Iterable[str]) -> str:
 
 def _kind(joint: str) -> str:
     return next(kind for kind in JOINT_KINDS if f"_{kind}_" in joint)
+
+
+def _motor(design: QuadrupedDimensions, joint: str) -> JointMotor:
+    return design.motors.of_joint(joint)
+
+
+def _range(design: QuadrupedDimensions, joint: str) -> tuple[float, float]:
+    return design.hip_range if _kind(joint) == "hip" else design.knee_range
 
 
 def _half(size: Sequence[float], margin: float = 0.0) -> str:
@@ -214,7 +236,6 @@ def _urdf_inertia(moments: Iterable[float]) -> str:
 
 
 def _urdf_joint(name: str, links: tuple[str, str], origin: str, limits: tuple[float, float], motor: JointMotor) -> str:
-    friction = f' friction="{number(motor.friction_loss)}"' if motor.friction_loss else ""
     return f"""\
   <joint name="{name}" type="revolute">
     <parent link="{links[0]}"/>
@@ -223,8 +244,47 @@ def _urdf_joint(name: str, links: tuple[str, str], origin: str, limits: tuple[fl
     <axis xyz="0 1 0"/>
     <limit lower="{number(limits[0])}" upper="{number(limits[1])}" effort="{number(motor.stall_torque)}" \
 velocity="{number(motor.no_load_speed)}"/>
-    <dynamics damping="{number(motor.damping)}"{friction}/>
+    <dynamics damping="{number(motor.damping)}" friction="{number(motor.friction_loss)}"/>
   </joint>"""
+
+
+def _transmission(joint: str, motor: JointMotor) -> str:
+    # Without mechanicalReduction, which Drake warns about: its actuators act at the joint.
+    return f"""\
+  <transmission name="{joint}_transmission">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="{joint}"/>
+    <actuator name="{joint}_motor">
+      <drake:rotor_inertia value="{number(motor.rotor_inertia)}"/>
+      <drake:gear_ratio value="{number(GEAR_RATIO)}"/>
+    </actuator>
+  </transmission>"""
+
+
+def _ros2_control_joint(joint: str, limits: tuple[float, float], motor: JointMotor) -> str:
+    return f"""\
+    <joint name="{joint}">
+      <command_interface name="position">
+        <param name="min">{number(limits[0])}</param>
+        <param name="max">{number(limits[1])}</param>
+      </command_interface>
+      <state_interface name="position"/>
+      <state_interface name="velocity"/>
+      <state_interface name="effort"/>
+      <param name="kp">{number(motor.kp)}</param>
+      <param name="kd">{number(motor.kd)}</param>
+    </joint>"""
+
+
+def _ros2_control_transmission(joint: str) -> str:
+    return f"""\
+    <transmission name="{joint}_transmission">
+      <plugin>transmission_interface/SimpleTransmission</plugin>
+      <actuator name="{joint}_motor" role="actuator1"/>
+      <joint name="{joint}" role="joint1">
+        <mechanical_reduction>{number(GEAR_RATIO)}</mechanical_reduction>
+      </joint>
+    </transmission>"""
 
 
 def _urdf_leg(design: QuadrupedDimensions, leg: str) -> str:

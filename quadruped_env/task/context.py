@@ -11,6 +11,7 @@ from quadruped_env.capture import Capture
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.readings import Readings
+from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.simulation.height_field import HeightField
 
 Floats = NDArray[np.float64]
@@ -29,6 +30,7 @@ class TaskContext:
         contact_threshold: normal force above which a foot is in contact, N.
         height_field: heights of the ground; None for a plane at height 0.
         xp: array functions.
+        motors: motors of the simulation. None: the robot's.
     """
 
     def __init__(
@@ -39,9 +41,12 @@ class TaskContext:
         contact_threshold: float,
         height_field: HeightField | None = None,
         xp: Namespace = NUMPY,
+        motors: MotorConfig | None = None,
     ) -> None:
         self.xp = xp
         self.robot = control.robot
+        self.motors = motors or control.robot.motors
+        """Motors of the simulation, without randomization."""
         self.memory = EpisodeMemory(control.num_envs)
         """Arrays of the terms: zero after a reset, and saved with the env."""
         self.timestep = control.config.timestep

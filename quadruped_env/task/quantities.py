@@ -79,6 +79,19 @@ def mechanical_power(torque: Any, velocity: Any, xp: Namespace = NUMPY) -> Any:
     return xp.sum(xp.positive(torque * velocity))
 
 
+def electrical_power(torque: Any, velocity: Any, joule_coefficient: Any, xp: Namespace = NUMPY) -> Any:
+    """Electrical power of the motors (N,), W: `mechanical_power`, and the heat in their windings.
+
+    Args:
+        torque: motor torques (N, J), N m.
+        velocity: joint velocities (N, J), rad/s.
+        joule_coefficient: heat per squared torque of each motor (J,), W/(N m)^2; `MotorConfig.joule_coefficients`.
+        xp: array functions.
+    """
+    heat = xp.sum(torque * torque * joule_coefficient)
+    return mechanical_power(torque, velocity, xp) + heat
+
+
 def sliding_squared(foot_velocity: Any, foot_angular_velocity: Any, sole: Any, xp: Namespace = NUMPY) -> Any:
     """Squared horizontal velocity of each foot's lowest point (N, L), m^2/s^2.
 

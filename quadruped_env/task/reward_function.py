@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 
 class RewardFunction:
-    """Weighted reward terms of a task.
+    """Weighted reward terms of a task. A term whose weights are 0 is not computed, and counts as 0.
 
     Args:
         terms: terms in the order in which they are added.
@@ -29,6 +29,7 @@ class RewardFunction:
     def __init__(self, terms: Sequence[RewardTerm], config: Section, context: TaskContext) -> None:
         self.names = tuple(name for term in terms for name in term.names)
         self._weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
+        self._config = config
         self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
         self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = [
             function.command_changed for _, function in self._functions if hasattr(function, "command_changed")
@@ -48,14 +49,22 @@ class RewardFunction:
     def __call__(self, context: TaskContext) -> Floats:
         """Weighted terms (T, N) in a new array."""
         if self._values is None:
-            functions = [(f, term.pure, _shape(term, context)) for term, f in self._functions]
+            computed = [(term, f) for term, f in self._functions if self._counts(term)]
+            functions = [(f, term.pure, _shape(term, context)) for term, f in computed]
             self._values = Functions(functions, context.stand_ins, np.float64)
-            self._rows = [result.T if result.ndim == 2 else result[None] for result in self._values.results]
+            results = iter(self._values.results)
+            every = [
+                next(results) if self._counts(term) else np.zeros(_shape(term, context)) for term, _ in self._functions
+            ]
+            self._rows = [result.T if result.ndim == 2 else result[None] for result in every]
         self._values.update(context)
         values = np.empty((len(self.names), len(context.velocity)))
         np.concatenate(self._rows, out=values)
         values *= self._weights
         return values
+
+    def _counts(self, term: RewardTerm) -> bool:
+        return any(self._config.weights[name] for name in term.names)
 
     def check(self, context: TaskContext) -> None:
         """Compute every term once, to check its result.

@@ -130,6 +130,19 @@ def mechanical_power(context: TaskContext) -> Any:
     return quantities.mechanical_power(context.readings.joint_torque, context.readings.joint_velocity, context.xp)
 
 
+@reward(weight=0.0, unit="W", pure=True)
+class electrical_power:  # noqa: N801
+    """Sum of max(0, torque * joint velocity) + torque^2 R / K^2: mechanical power, and heat in the windings."""
+
+    def __init__(self, context: TaskContext) -> None:
+        self._heat = context.xp.constant(context.motors.joule_coefficients(context.robot.joint_names))[None]
+
+    def __call__(self, context: TaskContext) -> Any:
+        """Values (N,)."""
+        readings = context.readings
+        return quantities.electrical_power(readings.joint_torque, readings.joint_velocity, self._heat, context.xp)
+
+
 @reward(weight=-0.3, unit="m^2/s^2", pure=True)
 class foot_slip:  # noqa: N801
     """Sum over the feet on the ground of the squared velocity of the sole's lowest point."""
@@ -187,6 +200,7 @@ REWARDS: Final = cast(
         lateral_velocity,
         action_rate,
         mechanical_power,
+        electrical_power,
         foot_slip,
         stand_still,
         joint_speed,

@@ -83,6 +83,7 @@ class Task:
             config.reward.velocity_time_constant,
             config.reward.contact_threshold,
             simulation.height_field,
+            motors=config.motor,
         )
         self.draws = Draws(n)
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)

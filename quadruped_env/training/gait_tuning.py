@@ -281,7 +281,8 @@ def achieved_table(gait: CommandedGait) -> str:
     commands = np.array(forward + turning)
     got = measure_commands(gait, commands)
     lines = [
-        "| commanded m/s, rad/s | forward m/s | yaw rate rad/s | sideways m/s | power W | least lift mm | fell |",
+        "| command m/s, rad/s | forward m/s | yaw rate rad/s | sideways m/s | mechanical power W | least lift mm | "
+        "fell |",
         "|---|---|---|---|---|---|---|",
     ]
     for i, (v, w) in enumerate(commands):

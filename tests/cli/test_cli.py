@@ -15,7 +15,7 @@ from quadruped_env._python import SCRIPTS
 from quadruped_env.cli.commands import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
 
-HEAVY = {"torch", "stable_baselines3", "matplotlib", "viser", "av", "jinja2", "rosbags", "cyclonedds", "scipy"}
+HEAVY = {"torch", "stable_baselines3", "matplotlib", "viser", "av", "jinja2", "rosbags", "cyclonedds", "scipy", "onnx"}
 BAD = {
     "train": ("--resume", "nowhere"),
     "evaluate": ("nowhere",),
@@ -26,6 +26,7 @@ BAD = {
     "replay": ("nowhere.csv",),
     "identify": ("nowhere.csv",),
     "baseline": ("--output", "out.txt"),
+    "export": ("nowhere",),
 }
 """Command -> arguments that this package refuses, not argparse."""
 

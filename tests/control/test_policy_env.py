@@ -6,11 +6,13 @@ from gymnasium import make, make_vec
 from policies import TASK, make_policy
 
 from quadruped_env import QuadrupedError
+from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.task import TaskConfig
+from quadruped_env.task import TaskConfig, load_task_file
 
 # --- the shipped policies ---
 
@@ -85,6 +87,75 @@ def test_task_with_another_meaning_of_actions_is_refused(config, message):
     with pytest.raises(QuadrupedError, match=message):
         roll_out(controller, [(0.3, 0.0)], [0], 1.0, env.unwrapped.task.config)
     env.close()
+
+
+OTHER_SCALE = """
+from quadruped_env.task import observation
+
+@observation(unit="rad/s", mirror="joints", scale=0.1, bound=3.0)
+def joint_velocity(readings, control):
+    "Joint velocities, with another scale."
+    return readings.joint_velocity
+"""
+ONE_MORE = """
+from quadruped_env.task import observation
+
+@observation(unit="m", mirror=(1.0,))
+def base_height(readings, control):
+    "Height of the base."
+    return readings.base_position[:, 2:]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [(OTHER_SCALE, r"differs in joint_velocity"), (ONE_MORE, r"has projected_gravity, .*, gait_clock, base_height")],
+)
+def test_task_with_other_observations_is_refused(text, message, tmp_path):
+    (tmp_path / "mine.py").write_text(text)
+    policy, task = make_policy(), load_task_file(tmp_path / "mine.py")
+    config = TaskConfig.from_dict(TASK.to_dict(), task)
+    env = make(ENV_ID, config=config)
+    pattern = rf"trained on the observations projected_gravity, .*this environment {message}; make its own with policy"
+    with pytest.raises(QuadrupedError, match=pattern):
+        policy.check_env(env)
+    with pytest.raises(QuadrupedError, match=pattern):
+        roll_out(PolicyController(policy), [(0.3, 0.0)], [0], 1.0, config)
+    env.close()
+
+
+def test_every_kind_of_env_is_checked():
+    from stable_baselines3.common.vec_env import DummyVecEnv, VecNormalize
+
+    from quadruped_env.envs import make_sb3_vec_env
+
+    policy = make_policy()
+    for config, matches in ((TASK.to_dict(), True), ({}, False)):
+        envs = [
+            make(ENV_ID, config=config),
+            make_vec(ENV_ID, num_envs=2, config=config),
+            make_vec(ENV_ID, num_envs=2, vectorization_mode="sync", config=config),
+            make_sb3_vec_env(2, seed=0, config=config),
+            VecNormalize(make_sb3_vec_env(2, seed=0, config=config)),
+            DummyVecEnv([lambda config=config: make(ENV_ID, config=config)]),
+        ]
+        for env in envs:
+            if matches:
+                policy.check_env(env)
+            else:
+                with pytest.raises(
+                    QuadrupedError, match=r"action\.mode 'residual', and this environment has 'position'"
+                ):
+                    policy.check_env(env)
+            env.close()
+
+
+def test_live_controller_with_another_meaning_of_actions_is_refused_before_the_robot_moves():
+    policy = make_policy()
+    LiveController(PolicyController(policy))
+    LiveController(PolicyController(policy), policy.control)
+    with pytest.raises(QuadrupedError, match=r"action\.mode 'residual', and this environment has 'position'"):
+        LiveController(PolicyController(policy), ControlConfig())
 
 
 def test_task_that_differs_without_changing_actions_is_accepted():

@@ -6,9 +6,11 @@ import pytest
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation import metrics
 from quadruped_env.evaluation.metrics import METRICS, measure
-from quadruped_env.evaluation.rollout import grid, roll_out
+from quadruped_env.evaluation.rollout import Rollout, grid, roll_out
 from quadruped_env.policies import CommandedGaitController, ZeroController
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot.motors import JointMotor, MotorConfig
+from quadruped_env.task import TaskConfig
 
 DT = 0.02
 STEPS = 500  # 10 s
@@ -87,6 +89,64 @@ def test_cost_of_transport_by_hand():
     # 19.62 W / (4 kg * 9.81 m/s^2 * 0.5 m/s) = 1
     cost = metrics.cost_of_transport(np.array([19.62, 19.62, 1.0]), np.array([0.5, -0.5, 0.01]), 4.0)
     np.testing.assert_allclose(cost, [1.0, 1.0, np.nan])
+
+
+def motionless(**changes):
+    """Rollout of one robot that stands for 5 s, with other values of some quantities."""
+    shape = (250, 1)
+    values = {
+        "base_pose": np.tile([0.0, 0.0, 0.18, 1.0, 0.0, 0.0, 0.0], (*shape, 1)),
+        "joint_position": np.tile(MINI_QUADRUPED.stance, (*shape, 1)),
+        **{name: np.zeros((*shape, 8)) for name in ("joint_velocity", "joint_torque")},
+        **{name: np.zeros((*shape, 2)) for name in ("velocity", "command")},
+        "contact": np.ones((*shape, 4), dtype=np.bool_),
+        **{name: np.zeros((*shape, 4)) for name in ("slip_speed", "foot_height")},
+        "reward_terms": np.zeros((*shape, 1)),
+        "valid": np.ones(shape, dtype=np.bool_),
+    }
+    fixed = {"controller": "still", "motors": MINI_QUADRUPED.motors, "seeds": np.array([0]), "term_names": ("none",)}
+    return Rollout(robot=MINI_QUADRUPED, timestep=DT, **{**values, **fixed, **changes})
+
+
+def test_power_of_a_robot_that_stands_is_heat_alone():
+    # 1 N m in the knees, 2 N m in the hips: 4 * 0.5 * (1 + 4) W
+    torque = np.tile([2.0, -1.0] * 4, (250, 1, 1))
+    values = measure(motionless(joint_torque=torque))
+    assert values["mechanical_power"] == pytest.approx([0.0])
+    assert values["electrical_power"] == pytest.approx([10.0])
+    assert np.isnan(values["electrical_cost_of_transport"]).all()
+
+
+def test_power_of_a_joint_that_turns_at_constant_torque_and_speed():
+    torque, speed = np.zeros((2, 250, 1, 8))
+    torque[..., 0], speed[..., 0] = 3.0, 2.0  # drives: 6 W
+    torque[..., 3], speed[..., 3] = -4.0, 1.0  # brakes: no work is recovered
+    velocity = np.zeros((250, 1, 2))
+    velocity[..., 0] = 0.25
+    values = measure(motionless(joint_torque=torque, joint_velocity=speed, velocity=velocity))
+    assert values["mechanical_power"] == pytest.approx([6.0])
+    assert values["electrical_power"] == pytest.approx([6.0 + 0.5 * (9.0 + 16.0)])
+    weight_times_speed = 4.0 * 9.81 * 0.25
+    assert values["mechanical_cost_of_transport"] == pytest.approx([6.0 / weight_times_speed])
+    assert values["electrical_cost_of_transport"] == pytest.approx([18.5 / weight_times_speed])
+    # The same torques through motors with another winding: K = 24 / 4 = 6 N m/A, R = 6 * 24 / 16 = 9 Ohm.
+    strong = JointMotor(stall_torque=16.0, no_load_speed=4.0)
+    assert (strong.torque_constant, strong.resistance) == pytest.approx((6.0, 9.0))
+    changed = motionless(
+        joint_torque=torque, joint_velocity=speed, velocity=velocity, motors=MotorConfig(hip=strong, knee=strong)
+    )
+    assert measure(changed)["electrical_power"] == pytest.approx([6.0 + 25.0 * 9.0 / 6.0**2])
+
+
+def test_power_in_a_rollout_is_that_of_its_torques_and_of_the_tasks_motors():
+    motors = MotorConfig(knee=JointMotor(stall_torque=8.0, no_load_speed=6.0))
+    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], [1], 3.0, TaskConfig(motor=motors))
+    values = measure(rollout)
+    torque, speed = (x[50:, 0].astype(float) for x in (rollout.joint_torque, rollout.joint_velocity))
+    mechanical = sum(max(0.0, t * w) for t, w in zip(torque.ravel(), speed.ravel(), strict=True)) / len(torque)
+    heat = (torque[:, 0::2] ** 2).sum() * 5.0 / 10.0 + (torque[:, 1::2] ** 2).sum() * 6.0 / 8.0
+    assert values["mechanical_power"] == pytest.approx([mechanical], rel=1e-6)
+    assert values["electrical_power"] == pytest.approx([mechanical + heat / len(torque)], rel=1e-6)
 
 
 def test_peak_is_the_largest_absolute_value_that_counts():
@@ -197,7 +257,9 @@ def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
     assert (values["forward_velocity"][:2] < 0.02).all()
     assert (values["forward_velocity"][2:] > 0.1).all()
     np.testing.assert_allclose(values["distance"][2:], values["forward_velocity"][2:] * 4.0, rtol=0.2)
-    assert np.isnan(values["cost_of_transport"][:2]).all()
+    for kind in ("electrical", "mechanical"):
+        assert np.isnan(values[f"{kind}_cost_of_transport"][:2]).all()
+    assert (values["electrical_power"] > values["mechanical_power"]).all()
     assert values["peak_torque"].max() <= METRICS["peak_torque"].limit_of(rollout.robot) + 1e-3
     feet = metrics.foot_clearance(rollout.foot_height, metrics.counted_samples(rollout))
     np.testing.assert_array_equal(values["foot_clearance"], feet.min(axis=1))

@@ -102,7 +102,7 @@ def test_report_names_no_directory_of_the_machine(written, run_directory):
         assert str(Path.home()) not in document
 
 
-def test_metrics_are_strict_json_with_a_value_for_every_metric(written):
+def test_metrics_are_strict_json_with_a_value_for_every_metric(written, comparison):
     def refuse(constant):
         raise AssertionError(f"{constant} is not JSON")
 
@@ -116,7 +116,10 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written):
         assert len(entry["by_command"]) == len(document["commands"]) == len(TINY)
         for estimate in entry["all"].values():
             assert estimate["mean"] is None or estimate["low"] <= estimate["mean"] <= estimate["high"]
-    assert document["controllers"]["zero"]["all"]["cost_of_transport"]["mean"] is None
+    for kind in ("electrical", "mechanical"):
+        assert document["controllers"]["zero"]["all"][f"{kind}_cost_of_transport"]["mean"] is None
+        power = comparison.values["policy"][f"{kind}_power"][0].mean()
+        assert document["controllers"]["policy"]["by_command"][0][f"{kind}_power"]["mean"] == pytest.approx(power)
     assert TaskConfig.from_dict(document["config"]).action.mode == "residual"
 
 

@@ -139,8 +139,9 @@ class TestMetrics:
     def test_measure_uses_the_mass_of_the_robot(self, rollout):
         values = measure(rollout)
         assert ROBOT.total_mass == pytest.approx(3.0 + 4 * (0.3 + 0.3))
-        expected = values["mean_power"] / (ROBOT.total_mass * GRAVITY * np.abs(values["forward_velocity"]))
-        np.testing.assert_allclose(values["cost_of_transport"][:2], expected[:2])
+        for kind in ("electrical", "mechanical"):
+            expected = values[f"{kind}_power"] / (ROBOT.total_mass * GRAVITY * np.abs(values["forward_velocity"]))
+            np.testing.assert_allclose(values[f"{kind}_cost_of_transport"][:2], expected[:2])
         np.testing.assert_allclose(values["stride_frequency"][:2], FREQUENCY, rtol=0.05)
 
     def test_limits_are_those_of_the_robot(self):

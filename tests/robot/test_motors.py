@@ -64,8 +64,21 @@ def test_each_number_reaches_its_joint():
         resistance, constant = model.actuator_gainprm[actuator, :2]
         assert constant * 24.0 / resistance == pytest.approx(motor.stall_torque)
         assert 24.0 / constant == pytest.approx(motor.no_load_speed)
+        assert (motor.torque_constant, motor.resistance) == pytest.approx((constant, resistance), rel=1e-12)
         assert tuple(model.actuator_gainprm[actuator, [4, 6]]) == (motor.kp, motor.kd)
         assert model.actuator_delay[actuator] == OTHER.delay
+
+
+def test_heat_is_that_of_the_current_in_the_winding():
+    # 24 V / 5 rad/s = 4.8 V s/rad; 4.8 * 24 / 10 = 11.52 Ohm; a torque of 6 N m takes 1.25 A, and 18 W of heat.
+    motor = JointMotor()
+    assert (motor.torque_constant, motor.resistance) == pytest.approx((4.8, 11.52))
+    assert motor.joule_coefficient * 6.0**2 == pytest.approx(1.25**2 * 11.52) == pytest.approx(18.0)
+    # At rest and full voltage all of the power becomes heat: voltage^2 / R.
+    for other in (OTHER.hip, OTHER.knee):
+        assert other.joule_coefficient * other.stall_torque**2 == pytest.approx(24.0**2 / other.resistance)
+    expected = [OTHER.of_joint(name).joule_coefficient for name in JOINT_NAMES]
+    np.testing.assert_array_equal(OTHER.joule_coefficients(JOINT_NAMES), expected)
 
 
 def test_a_stronger_motor_gives_its_torque_and_no_more():

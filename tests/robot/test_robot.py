@@ -184,7 +184,7 @@ class TestMass:
         np.testing.assert_allclose(tensor, np.diag(self.principal(link)), rtol=1e-9, atol=1e-14)
 
     def test_inertia_matrix_agrees(self, urdf_model, mjcf):
-        """Joint-space inertia of both, in random positions, without the rotors that a URDF cannot state."""
+        """Joint-space inertia of both, in random positions, without the rotors: MuJoCo reads none from a URDF."""
 
         def joint_inertia(model, positions):
             data = mujoco.MjData(model)

@@ -9,7 +9,9 @@ from built_in import FOOT_RADIUS, STANCE
 from tasks import NEVER_FALLS, Terms, column, make_task, random_readings
 
 from quadruped_env.readings import Readings
-from quadruped_env.task import RewardConfig, TaskConfig, quantities
+from quadruped_env.robot.motors import JointMotor, MotorConfig
+from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.task import RewardConfig, Task, TaskConfig, load_task_file, quantities
 
 # --- rewards, by hand ---
 
@@ -77,6 +79,12 @@ def test_mechanical_power_counts_driving_and_not_braking():
         np.array([[2.0, -3.0, 1.0], [1.0, 1.0, 1.0]]), np.array([[3.0, -1.0, -5.0]] * 2)
     )
     np.testing.assert_array_equal(power, [9.0, 3.0])
+
+
+def test_electrical_power_adds_the_heat_of_every_motor():
+    torque, velocity = np.array([[2.0, -3.0, 1.0], [0.0, 4.0, 0.0]]), np.array([[3.0, -1.0, -5.0], [9.0, 0.0, 1.0]])
+    power = quantities.electrical_power(torque, velocity, np.array([0.5, 0.5, 2.0]))
+    np.testing.assert_allclose(power, [9.0 + 2.0 + 4.5 + 2.0, 8.0], rtol=1e-15)
 
 
 def test_sliding_is_that_of_each_foots_lowest_point():
@@ -147,6 +155,7 @@ def test_every_term_reads_the_quantity_of_its_name():
         "lateral_velocity": 0.04,
         "action_rate": 8 * 0.0625,
         "mechanical_power": 8 * 9.0,
+        "electrical_power": 8 * (9.0 + 0.5 * 2.0**2),
         "foot_slip": 0.02,  # one foot presses harder than the threshold
         "stand_still": 0.0,
         "joint_speed": 8 * (config.reward.joint_speed_margin - 0.5) ** 2,
@@ -204,6 +213,61 @@ def test_weights_are_per_second_and_scale_their_terms():
         tilt = (height[:, :2].astype(float) ** 2).sum(axis=1)
         upright = unit.terms[:, names.index("upright")]
         np.testing.assert_allclose(upright, tilt * ones.config.control_timestep, rtol=1e-5, atol=1e-9)
+
+
+UNPAID = """
+from quadruped_env.task import reward, reward_group
+
+calls = []
+
+@reward(weight=0.0)
+def counting(context):
+    "Counts its calls."
+    calls.append("counting")
+    return 0.0 * context.fallen + 1.0
+
+@reward_group(one=0.0, other=0.0)
+def pair(context):
+    "Two terms that are not computed one at a time."
+    calls.append("pair")
+    return 0.0 * context.velocity + 1.0
+"""
+
+
+def test_term_with_the_weight_0_is_not_computed_and_counts_as_0(tmp_path):
+    (tmp_path / "unpaid.py").write_text(UNPAID)
+    definition = load_task_file(tmp_path / "unpaid.py")
+    calls = next(term for term in definition.rewards if "counting" in term.names).function.__globals__["calls"]
+    task, usual = make_task(definition=definition), make_task()
+    calls.clear()  # creating a task calls every term once, to check it
+    action = np.full((3, 8), 0.3)
+    transition, expected = task.step(action), usual.step(action)
+    assert not calls
+    assert task.term_names[-3:] == ("counting", "one", "other")
+    np.testing.assert_array_equal(transition.terms[:, :-3], expected.terms)
+    np.testing.assert_array_equal(transition.terms[:, -3:], 0.0)
+    np.testing.assert_array_equal(transition.reward, expected.reward)
+    config = TaskConfig.from_dict({"reward": {"weights": {"other": 2.0}}}, definition)
+    paid = make_task(definition=definition, reward=config.reward)
+    calls.clear()
+    np.testing.assert_allclose(paid.step(action).terms[:, -3:], [[0.0, 0.0, 2.0 * paid.config.control_timestep]] * 3)
+    assert set(calls) == {"pair"}
+
+
+def test_electrical_power_is_that_of_the_configs_motors():
+    # K = 24 / 8 = 3 N m/A and R = 3 * 24 / 5 = 14.4 Ohm at the hips, so the heat is 1.6 W/(N m)^2; 0.5 at the knees.
+    motors = MotorConfig(hip=JointMotor(stall_torque=5.0, no_load_speed=8.0))
+    names = list(RewardConfig().weights)
+    weights = dict.fromkeys(names, 0.0) | {"electrical_power": -0.01}
+    config = TaskConfig(reward=RewardConfig(weights=weights), motor=motors)
+    task = Task(BatchSimulation(build_model(config.physics_timestep, motors), 3, 1), config)
+    task.reset(np.arange(3), [0, 1, 2])
+    for _ in range(10):
+        transition = task.step(np.random.default_rng(0).uniform(-1, 1, (3, 8)))
+        readings = task.simulation.readings
+        torque, speed = readings.joint_torque, readings.joint_velocity
+        expected = np.maximum(torque * speed, 0.0).sum(axis=1) + (torque**2 * np.tile([1.6, 0.5], 4)).sum(axis=1)
+        np.testing.assert_allclose(transition.reward, -0.01 * 0.02 * expected, rtol=1e-12)
 
 
 def test_the_velocity_that_is_tracked_is_a_first_order_average():

@@ -40,6 +40,7 @@ WEIGHTS = {
     "lateral_velocity": -0.5,
     "action_rate": -0.08,
     "mechanical_power": -0.005,
+    "electrical_power": -0.003,  # 0 unless the config sets it
     "foot_slip": -0.3,
     "stand_still": -1.0,
     "joint_speed": -1.0,
@@ -120,6 +121,7 @@ def reward_terms(robot, action, memory, fallen):
         "lateral_velocity": robot.velocity[1] ** 2,
         "action_rate": sum((np.clip(action, -1.0, 1.0) - memory.last_action) ** 2),
         "mechanical_power": sum(max(0.0, t * w) for t, w in zip(robot.torque, robot.speeds, strict=True)),
+        "electrical_power": sum(max(0.0, t * w) + 0.5 * t**2 for t, w in zip(robot.torque, robot.speeds, strict=True)),
         "foot_slip": slip,
         "stand_still": 0.0 if moving else sum((robot.joints - STANCE) ** 2),
         "joint_speed": sum(max(0.0, abs(w) - 4.0) ** 2 for w in robot.speeds),
@@ -222,7 +224,9 @@ class Step:
 
 
 def play(episode):
-    env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=settings(**episode.config))
+    config = settings(**episode.config)
+    config["reward"] = {"weights": {"electrical_power": WEIGHTS["electrical_power"]}}
+    env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=config)
     options = None if episode.command is None else {"command": episode.command}
     observation, info = env.reset(seed=episode.seed, options=options)
     rng = np.random.default_rng(episode.seed)

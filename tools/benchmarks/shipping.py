@@ -20,7 +20,13 @@ ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
 ACCEPTANCE_EPISODES: Final = 50
 MAX_FALL_RATE: Final = 0.02
 MAX_VELOCITY_ERROR: Final = 0.10
-_SUMMARY: Final = ("fall_rate", "forward_velocity_error", "yaw_rate_error", "cost_of_transport")
+_SUMMARY: Final = (
+    "fall_rate",
+    "forward_velocity_error",
+    "yaw_rate_error",
+    "electrical_cost_of_transport",
+    "mechanical_cost_of_transport",
+)
 
 
 def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, Any]:

@@ -139,8 +139,9 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             figure(
                 "Cost of transport over speed",
                 plots.cost_over_speed(comparison),
-                "Mechanical energy of the motors per weight and distance (left), and per time (right). Each mark is a "
-                "command; hollow marks are backwards. Below 0.05 m/s the cost of transport is undefined.",
+                "Energy of the motors per weight and distance (left), and per time (right). Above: electrical, that is "
+                "mechanical energy and heat in the windings; below: mechanical. Each mark is a command; hollow marks "
+                "are backwards. Below 0.05 m/s the cost of transport is undefined.",
             )
         )
     figures += [

@@ -20,7 +20,7 @@ from quadruped_env.reporting.results import REPORT_FILE
 from quadruped_env.robot import Robot
 
 METRICS_FILE: Final = "metrics.json"
-FORMAT_VERSION: Final = 2
+FORMAT_VERSION: Final = 3
 
 SUMMARY: Final = (
     ("Falls", "fall_rate", None),
@@ -28,7 +28,8 @@ SUMMARY: Final = (
     ("Standing: velocity error", "forward_velocity_error", "standing"),
     ("Backwards: velocity error", "forward_velocity_error", "backwards"),
     ("Turning: yaw rate error", "yaw_rate_error", "turning"),
-    ("Forwards: cost of transport", "cost_of_transport", "forwards"),
+    ("Forwards: electrical cost of transport", "electrical_cost_of_transport", "forwards"),
+    ("Forwards: mechanical cost of transport", "mechanical_cost_of_transport", "forwards"),
     ("Forwards: foot slip", "foot_slip", "forwards"),
 )
 """Label, metric and motion of each row of the summary table."""

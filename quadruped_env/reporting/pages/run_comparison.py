@@ -144,8 +144,9 @@ def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[di
         figure(
             "Cost of transport over speed",
             plots.cost_over_speed(comparison),
-            "Mechanical energy of the motors per weight and distance (left), and per time (right). Each mark is a "
-            "command; hollow marks are backwards.",
+            "Energy of the motors per weight and distance (left), and per time (right). Above: electrical, that is "
+            "mechanical energy and heat in the windings; below: mechanical. Each mark is a command; hollow marks are "
+            "backwards.",
         ),
         figure(
             "Gait: which feet are on the ground",

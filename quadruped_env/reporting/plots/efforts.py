@@ -16,12 +16,19 @@ _SHARES: Final = (50, 95, 100)
 
 
 def cost_over_speed(comparison: Comparison) -> str:
-    """Cost of transport and motor power over the speed reached, of every controller; hollow marks are backwards."""
+    """Costs of transport and powers over the speed reached, of every controller; hollow marks are backwards.
+
+    Above the electrical figures, below the mechanical ones.
+    """
     styles = controller_styles(comparison.values)
-    metrics = (("cost_of_transport", "cost of transport (1)"), ("mean_power", "motor power (W)"))
+    metrics = [
+        (f"{kind}_{metric}", f"{kind} {quantity}")
+        for kind in ("electrical", "mechanical")
+        for metric, quantity in (("cost_of_transport", "cost (1)"), ("power", "power (W)"))
+    ]
 
     def draw(axes: Any) -> None:
-        for ax, (metric, quantity) in zip(axes[0], metrics, strict=True):
+        for ax, (metric, quantity) in zip(axes.flat, metrics, strict=True):
             for controller in comparison.values:
                 for motion, face in (("forwards", None), ("backwards", "white")):
                     rows = comparison.conditions(motion)
@@ -43,13 +50,13 @@ def cost_over_speed(comparison: Comparison) -> str:
                             markerfacecolor=face,
                             label=label(controller) if face is None else None,
                         )
-            ax.set(xlabel="speed reached (m/s)", ylabel=quantity)
+            ax.set(xlabel="speed reached (m/s)" if ax in axes[-1] else "", ylabel=quantity)
             ax.set_ylim(bottom=0.0)
             ax.set_xlim(left=-0.02)
         handles, names = axes[0, 1].get_legend_handles_labels()
         axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=4, handletextpad=0.4)
 
-    return draw_figure(1, 2, 2.8, draw)
+    return draw_figure(2, 2, 4.8, draw)
 
 
 def motor_limits(comparison: Comparison) -> str:

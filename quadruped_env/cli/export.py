@@ -1,0 +1,50 @@
+"""Export a policy for deployment: a folder that needs nothing of this package.
+
+It holds the policy as ONNX, from readings in SI units to joint targets; a manifest of joints, gains, limits, command
+and entry pose; a page with results; the policy's own files; and the robot's URDF and MJCF. The graph is compared with
+the policy on ONNX Runtime first. Nothing is uploaded.
+
+    mini-quadruped export                      the latest run in runs/, or the shipped policy
+    mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
+    mini-quadruped export flat --film          the shipped policy, with a film
+"""
+
+import argparse
+from pathlib import Path
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import add_output, add_overwrite, add_task_file
+from quadruped_env.cli.progress import ProgressLine
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the policy and the folder."""
+    parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
+    parser.add_argument("--film", action="store_true", help="also film the robot: film.webp in the folder")
+    add_task_file(parser)
+    add_overwrite(parser, "replace an earlier export")
+    add_output(parser, "DIR", "the folder (default: RUN/export, or results/flat-export)")
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Export, and print what was written."""
+    from quadruped_env.control.policy import SHIPPED
+    from quadruped_env.evaluation.subject import find_subject
+    from quadruped_env.export import export_policy
+    from quadruped_env.export.folder import check_output
+
+    subject = find_subject(arguments.run, None, arguments.task)
+    shipped = subject.name in SHIPPED
+    default = Path("results", f"{subject.name}-export") if shipped else subject.output.with_name("export")
+    output = arguments.output or default
+    check_output(output, arguments.overwrite)
+    export = export_policy(subject, output, arguments.film, arguments.overwrite, ProgressLine("filming"))
+    graph = export.manifest["graph"]
+    print(
+        f"{subject.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "
+        f"policy by {graph['largest_difference_from_the_policy']:.1g} at most"
+    )
+    if export.manifest["evaluation"] is None:
+        print("no results are included: evaluate the policy first to export them, too")
+    print(f"folder: {export.folder} ({', '.join(export.files)})")
+    return 0

@@ -1,0 +1,187 @@
+"""The page of an exported policy: README.md of its folder, which model hubs show as the model's card."""
+
+import json
+import textwrap
+from collections.abc import Iterable, Mapping
+from typing import Any, Final
+
+from quadruped_env.export.interface import COMMAND, GAIT_PHASE, JOINT_TARGET, LAST_ACTION, PolicyInterface
+from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
+
+CARD_PAGE: Final = "README.md"
+TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")
+
+_SHOWN: Final = {
+    "forward_velocity_error": "velocity error (m/s)",
+    "yaw_rate_error": "yaw rate error (rad/s)",
+    "fall_rate": "falls",
+    "electrical_cost_of_transport": "electrical cost of transport",
+    "mechanical_cost_of_transport": "mechanical cost of transport",
+}
+
+
+def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str | None, files: Iterable[str]) -> str:
+    """The page in Markdown, with the front matter that model hubs read.
+
+    Args:
+        interface: inputs and outputs of the policy.
+        manifest: the policy's manifest.
+        film: name of the film's file, or None.
+        files: names of the other files of the folder.
+    """
+    sections = [
+        _front_matter(),
+        f"# {manifest['name']}\n\n{_introduction(manifest)}",
+        "" if film is None else f"![The robot walks.]({film})",
+        f"## Use\n\n{_use(interface, manifest)}",
+        f"## Before it walks\n\n{_entry(manifest)}",
+        f"## Results\n\n{_results(manifest['evaluation'])}",
+        f"## Training\n\n{_training(manifest['training'])}",
+        f"## Files\n\n{_files(files)}",
+    ]
+    return "\n\n".join(section for section in sections if section) + "\n"
+
+
+def _front_matter() -> str:
+    tags = "\n".join(f"  - {tag}" for tag in TAGS)
+    return f"---\ntags:\n{tags}\npipeline_tag: reinforcement-learning\n---"
+
+
+def _introduction(manifest: Mapping[str, Any]) -> str:
+    control, command = manifest["control"], manifest["command"]["components"]
+    ranges = ", ".join(f"{c['name'].replace('_', ' ')} {c['low']:g} to {c['high']:g} {c['unit']}" for c in command)
+    mode = {
+        "position": "Its actions are relative to the stance.",
+        "residual": "Its actions are added to a scripted gait, which is part of the graph.",
+    }[control["action_mode"]]
+    symmetric = " It is left/right symmetric." if manifest["graph"]["symmetric"] else ""
+    return _filled(
+        f"A policy for the robot `{manifest['robot']['name']}` ({len(manifest['joints'])} joints), made with "
+        f"{manifest['package']}. It follows a command ({ranges}) at {control['rate_hz']:g} Hz. {mode}{symmetric}"
+    )
+
+
+def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
+    rows = [f"| `{entry.name}` | {entry.width} | {entry.unit} | {entry.description} |" for entry in interface.inputs]
+    outputs = [
+        f"| `{entry.name}` | {entry.width} | {entry.unit} | {entry.description} |" for entry in interface.outputs
+    ]
+    header = "|---|---|---|---|"
+    joints = ", ".join(manifest["robot"]["joints"])
+    text = _filled(
+        f"`{GRAPH_FILE}` takes readings in SI units, float32 with a batch as first axis, and returns joint targets. "
+        f"Offsets, scales and clipping are in the graph. The order of the joints is {joints}; `{MANIFEST_FILE}` has "
+        f"their stance, limits and gains. Vectors are in the frame of the base: x forward, y left, z up."
+    )
+    return (
+        f"{text}\n\n| input | columns | unit | |\n{header}\n" + "\n".join(rows) + "\n\n"
+        f"| output | columns | unit | |\n{header}\n" + "\n".join(outputs) + f"\n\n```python\n{example(interface)}```"
+    )
+
+
+def example(interface: PolicyInterface) -> str:
+    """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
+    own = {entry.name: entry.width for entry in interface.inputs if entry.name in (LAST_ACTION, GAIT_PHASE)}
+    feedback = {LAST_ACTION: "action", GAIT_PHASE: "next_gait_phase"}
+    first = ", ".join(f'"{name}": np.zeros((1, {width}), np.float32)' for name, width in own.items())
+    kept = "".join(f'\n    memory["{name}"] = outputs["{feedback[name]}"]' for name in own)
+    readings = ", ".join(entry.name for entry in interface.inputs if entry.name not in own)
+    return f'''\
+import numpy as np
+import onnxruntime
+
+session = onnxruntime.InferenceSession("{GRAPH_FILE}")
+names = [output.name for output in session.get_outputs()]
+memory = {{{first}}}
+
+
+def joint_targets(**readings):
+    """Joint targets in rad, once every {1000.0 * interface.policy.control.timestep:g} ms, for the readings
+    {readings}."""
+    inputs = {{name: np.array([value], np.float32) for name, value in readings.items()}}
+    outputs = dict(zip(names, session.run(names, {{**inputs, **memory}})))\
+{kept}
+    return outputs["{JOINT_TARGET}"][0]
+'''
+
+
+def _entry(manifest: Mapping[str, Any]) -> str:
+    entry, idle = manifest["entry"], [component["idle"] for component in manifest["command"]["components"]]
+    gains = sorted({(joint["kp_n_m_rad"], joint["kd_n_m_s_rad"]) for joint in manifest["joints"]})
+    servo = " or ".join(f"{kp:g} N m/rad and {kd:g} N m s/rad" for kp, kd in gains)
+    stop = entry["stop"]
+    return "\n".join(
+        [
+            _item(f"Position servos with the gains {servo}, within each joint's limits (`{MANIFEST_FILE}`)."),
+            _item(
+                f"Move slowly to the stance, in {entry['min_time_s']:g} s or more, and hold it for "
+                f"{entry['settle_s']:g} s. Then call the policy, beginning with the idle {COMMAND} {idle}."
+            ),
+            _item(
+                f"Keep commands within their ranges. Send the idle one after {stop['no_command_s']:g} s without a "
+                f"command, hold the targets after {stop['no_reading_hold_s']:g} s without readings, and switch the "
+                f"motors off after {stop['no_reading_limp_s']:g} s, or at a tilt of {stop['tilt_rad']:g} rad."
+            ),
+            _item("Check the targets before you send them: NaN in any reading makes all of them NaN."),
+            _item("Test it in a simulation of your robot first, then on a stand."),
+        ]
+    )
+
+
+def _results(evaluation: Mapping[str, Any] | None) -> str:
+    if evaluation is None:
+        return "It was not evaluated before the export."
+    verdict = evaluation.get("verdict")
+    parts = []
+    if isinstance(verdict, Mapping):
+        findings = "\n".join(_item(f"{topic}: {words}") for topic, words in verdict["findings"].items())
+        parts.append(f"{verdict['headline']}\n\n{findings}")
+    elif verdict:
+        parts.append(_verbatim(str(verdict)))
+    by_motion = evaluation.get("by_motion") or evaluation.get("metrics")
+    if by_motion:
+        parts.append(_metrics_table(by_motion))
+    return "\n\n".join(parts)
+
+
+def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
+    known = [name for name in _SHOWN if any(name in values for values in by_motion.values())]
+    lines = [f"| | {' | '.join(_SHOWN[name] for name in known)} |", "|---|" + "---|" * len(known)]
+    for motion, values in by_motion.items():
+        cells = []
+        for name in known:
+            value = values.get(name)
+            mean = value["mean"] if isinstance(value, Mapping) else value
+            cells.append("-" if mean is None else f"{mean:.3g}")
+        lines.append(f"| {motion} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def _training(training: Mapping[str, Any]) -> str:
+    return _verbatim(json.dumps(training, indent=2))
+
+
+def _verbatim(text: str) -> str:
+    return f"```text\n{text}\n```"
+
+
+def _files(files: Iterable[str]) -> str:
+    meanings = {
+        GRAPH_FILE: "the policy: readings to joint targets, ONNX",
+        MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
+        "policy.json": "the policy for this package: `quadruped_env.policies.load_policy(FOLDER)`",
+        "policy.safetensors": "its weights",
+        "progress.csv": "the learning curve",
+        "film.webp": "the robot walks forwards, turns, and walks backwards",
+        "robot.urdf": "the robot, for ROS and other simulators",
+        "robot.xml": "the robot, for MuJoCo",
+    }
+    return "\n".join(["| file | |", "|---|---|", *(f"| `{name}` | {meanings.get(name, '')} |" for name in files)])
+
+
+def _filled(text: str) -> str:
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
+
+
+def _item(text: str) -> str:
+    return textwrap.fill(text, 120, initial_indent="- ", subsequent_indent="  ", break_on_hyphens=False)

@@ -1,0 +1,152 @@
+"""Inputs and outputs of an exported policy: readings of a robot in SI units, as its sensors give them."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control import observations
+from quadruped_env.control.observations import ObservationField, ObservationLayout
+from quadruped_env.control.policy import Policy
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.control.velocity_command import VELOCITY
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import CommandedGait, joint_phases
+
+Floats = NDArray[np.float64]
+
+COMMAND: Final = "command"
+GAIT_PHASE: Final = "gait_phase"
+LAST_ACTION: Final = "last_action"
+ACTION: Final = "action"
+JOINT_TARGET: Final = "joint_target"
+NEXT_GAIT_PHASE: Final = "next_gait_phase"
+
+_ABSOLUTE: Final = "Joint positions, zero with straight legs; the stance is subtracted in the graph."
+_PHASE: Final = "Phase of the gait clock in [0, 2 pi): 0 at first, then next_gait_phase of the step before."
+_COMMAND: Final = "Commanded forward velocity and yaw rate."
+
+
+@dataclass(frozen=True)
+class Input:
+    """One input of the graph, float32 (N, width)."""
+
+    name: str
+    width: int
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True, eq=False)
+class PolicyInterface:
+    """Inputs and outputs of a policy's graph, and the arithmetic between them.
+
+    An input has the name, the unit and the columns of a field of the policy's observation, with two differences: joint
+    positions are absolute, and the gait clock is given by its phase.
+
+    Raises:
+        QuadrupedError: if a field of a user's file has the name of an input with another meaning.
+    """
+
+    policy: Policy
+
+    def __post_init__(self) -> None:
+        reserved = {COMMAND: observations.command, LAST_ACTION: observations.last_action, GAIT_PHASE: None}
+        for entry in self.policy.fields:
+            if entry.name in reserved and entry is not reserved[entry.name]:
+                raise QuadrupedError(
+                    f"export: the observation {entry.name!r} of the task's file has the name of an input of every "
+                    f"exported policy; rename it and train again"
+                )
+
+    @cached_property
+    def layout(self) -> ObservationLayout:
+        """Columns of the observation, which the graph computes."""
+        return ObservationLayout(self.policy.robot, self.policy.fields)
+
+    @cached_property
+    def gait(self) -> CommandedGait | None:
+        """The scripted gait to which the actions are added; None for a policy without one."""
+        return CommandedGait.tuned(self.policy.robot) if self.policy.action_mode == "residual" else None
+
+    @property
+    def has_clock(self) -> bool:
+        """True if the policy needs the gait clock: in its observation, or for the scripted gait."""
+        return self.gait is not None or observations.gait_clock in self.policy.fields
+
+    @cached_property
+    def inputs(self) -> tuple[Input, ...]:
+        """Inputs in the order of the observation, then those that only the clock and the gait need."""
+        robot = self.policy.robot
+        found = [
+            Input(
+                entry.name,
+                entry.width(robot),
+                entry.unit,
+                _ABSOLUTE if entry is observations.joint_position else entry.description,
+            )
+            for entry in self.policy.fields
+            if entry is not observations.gait_clock
+        ]
+        if self.has_clock:
+            if observations.command not in self.policy.fields:
+                found.append(Input(COMMAND, VELOCITY, observations.command.unit, _COMMAND))
+            found.append(Input(GAIT_PHASE, 1, "rad", _PHASE))
+        return tuple(found)
+
+    @cached_property
+    def outputs(self) -> tuple[Input, ...]:
+        """Outputs; `next_gait_phase` only with a clock."""
+        joints = self.policy.robot.num_joints
+        found = (
+            Input(ACTION, joints, "1", "Action in [-1, 1]: last_action of the next step."),
+            Input(JOINT_TARGET, joints, "rad", "Joint targets within the joints' ranges."),
+        )
+        phase = Input(NEXT_GAIT_PHASE, 1, "rad", "Phase of the gait clock for the next step.")
+        return (*found, phase) if self.has_clock else found
+
+    def offset(self, entry: ObservationField) -> Floats:
+        """Subtracted from the input of a field before it is scaled, in its unit (width,)."""
+        if entry is observations.joint_position:
+            return self.policy.robot.stance
+        return np.zeros(entry.width(self.policy.robot))
+
+    @cached_property
+    def offsets(self) -> Floats:
+        """Offsets of all columns of the observation (width,), in the units of their fields."""
+        return np.concatenate([self.offset(entry) for entry in self.policy.fields])
+
+    @property
+    def phase_step(self) -> float:
+        """Advance of the gait clock per control step, rad."""
+        return math.tau * self.policy.control.clock_frequency * self.policy.control.timestep
+
+    @cached_property
+    def gait_table(self) -> tuple[Floats, Floats, Floats]:
+        """Sine part, cosine part and offset of every joint at the gait's ground speeds, three arrays (K, J), rad."""
+        assert self.gait is not None
+        return self.gait.waves([(speed, 0.0) for speed in self.gait.speeds])
+
+    @cached_property
+    def turn_arms(self) -> Floats:
+        """Ground speed of each joint's leg per yaw rate (J,), m: the gait's half track, positive on the right."""
+        assert self.gait is not None
+        robot = self.policy.robot
+        per_leg = np.where(robot.left_legs, -self.gait.half_track, self.gait.half_track)
+        return np.repeat(per_leg, robot.num_joints // robot.num_legs)
+
+    @cached_property
+    def joint_phases(self) -> Floats:
+        """Phase of each joint's leg relative to the gait clock (J,), rad."""
+        return joint_phases(self.policy.robot)
+
+    def is_symmetric(self) -> bool:
+        """True if the policy gives the mirrored action for every mirrored observation, to float32's accuracy."""
+        mirror = MirrorMap.of(self.layout)
+        random = np.random.default_rng(0)
+        seen = random.uniform(self.layout.low, self.layout.high, (256, self.layout.width)).astype(np.float32)
+        both = self.policy.predict(mirror.observation(seen)), mirror.action(self.policy.predict(seen))
+        return bool(np.abs(both[0] - both[1]).max() < 1e-5)

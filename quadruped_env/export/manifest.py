@@ -1,0 +1,209 @@
+"""The manifest of an exported policy: everything that a program needs to run it, as JSON."""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any, Final
+
+from quadruped_env._plain import plain
+from quadruped_env._version import __version__
+from quadruped_env.control.live_controller import Safety
+from quadruped_env.control.task_file import TASK_FILE
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
+from quadruped_env.export.graph import OPSET
+from quadruped_env.export.interface import LAST_ACTION, Input, PolicyInterface
+from quadruped_env.policies import Policy
+
+MANIFEST_FILE: Final = "manifest.json"
+GRAPH_FILE: Final = "policy.onnx"
+FORMAT: Final = "mini-quadruped policy"
+FORMAT_VERSION: Final = 1
+
+RESULTS: Final = ("metrics", "acceptance", "verdict")
+"""Fields of a shipped policy's card that are results, not training."""
+
+_TARGET: Final = {
+    "position": "clip(stance + action_scale * action, lower, upper)",
+    "residual": "clip(residual_gait + action_scale * action, lower, upper)",
+}
+
+
+def manifest(
+    policy: Policy, interface: PolicyInterface, name: str, evaluation: Mapping[str, Any] | None, difference: float
+) -> dict[str, Any]:
+    """The manifest without its list of files.
+
+    Args:
+        policy: the policy, with its task.
+        interface: its inputs and outputs.
+        name: name of the policy.
+        evaluation: results of its evaluation, or None.
+        difference: largest difference between the graph on ONNX Runtime and the policy.
+    """
+    control = policy.control
+    facts = {key: value for key, value in policy.card.items() if key not in RESULTS}
+    return {
+        "format": FORMAT,
+        "format_version": FORMAT_VERSION,
+        "name": name,
+        "package": f"mini-quadruped {__version__}",
+        "robot": {**policy.robot.identity, "joints": list(policy.robot.joint_names)},
+        "joints": _joints(policy),
+        "control": {
+            "rate_hz": 1.0 / control.timestep,
+            "timestep_s": control.timestep,
+            "action_mode": policy.action_mode,
+            "action_scale_rad": control.action.scale,
+            "joint_target": _TARGET[policy.action_mode],
+            "motor_delay_s": policy.config.motor.delay,
+        },
+        "graph": {
+            "file": GRAPH_FILE,
+            "onnx_opset": OPSET,
+            "type": "float32",
+            "inputs": [_value(entry) for entry in interface.inputs],
+            "outputs": [_value(entry) for entry in interface.outputs],
+            "symmetric": interface.is_symmetric(),
+            "largest_difference_from_the_policy": difference,
+        },
+        "observation": _observation(interface),
+        "command": _command(policy),
+        "gait_clock": _clock(interface),
+        "residual_gait": _gait(interface),
+        "entry": _entry(policy, interface),
+        "task": {"config": policy.task, "task_file": policy.task.get(TASK_FILE)},
+        "training": facts,
+        "evaluation": None if evaluation is None else dict(evaluation),
+    }
+
+
+def files_of(contents: Mapping[str, bytes]) -> dict[str, dict[str, Any]]:
+    """Size and SHA-256 of files, by name."""
+    return {
+        name: {"sha256": hashlib.sha256(content).hexdigest(), "bytes": len(content)}
+        for name, content in contents.items()
+    }
+
+
+def _joints(policy: Policy) -> list[dict[str, Any]]:
+    robot = policy.robot
+    joints = []
+    for i, name in enumerate(robot.joint_names):
+        motor = policy.config.motor.of_joint(name)
+        joints.append(
+            {
+                "name": name,
+                "stance_rad": float(robot.stance[i]),
+                "lower_rad": float(robot.joint_position_low[i]),
+                "upper_rad": float(robot.joint_position_high[i]),
+                "velocity_limit_rad_s": float(robot.velocity_limit[i]),
+                "effort_limit_n_m": float(robot.effort_limit[i]),
+                "kp_n_m_rad": motor.kp,
+                "kd_n_m_s_rad": motor.kd,
+                "stall_torque_n_m": motor.stall_torque,
+                "no_load_speed_rad_s": motor.no_load_speed,
+                "damping_n_m_s_rad": motor.damping,
+                "friction_n_m": motor.friction_loss,
+                "rotor_inertia_at_joint_kg_m2": motor.armature,
+            }
+        )
+    return joints
+
+
+def _value(entry: Input) -> dict[str, Any]:
+    return {"name": entry.name, "shape": ["batch", entry.width], "unit": entry.unit, "description": entry.description}
+
+
+def _observation(interface: PolicyInterface) -> dict[str, Any]:
+    """The graph's own arithmetic: for those who compute the observation themselves."""
+    layout = interface.layout
+    return {
+        "formula": "clip((input - offset) * scale, low, high); the graph computes it",
+        "width": layout.width,
+        "fields": [
+            {
+                **document,
+                "columns": [layout.slices[entry.name].start, layout.slices[entry.name].stop],
+                "offset": plain(interface.offset(entry)),
+                "description": entry.description,
+            }
+            for entry, document in zip(layout.fields, layout.document(), strict=True)
+        ],
+    }
+
+
+def _command(policy: Policy) -> dict[str, Any]:
+    components = [
+        {
+            "name": entry.name,
+            "unit": entry.unit,
+            "low": entry.range[0],
+            "high": entry.range[1],
+            "idle": 0.0 if i < VELOCITY else entry.default,
+        }
+        for i, entry in enumerate(policy.control.commands)
+    ]
+    return {
+        "meaning": "velocity of the base in its own frame: forward along x, and yaw rate about z, positive to the left",
+        "idle": "the robot stands",
+        "standing_up_to": MOVING_THRESHOLD,
+        "components": components,
+    }
+
+
+def _clock(interface: PolicyInterface) -> dict[str, Any] | None:
+    if not interface.has_clock:
+        return None
+    return {
+        "frequency_hz": interface.policy.control.clock_frequency,
+        "step_rad": interface.phase_step,
+        "first_phase_rad": 0.0,
+        "formula": "next_gait_phase = (gait_phase + step) mod 2 pi; the graph computes it",
+        "observed_as": "sine and cosine of gait_phase, both 0 where standing is commanded",
+    }
+
+
+def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
+    """The scripted gait, joint by joint, so that joint targets can be computed from actions without the graph."""
+    if interface.gait is None:
+        return None
+    sine, cosine, offset = interface.gait_table
+    return {
+        "formula": "sine * sin(next_gait_phase + phase) + cosine * cos(next_gait_phase + phase) + offset, each "
+        "interpolated linearly at the joint's ground speed, forward_velocity + arm * yaw_rate, and constant beyond the "
+        "ends of the table; the graph computes it",
+        "ground_speeds_m_s": list(interface.gait.speeds),
+        "joints": [
+            {
+                "name": name,
+                "phase_rad": float(interface.joint_phases[i]),
+                "arm_m": float(interface.turn_arms[i]),
+                "sine_rad": plain(sine[:, i]),
+                "cosine_rad": plain(cosine[:, i]),
+                "offset_rad": plain(offset[:, i]),
+            }
+            for i, name in enumerate(interface.policy.robot.joint_names)
+        ],
+        "parameters": interface.gait.parameters(),
+    }
+
+
+def _entry(policy: Policy, interface: PolicyInterface) -> dict[str, Any]:
+    """State in which the policy may start, the way to it, and reasons to stop; numbers of the live controller."""
+    safety = Safety()
+    own = {entry.name for entry in interface.inputs}
+    return {
+        "pose": "the stance, at rest, on its feet",
+        "joint_positions_rad": plain(policy.robot.stance),
+        "base_height_m": policy.robot.stance_height,
+        "mean_speed_rad_s": safety.ramp_speed,
+        "min_time_s": safety.min_ramp_time,
+        "settle_s": safety.settle,
+        "first_inputs": {LAST_ACTION: 0.0} if LAST_ACTION in own else {},
+        "command": "idle",
+        "stop": {
+            "tilt_rad": safety.max_tilt,
+            "no_command_s": safety.command_timeout,
+            "no_reading_hold_s": safety.hold_after,
+            "no_reading_limp_s": safety.limp_after,
+        },
+    }

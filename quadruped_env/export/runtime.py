@@ -1,0 +1,115 @@
+"""The graph of a policy on ONNX Runtime, compared with the policy that it was made from."""
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control import observations
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.export.interface import COMMAND, GAIT_PHASE, NEXT_GAIT_PHASE, Input, PolicyInterface
+
+Arrays = dict[str, NDArray[np.float32]]
+
+SAMPLES: Final = 10_000
+TOLERANCE: Final = 1e-4
+"""Difference between the graph and the policy above which the export is refused; measured ones are below 1e-5."""
+
+_REACH: Final = 1.25
+"""Readings are drawn from this multiple of the range that is not clipped."""
+
+
+def session_of(content: bytes) -> Any:
+    """ONNX Runtime with a graph, on the processor and with one thread.
+
+    Raises:
+        MissingExtraError: if ONNX Runtime is not installed.
+    """
+    try:
+        import onnxruntime
+    except ImportError as error:
+        raise MissingExtraError("Export to ONNX", "export") from error
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    return onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
+
+
+def run(session: Any, inputs: Arrays) -> Arrays:
+    """Outputs of a graph by name."""
+    names = [output.name for output in session.get_outputs()]
+    return dict(zip(names, session.run(names, inputs), strict=True))
+
+
+def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Arrays:
+    """Random inputs (N, width): readings within and beyond the range that is clipped, commands, and phases.
+
+    A tenth of the commands stand still.
+    """
+    random = np.random.default_rng(seed)
+    policy, layout = interface.policy, interface.layout
+
+    def draw(entry: Input) -> NDArray[np.float64]:
+        if entry.name == GAIT_PHASE:
+            return random.uniform(0.0, math.tau, (samples, 1))
+        if entry.name == COMMAND:
+            low, high = np.array([command.range for command in policy.control.commands[: entry.width]]).T
+            command = random.uniform(low, high, (samples, entry.width))
+            command[::10] = 0.0
+            return command
+        columns = layout.slices[entry.name]
+        reach = _REACH * layout.high[columns] / np.abs(layout.scale[columns])
+        return interface.offsets[columns] + random.uniform(-reach, reach, (samples, entry.width))
+
+    return {entry.name: draw(entry).astype(np.float32) for entry in interface.inputs}
+
+
+def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
+    """Outputs by this package's own observation scaling, network and action interface."""
+    policy, layout = interface.policy, interface.layout
+    samples = len(next(iter(inputs.values())))
+    everything = np.arange(samples)
+    control = ControlInterface(policy.robot, policy.control, samples, policy.fields)
+    control.reset(everything, inputs[GAIT_PHASE][:, 0].astype(np.float64) if interface.has_clock else 0.0)
+    if COMMAND in inputs:
+        control.set_command(everything, inputs[COMMAND].astype(np.float64))
+    readings = np.concatenate(
+        [
+            control.clock.copy() if entry is observations.gait_clock else inputs[entry.name].astype(np.float64)
+            for entry in policy.fields
+        ],
+        axis=1,
+    )
+    observation = np.clip((readings - interface.offsets) * layout.scale, layout.low, layout.high).astype(np.float32)
+    action = policy.predict(observation)
+    control.advance()
+    target = control.joint_target(action.astype(np.float64))
+    found: tuple[NDArray[Any], ...] = (action, target, control.phase[:, None])
+    # Without a clock, the phase is no output.
+    return {entry.name: value.astype(np.float32) for entry, value in zip(interface.outputs, found, strict=False)}
+
+
+def largest_difference(interface: PolicyInterface, content: bytes, samples: int = SAMPLES) -> float:
+    """Largest difference between a graph on ONNX Runtime and the policy, over random inputs.
+
+    It is that of any action or joint target, in their units, or of the clock's phase, rad.
+
+    Raises:
+        MissingExtraError: if ONNX Runtime is not installed.
+        QuadrupedError: if the difference is above `TOLERANCE`.
+    """
+    inputs = random_inputs(interface, samples)
+    found, expected = run(session_of(content), inputs), expected_outputs(interface, inputs)
+    differences = {name: np.abs(found[name].astype(np.float64) - expected[name]) for name in expected}
+    if interface.has_clock:
+        # Just below a whole turn is next to just above 0.
+        turn = differences[NEXT_GAIT_PHASE]
+        differences[NEXT_GAIT_PHASE] = np.minimum(turn, math.tau - turn)
+    largest = max(float(difference.max()) for difference in differences.values())
+    if not largest <= TOLERANCE:
+        raise QuadrupedError(
+            f"export: ONNX Runtime differs from the policy by {largest:.2g} on random inputs, and {TOLERANCE:g} is "
+            f"tolerated; nothing was written. Report the policy's files as a bug"
+        )
+    return largest

@@ -1,0 +1,368 @@
+"""The folder of an exported policy: complete, consistent, and enough to walk without this package."""
+
+import hashlib
+import json
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import second_robot
+from comparisons import TINY, random_policy
+from paths import ROOT
+
+from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
+from quadruped_env.cli.main import main
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.subject import Subject, find_subject
+from quadruped_env.export import folder as folder_module
+from quadruped_env.export import runtime
+from quadruped_env.export.folder import export_policy
+from quadruped_env.policies import Policy, find_controller, load_policy
+from quadruped_env.reporting.pages.evaluation_report import write_report
+from quadruped_env.task import ActionConfig, TaskConfig
+
+FILES = {"README.md", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors", "robot.urdf", "robot.xml"}
+
+WALK = """
+import json, re, sys
+import mujoco
+import numpy as np
+
+page = open("README.md").read()
+exec(re.search("```python\\n(.*?)```", page, re.DOTALL)[1])
+manifest = json.load(open("manifest.json"))
+
+spec = mujoco.MjSpec.from_file("robot.xml")
+spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[20, 20, 1], friction=[0.8, 0.005, 0.0001])
+model = spec.compile()
+data = mujoco.MjData(model)
+mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
+assert [model.joint(i + 1).name for i in range(model.nu)] == [joint["name"] for joint in manifest["joints"]]
+np.testing.assert_allclose(data.qpos[7:], manifest["entry"]["joint_positions_rad"])
+substeps = round(manifest["control"]["timestep_s"] / model.opt.timestep)
+mujoco.mj_forward(model, data)
+path = []
+for step in range(400):
+    command = [0.0, 0.0] if step < 50 else [float(sys.argv[1]), float(sys.argv[2])]
+    rotation = data.body("base_link").xmat.reshape(3, 3)
+    target = joint_targets(
+        projected_gravity=-rotation[2],
+        angular_velocity=data.qvel[3:6],
+        joint_position=data.qpos[7:],
+        joint_velocity=data.qvel[6:],
+        command=command,
+    )
+    data.ctrl[:] = target
+    mujoco.mj_step(model, data, substeps)
+    assert rotation[2, 2] > 0.9
+    path.append([*data.qpos[:2], np.arctan2(rotation[1, 0], rotation[0, 0])])
+assert "quadruped_env" not in sys.modules
+path = np.array(path)
+path[:, 2] = np.unwrap(path[:, 2])
+print(json.dumps({"standing": path[49].tolist(), "begin": path[99].tolist(), "end": path[-1].tolist()}))
+"""
+
+
+def save_run(directory, policy):
+    policy.save(directory)
+    return find_subject(str(directory))
+
+
+@pytest.fixture(scope="module")
+def flat(tmp_path_factory):
+    """The shipped policy, exported."""
+    folder = tmp_path_factory.mktemp("exports") / "flat"
+    return export_policy(find_subject("flat", tmp_path_factory.mktemp("none")), folder)
+
+
+@pytest.fixture
+def run(tmp_path):
+    """A run with random weights."""
+    return save_run(tmp_path / "20260101-000000-ppo", random_policy("residual"))
+
+
+def walk(folder, *command):
+    done = subprocess.run(
+        [sys.executable, "-c", WALK, *map(str, command)], cwd=folder, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return {name: np.array(value) for name, value in json.loads(done.stdout).items()}
+
+
+def test_folder_walks_with_its_own_page_and_models_and_without_this_package(flat):
+    places = walk(flat.folder, 0.4, 0.0)
+    assert np.abs(places["standing"][:2]).max() < 0.03, "idle at first"
+    # 6 s at 0.4 m/s, which the policy exceeds by up to a tenth.
+    assert places["end"][0] - places["begin"][0] == pytest.approx(2.4, rel=0.15)
+    assert abs(places["end"][1]) < 0.2
+    assert abs(places["end"][2]) < 0.1
+    turned = walk(flat.folder, 0.0, 0.5)
+    assert turned["end"][2] - turned["begin"][2] == pytest.approx(6.0 * 0.5, rel=0.4)
+    assert np.hypot(*(turned["end"] - turned["begin"])[:2]) < 0.3
+
+
+@pytest.mark.parametrize("mode", ["residual", "position"])
+def test_exported_file_walks_in_the_env(flat, mode, tmp_path):
+    if mode == "position":
+        # Not trained: it has to do what the policy does, not to walk.
+        flat = export_policy(save_run(tmp_path / "run", random_policy("position")), tmp_path / "export")
+    manifest = json.loads((flat.folder / "manifest.json").read_text())
+    policy = load_policy(flat.folder)
+    session = runtime.session_of((flat.folder / "policy.onnx").read_bytes())
+    env, other = policy.make_env(), policy.make_env()
+    observation, _ = env.reset(seed=1, options={"command": (0.4, 0.0)})
+    expected, _ = other.reset(seed=1, options={"command": (0.4, 0.0)})
+    fields = {field["name"]: field for field in manifest["observation"]["fields"]}
+    clock = slice(*fields.pop("gait_clock")["columns"])
+    phase = np.arctan2(*observation[clock])[None, None].astype(np.float32)
+    speeds = []
+    for step in range(250):
+        inputs = {
+            name: (observation[slice(*field["columns"])] / field["scale"] + field["offset"])[None].astype(np.float32)
+            for name, field in fields.items()
+        }
+        found = runtime.run(session, {**inputs, "gait_phase": phase})
+        phase = found["next_gait_phase"]
+        observation, _, terminated, _, info = env.step(found["action"][0])
+        if step < 50:
+            # Later, rounding errors have grown with every contact.
+            expected, *_ = other.step(policy.predict(expected))
+            np.testing.assert_allclose(observation, expected, rtol=0, atol=1e-3)
+        if terminated:
+            break
+        speeds.append(info["base_linear_velocity"][0])
+    if mode == "residual":
+        assert not terminated
+        assert np.mean(speeds[50:]) == pytest.approx(0.4, abs=0.05)
+
+
+def test_manifest_lists_every_file_with_its_checksum(flat):
+    document = json.loads((flat.folder / "manifest.json").read_text())
+    names = {path.name for path in flat.folder.iterdir()}
+    assert names == FILES | {"progress.csv"} == set(flat.files)
+    assert set(document["files"]) == names - {"manifest.json"}
+    for name, entry in document["files"].items():
+        content = (flat.folder / name).read_bytes()
+        assert entry == {"sha256": hashlib.sha256(content).hexdigest(), "bytes": len(content)}
+    shipped = json.loads((find_subject("flat").directory / "policy.json").read_text())
+    assert document["weights_sha256"] == shipped["weights_sha256"]
+    assert document == flat.manifest
+    loaded, policy = load_policy(flat.folder), load_policy("flat")
+    assert loaded.config == policy.config
+    for one, other in zip(loaded.weights, policy.weights, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_manifest_states_the_robot_its_joints_and_the_control(flat):
+    document, policy = flat.manifest, load_policy("flat")
+    robot = policy.robot
+    assert document["robot"] == {**robot.identity, "joints": list(robot.joint_names)}
+    for i, joint in enumerate(document["joints"]):
+        assert joint["name"] == robot.joint_names[i]
+        assert (joint["lower_rad"], joint["upper_rad"]) == ((-1.5, 1.5), (-2.0, 0.0))[i % 2]
+        assert joint["stance_rad"] == (0.6, -0.72)[i % 2]
+        assert (joint["kp_n_m_rad"], joint["kd_n_m_s_rad"]) == (40.0, 1.0)
+        assert (joint["velocity_limit_rad_s"], joint["effort_limit_n_m"]) == (5.0, 10.0)
+        assert joint["rotor_inertia_at_joint_kg_m2"] == 0.01
+    assert document["control"]["rate_hz"] == pytest.approx(50.0)
+    assert document["control"]["action_mode"] == "residual"
+    assert document["control"]["action_scale_rad"] == 0.4
+    assert [component["idle"] for component in document["command"]["components"]] == [0.0, 0.0]
+    assert [(c["low"], c["high"]) for c in document["command"]["components"]] == [(-0.3, 0.6), (-0.8, 0.8)]
+    assert document["entry"]["joint_positions_rad"] == robot.stance.tolist()
+    assert document["training"]["seed"] == policy.card["seed"]
+    assert document["training"]["command"] == policy.card["command"]
+    assert not {"metrics", "verdict", "acceptance"} & set(document["training"])
+    assert document["evaluation"]["verdict"] == policy.card["verdict"]
+    assert document["graph"]["symmetric"]
+    assert 0.0 < document["graph"]["largest_difference_from_the_policy"] < 1e-5
+
+
+def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
+    """Observation, scripted gait and limits by the manifest's formulas; the network's action is the graph's."""
+    document = flat.manifest
+    rng = np.random.default_rng(3)
+    session = runtime.session_of((flat.folder / "policy.onnx").read_bytes())
+    n = 500
+    command = rng.uniform([-0.5, -0.9], [0.8, 0.9], (n, 2))
+    command[::7] = 0.0
+    phase = rng.uniform(0.0, 2.0 * np.pi, n)
+    widths = {entry["name"]: entry["shape"][1] for entry in document["graph"]["inputs"]}
+    inputs = {name: rng.normal(0.0, 1.0, (n, width)) for name, width in widths.items()}
+    inputs |= {"command": command, "gait_phase": phase[:, None]}
+    found = runtime.run(session, {name: value.astype(np.float32) for name, value in inputs.items()})
+    later = (phase + document["gait_clock"]["step_rad"]) % (2.0 * np.pi)
+    np.testing.assert_allclose(np.cos(found["next_gait_phase"][:, 0] - later), 1.0, atol=1e-6)
+    gait = document["residual_gait"]
+    for i, (joint, own) in enumerate(zip(document["joints"], gait["joints"], strict=True)):
+        assert joint["name"] == own["name"]
+        speed = command[:, 0] + own["arm_m"] * command[:, 1]
+        sine, cosine, offset = (
+            np.interp(speed, gait["ground_speeds_m_s"], own[f"{part}_rad"]) for part in ("sine", "cosine", "offset")
+        )
+        angle = later + own["phase_rad"]
+        nominal = sine * np.sin(angle) + cosine * np.cos(angle) + offset
+        change = document["control"]["action_scale_rad"] * found["action"][:, i]
+        expected = np.clip(nominal + change, joint["lower_rad"], joint["upper_rad"])
+        np.testing.assert_allclose(found["joint_target"][:, i], expected, rtol=0, atol=1e-5)
+    # The observation by the manifest's numbers, through the policy's network.
+    moving = (np.abs(command).max(axis=1) > document["command"]["standing_up_to"])[:, None]
+    inputs["gait_clock"] = np.stack([np.sin(phase), np.cos(phase)], axis=1) * moving
+    columns = [
+        np.clip((inputs[field["name"]] - field["offset"]) * field["scale"], field["low"], field["high"])
+        for field in document["observation"]["fields"]
+    ]
+    action = load_policy("flat").predict(np.concatenate(columns, axis=1).astype(np.float32))
+    np.testing.assert_allclose(found["action"], action, rtol=0, atol=1e-5)
+
+
+def test_policy_that_was_not_evaluated_has_no_results(run, tmp_path):
+    export = export_policy(run, tmp_path / "export")
+    assert export.manifest["evaluation"] is None
+    assert export.manifest["training"]["best return"] is None, "NaN is no JSON"
+    assert "not evaluated" in (tmp_path / "export" / "README.md").read_text()
+    assert "progress.csv" not in export.files
+
+
+def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_path):
+    comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
+    write_report(run, comparison, "python evaluate/policy.py", with_video=False)
+    export = export_policy(run, tmp_path / "export")
+    results = export.manifest["evaluation"]
+    error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
+    assert results["by_motion"]["forwards"]["forward_velocity_error"]["mean"] == pytest.approx(error)
+    assert results["verdict"]["headline"] in (tmp_path / "export" / "README.md").read_text()
+    assert f"{error:.3g}" in (tmp_path / "export" / "README.md").read_text()
+
+
+def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path):
+    comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
+    write_report(run, comparison, "python evaluate/policy.py", with_video=False)
+    other = run.policy.with_card({**run.policy.card, "seed": 7})
+    subject = Subject(run.name, other, run.directory, run.output)
+    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: is the evaluation of another policy"):
+        export = export_policy(subject, tmp_path / "export")
+    assert export.manifest["evaluation"] is None
+    (run.output / "metrics.json").write_text("{}")
+    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: lacks the fields of an evaluation"):
+        export_policy(run, tmp_path / "export", overwrite=True)
+
+
+def test_folder_is_written_whole_or_not_at_all(run, tmp_path, monkeypatch):
+    target = tmp_path / "exports" / "mine"
+
+    def fail(*arguments):
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(folder_module, "write_json", fail)
+        with pytest.raises(QuadrupedError, match=r"mine: cannot be written \(No space left on device\); make room"):
+            export_policy(run, target)
+    assert list(target.parent.iterdir()) == []
+    before = export_policy(run, target)
+    with monkeypatch.context() as patch:
+        patch.setattr(folder_module, "write_json", fail)
+        with pytest.raises(QuadrupedError, match="cannot be written"):
+            export_policy(run, target, overwrite=True)
+    assert {path.name for path in target.iterdir()} == set(before.files)
+    assert [path.name for path in target.parent.iterdir()] == ["mine"]
+    assert json.loads((target / "manifest.json").read_text()) == before.manifest
+
+
+def test_only_an_empty_directory_or_an_earlier_export_is_replaced(run, tmp_path):
+    target = tmp_path / "mine"
+    target.mkdir()
+    export_policy(run, target)
+    with pytest.raises(QuadrupedError, match=r"mine: exists already; .*\(--overwrite\)"):
+        export_policy(run, target)
+    (target / "notes.txt").write_text("old")
+    export_policy(run, target, overwrite=True)
+    assert not (target / "notes.txt").exists()
+    home = tmp_path / "home"
+    home.mkdir()
+    (home / "thesis.tex").write_text("precious")
+    (home / "manifest.json").write_text('{"format": "another"}')
+    for place in (home, home / "thesis.tex"):
+        with pytest.raises(QuadrupedError, match="exists already and is not an exported policy; name another place"):
+            export_policy(run, place, overwrite=True)
+    assert (home / "thesis.tex").read_text() == "precious"
+
+
+@pytest.mark.parametrize("library", ["onnx", "onnxruntime"])
+def test_missing_library_names_the_extra_and_writes_nothing(run, tmp_path, monkeypatch, library):
+    monkeypatch.setitem(sys.modules, library, None)
+    with pytest.raises(MissingExtraError, match=r"needs the 'export' extra: .*pip install .*\[export\]'"):
+        export_policy(run, tmp_path / "export")
+    assert not (tmp_path / "export").exists()
+
+
+def test_program_exports_into_the_run_and_names_what_it_wrote(run, capsys):
+    assert main(["export", str(run.directory)]) == 0
+    folder = run.directory / "export"
+    said = capsys.readouterr().out
+    assert f"folder: {folder}" in said
+    assert "evaluate the policy first" in said
+    assert {path.name for path in folder.iterdir()} == FILES
+    assert main(["export", str(run.directory)]) == 2
+    assert "--overwrite" in capsys.readouterr().err
+    assert main(["export", str(run.directory), "--overwrite"]) == 0
+    # The run is as it was, and its export can be evaluated and exported like a run.
+    assert find_subject(str(folder)).policy.card.keys() == run.policy.card.keys()
+    assert main(["export", str(folder), "-o", str(run.directory / "again")]) == 0
+    one, other = ((place / "policy.onnx").read_bytes() for place in (folder, run.directory / "again"))
+    assert one == other
+
+
+def test_documentation_lists_the_inputs_outputs_and_files(flat):
+    text = (ROOT / "docs" / "export.md").read_text()
+    graph = flat.manifest["graph"]
+    first_cells = re.findall(r"^\| (`.*?`) \|", text, re.MULTILINE)
+    named = {name for cell in first_cells for name in re.findall(r"`(.*?)`", cell)}
+    assert named == {entry["name"] for entry in graph["inputs"] + graph["outputs"]} | set(flat.files) | {"film.webp"}
+    assert f"opset {graph['onnx_opset']} |" in text
+    assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
+
+
+def test_folder_is_a_controller_like_a_run(flat):
+    controller = find_controller(str(flat.folder)).make()
+    assert controller.action_mode == "residual"
+    np.testing.assert_array_equal(controller.policy.weights[0], load_policy("flat").weights[0])
+
+
+@pytest.mark.parametrize("mode", ["residual", "position"])
+def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_path, capsys):
+    (tmp_path / "my_robot.py").write_text("from second_robot import ROBOT\n")
+    policy = random_policy(mode)
+    task = TaskConfig(action=ActionConfig(mode=mode)).for_robot(second_robot.ROBOT)
+    Policy(policy.weights, policy.biases, policy.activation, task, policy.card).save(tmp_path / "run")
+    assert main(["export", str(tmp_path / "run")]) == 2
+    assert "--task FILE" in capsys.readouterr().err
+    assert main(["export", str(tmp_path / "run"), "--task", str(tmp_path / "my_robot.py")]) == 0
+    folder = tmp_path / "run" / "export"
+    document = json.loads((folder / "manifest.json").read_text())
+    assert document["robot"]["joints"][:3] == ["RH_hip_joint", "RH_knee_joint", "LF_hip_joint"]
+    assert (document["residual_gait"] is None) == (mode == "position")
+    assert {joint["kp_n_m_rad"] for joint in document["joints"]} == {70.0, 60.0}
+    assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
+    assert "70 N m/rad and 1.5 N m s/rad" in (folder / "README.md").read_text()
+
+
+def test_page_has_the_front_matter_of_a_hub_and_names_every_file(flat):
+    page = (flat.folder / "README.md").read_text()
+    front = re.match(r"---\n(.*?)\n---\n", page, re.DOTALL)[1]
+    assert "  - robotics\n" in front
+    assert "pipeline_tag: reinforcement-learning" in front
+    for name in set(flat.files) - {"README.md"}:
+        assert f"`{name}`" in page
+    assert not re.search(r"\bnan\b|None", page)
+
+
+@pytest.mark.slow
+def test_film_is_on_the_page(opengl, run, tmp_path, monkeypatch):
+    monkeypatch.setattr(folder_module, "FILM_COMMANDS", ((0.4, 0.0),))
+    export = export_policy(run, tmp_path / "export", with_film=True)
+    assert (tmp_path / "export" / "film.webp").read_bytes()[8:12] == b"WEBP"
+    assert "![The robot walks.](film.webp)" in (tmp_path / "export" / "README.md").read_text()
+    assert "film.webp" in export.manifest["files"]

@@ -1,0 +1,303 @@
+"""The ONNX graph of a policy on ONNX Runtime: equal to the policy by NumPy and by torch, alone and in an env."""
+
+import math
+
+import gymnasium
+import numpy as np
+import onnx
+import onnxruntime
+import pytest
+import second_robot
+from comparisons import random_policy
+from policies import make_policy
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control import policy as control_policy
+from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.graph import IR_VERSION, OPSET, policy_graph
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.readings import Readings
+from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
+
+SAMPLES = 10_000
+TOLERANCE = 1e-5
+
+
+def session_of(policy):
+    return runtime.session_of(policy_graph(PolicyInterface(policy), "test"))
+
+
+def random_states(policy, samples=SAMPLES, seed=0):
+    """Random readings, commands, phases and last actions of many robots, from within their limits and beyond."""
+    rng, robot = np.random.default_rng(seed), policy.robot
+    readings = Readings.of_a_real_robot(robot)
+    shape = (samples, robot.num_joints)
+    gravity = rng.standard_normal((samples, 3))
+    fields = {name: np.repeat(getattr(readings, name), samples, axis=0) for name in Readings.__slots__}
+    fields |= {
+        "up_b": gravity / np.linalg.norm(gravity, axis=1, keepdims=True),
+        "angular_velocity_b": rng.normal(0.0, 8.0, (samples, 3)),
+        "joint_position": rng.uniform(robot.joint_position_low - 0.5, robot.joint_position_high + 0.5, shape),
+        "joint_velocity": rng.normal(0.0, 8.0, shape),
+    }
+    low, high = np.array([command.range for command in policy.control.commands[:2]]).T
+    command = rng.uniform(low - 0.2, high + 0.2, (samples, 2))
+    command[::10] = 0.0
+    command[1::10] = rng.uniform(-0.03, 0.03, (len(command[1::10]), 2))
+    # What float32 cannot hold is not part of the comparison.
+    exact = {name: np.float32(value).astype(float) for name, value in fields.items()}
+    others = [command, rng.uniform(0.0, math.tau, samples), rng.uniform(-1.0, 1.0, shape)]
+    return Readings(**exact), *(np.float32(value).astype(float) for value in others)
+
+
+def control_of(policy, command, phase, last_action):
+    """The package's interface in that state."""
+    control = ControlInterface(policy.robot, policy.control, len(command), policy.fields)
+    control.reset(np.arange(len(command)), phase)
+    control.set_command(np.arange(len(command)), command)
+    control.action[:] = last_action
+    return control
+
+
+def graph_inputs(readings, command, phase, last_action):
+    """The same state as the sensors of a robot give it."""
+    values = {
+        "projected_gravity": -readings.up_b,
+        "angular_velocity": readings.angular_velocity_b,
+        "joint_position": readings.joint_position,
+        "joint_velocity": readings.joint_velocity,
+        "last_action": last_action,
+        "command": command,
+        "gait_phase": phase[:, None],
+    }
+    return {name: value.astype(np.float32) for name, value in values.items()}
+
+
+def network(policy, observation):
+    """Actions of the policy's network by torch."""
+    import torch
+
+    activation = {"elu": torch.nn.ELU, "tanh": torch.nn.Tanh, "relu": torch.nn.ReLU}[policy.activation]
+    layers = []
+    for weight, bias in zip(policy.weights, policy.biases, strict=True):
+        layer = torch.nn.Linear(*weight.shape)
+        layer.weight.data, layer.bias.data = torch.from_numpy(weight.T.copy()), torch.from_numpy(bias.copy())
+        layers += [layer, activation()]
+    with torch.no_grad():
+        return torch.nn.Sequential(*layers[:-1])(torch.from_numpy(observation)).clamp(-1.0, 1.0).numpy()
+
+
+def other_robots_policy(mode):
+    """A policy of a robot with another order of legs, other ranges and another stance."""
+    policy = random_policy(mode)
+    task = TaskConfig(action=ActionConfig(mode=mode)).for_robot(second_robot.ROBOT)
+    return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
+
+
+POLICIES = {
+    "shipped": lambda: load_policy("flat"),
+    "position": lambda: random_policy("position"),
+    "residual": lambda: random_policy("residual"),
+    "elu, other rate": lambda: make_policy("elu"),
+    "tanh": lambda: make_policy("tanh"),
+    "relu, one layer": lambda: make_policy("relu", (24,)),
+    "linear": lambda: make_policy("tanh", ()),
+    "other robot, residual": lambda: other_robots_policy("residual"),
+    "other robot, position": lambda: other_robots_policy("position"),
+}
+
+
+@pytest.mark.parametrize("name", POLICIES)
+def test_onnx_runtime_numpy_and_torch_agree(name):
+    policy = POLICIES[name]()
+    readings, command, phase, last_action = random_states(policy)
+    found = runtime.run(session_of(policy), graph_inputs(readings, command, phase, last_action))
+    control = control_of(policy, command, phase, last_action)
+    observation = control.observe(readings)
+    action = policy.predict(observation)
+    control.advance()
+    np.testing.assert_allclose(found["action"], action, rtol=0, atol=TOLERANCE)
+    np.testing.assert_allclose(found["action"], network(policy, observation), rtol=0, atol=TOLERANCE)
+    target = control.joint_target(action.astype(float))
+    np.testing.assert_allclose(found["joint_target"], target, rtol=0, atol=TOLERANCE)
+    turned = np.abs(found["next_gait_phase"][:, 0] - control.phase)
+    assert np.minimum(turned, math.tau - turned).max() < TOLERANCE
+    # The random states reach every part of the graph.
+    clipped = (np.abs(observation) == control.layout.high.astype(np.float32)).any(axis=0)
+    for field in ("angular_velocity", "joint_position", "joint_velocity"):
+        assert clipped[control.layout.slices[field]].any()
+    assert (control.moving == 0.0).any()
+    assert np.ptp(action, axis=0).min() > 0.1
+
+
+def test_graph_takes_any_batch_and_states_its_version():
+    content = policy_graph(PolicyInterface(load_policy("flat")), "flat")
+    model = onnx.load_from_string(content)
+    assert [(entry.domain, entry.version) for entry in model.opset_import] == [("", OPSET)]
+    assert model.ir_version == IR_VERSION
+    session = onnxruntime.InferenceSession(content, providers=["CPUExecutionProvider"])
+    policy = load_policy("flat")
+    inputs = graph_inputs(*random_states(policy, 7))
+    together = runtime.run(session, inputs)
+    for row in range(7):
+        alone = runtime.run(session, {name: value[row : row + 1] for name, value in inputs.items()})
+        for name, value in alone.items():
+            np.testing.assert_allclose(value[0], together[name][row], rtol=0, atol=1e-6)
+    assert {entry.name: entry.shape for entry in session.get_inputs()} == {
+        entry.name: ["batch", entry.width] for entry in PolicyInterface(policy).inputs
+    }
+
+
+def test_same_policy_gives_the_same_file():
+    one, other = (policy_graph(PolicyInterface(load_policy("flat")), "flat") for _ in range(2))
+    assert one == other
+
+
+def test_symmetric_policy_stays_symmetric_in_the_graph():
+    policy = load_policy("flat")
+    mirror = MirrorMap.of(PolicyInterface(policy).layout)
+    inputs = graph_inputs(*random_states(policy, 500))
+    joints, vector, axial = mirror.action_order, np.float32([1, -1, 1]), np.float32([-1, 1, -1])
+    mirrored = {
+        "projected_gravity": inputs["projected_gravity"] * vector,
+        "angular_velocity": inputs["angular_velocity"] * axial,
+        **{name: inputs[name][:, joints] for name in ("joint_position", "joint_velocity", "last_action")},
+        "command": inputs["command"] * np.float32([1, -1]),
+        "gait_phase": (inputs["gait_phase"] + np.float32(math.pi)) % np.float32(math.tau),
+    }
+    session = session_of(policy)
+    one, other = runtime.run(session, inputs), runtime.run(session, mirrored)
+    assert PolicyInterface(policy).is_symmetric()
+    for name in ("action", "joint_target"):
+        np.testing.assert_allclose(other[name], one[name][:, joints], rtol=0, atol=TOLERANCE)
+    lopsided = random_policy("residual")
+    assert not PolicyInterface(lopsided).is_symmetric()
+    session = session_of(lopsided)
+    one, other = runtime.run(session, inputs), runtime.run(session, mirrored)
+    assert np.abs(other["action"] - one["action"][:, joints]).max() > 0.05
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+def test_graph_of_a_training_is_torchs_policy(symmetric):
+    """From SB3's own network, of which a symmetric policy runs two mirrored copies, over the saved policy to ONNX."""
+    import torch
+
+    from quadruped_env.envs import make_sb3_vec_env
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.ppo import export_policy, make_model
+
+    torch.manual_seed(0)
+    config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
+    env = make_sb3_vec_env(2, seed=0, action_mode="residual")
+    model = make_model(config, env)
+    with torch.no_grad():
+        for parameter in model.policy.parameters():
+            parameter.add_(0.1 * torch.randn_like(parameter))
+    policy = export_policy(model, env.task.config, config.activation, {})
+    readings, command, phase, last_action = random_states(policy)
+    observation = control_of(policy, command, phase, last_action).observe(readings)
+    with torch.no_grad():
+        mean = model.policy.get_distribution(torch.from_numpy(observation)).distribution.mean.clamp(-1.0, 1.0).numpy()
+    found = runtime.run(session_of(policy), graph_inputs(readings, command, phase, last_action))
+    np.testing.assert_allclose(found["action"], mean, rtol=0, atol=TOLERANCE)
+    assert PolicyInterface(policy).is_symmetric() == symmetric
+    assert (np.abs(mean) < 1.0).mean() > 0.5
+
+
+@pytest.mark.parametrize("name", ["projected_gravity", "joint_position", "joint_velocity", "command", "gait_phase"])
+def test_reading_that_is_nan_gives_nan_targets(name):
+    policy = load_policy("flat")
+    inputs = graph_inputs(*random_states(policy, 4))
+    inputs[name][2] = np.nan
+    found = runtime.run(session_of(policy), inputs)
+    assert np.isnan(found["joint_target"][2]).all()
+    assert np.isfinite(found["joint_target"][[0, 1, 3]]).all()
+
+
+TERMS = """
+from quadruped_env.task import Command, observation
+
+height = Command("height", "m", (0.15, 0.19), default=0.18)
+
+
+@observation(unit="m", mirror=(1.0,), scale=5.0, bound=0.9)
+def height_command(readings, control):
+    "Commanded height of the base."
+    return control.command_of("height")[:, None]
+"""
+
+
+def own_policy(tmp_path, text, widths=35):
+    (tmp_path / "mine.py").write_text(text)
+    definition = load_task_file(tmp_path / "mine.py")
+    rng = np.random.default_rng(0)
+    weights = [rng.normal(0.0, 0.3, shape).astype(np.float32) for shape in ((widths, 12), (12, 8))]
+    biases = [np.zeros(width, np.float32) for width in (12, 8)]
+    return Policy(weights, biases, "tanh", TaskConfig(definition=definition), {})
+
+
+def test_field_of_a_users_file_is_an_input_in_its_unit(tmp_path):
+    policy = own_policy(tmp_path, TERMS)
+    interface = PolicyInterface(policy)
+    entry = next(entry for entry in interface.inputs if entry.name == "height_command")
+    assert (entry.width, entry.unit) == (1, "m")
+    readings, command, phase, last_action = random_states(policy)
+    height = np.float32(np.random.default_rng(1).uniform(0.1, 0.25, (SAMPLES, 1)))
+    inputs = {**graph_inputs(readings, command, phase, last_action), "height_command": height}
+    found = runtime.run(session_of(policy), inputs)
+    control = control_of(policy, np.concatenate([command, height.astype(float)], axis=1), phase, last_action)
+    action = policy.predict(control.observe(readings))
+    np.testing.assert_allclose(found["action"], action, rtol=0, atol=TOLERANCE)
+    assert runtime.largest_difference(interface, policy_graph(interface, "mine")) < TOLERANCE
+
+
+def test_policy_without_clock_and_gait_needs_neither_command_nor_phase(tmp_path):
+    policy = own_policy(tmp_path, TERMS)
+    kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
+    weights = (policy.weights[0][:31], policy.weights[1])
+    blind = control_policy.Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot)
+    interface = PolicyInterface(blind)
+    assert {entry.name for entry in interface.inputs} == {entry.name for entry in kept}
+    assert [entry.name for entry in interface.outputs] == ["action", "joint_target"]
+    assert runtime.largest_difference(interface, policy_graph(interface, "blind")) < TOLERANCE
+
+
+def test_field_with_the_name_of_another_input_is_refused(tmp_path):
+    text = TERMS.replace("def height_command", "def command")
+    with pytest.raises(QuadrupedError, match=r"export: the observation 'command' .* rename it and train again"):
+        PolicyInterface(own_policy(tmp_path, text, 34)).inputs  # noqa: B018
+
+
+def test_graph_that_differs_from_the_policy_is_refused():
+    policy = load_policy("flat")
+    content = policy_graph(PolicyInterface(policy), "flat")
+    changed = [*policy.weights[:-1], policy.weights[-1] + np.float32(1e-3)]
+    other = Policy(changed, policy.biases, policy.activation, policy.config, policy.card)
+    with pytest.raises(QuadrupedError, match=r"ONNX Runtime differs from the policy by .* nothing was written"):
+        runtime.largest_difference(PolicyInterface(other), content, 100)
+
+
+@pytest.mark.parametrize("name", ["shipped", "position", "other robot, residual"])
+def test_actions_and_targets_in_an_env_are_those_of_the_policy(name):
+    policy = POLICIES[name]()
+    interface, session = PolicyInterface(policy), session_of(policy)
+    env = policy.make_env()
+    policy.check_env(env)
+    observation, _ = env.reset(seed=0, options={"command": (0.2, 0.3)})
+    task = env.unwrapped.task
+    phase = np.float32([[task.phase[0]]])
+    for _ in range(100):
+        columns = (observation / interface.layout.scale + interface.offsets).astype(np.float32)[None]
+        slices = interface.layout.slices
+        inputs = {n: columns[:, s] for n, s in slices.items() if n != "gait_clock"} | {"gait_phase": phase}
+        found = runtime.run(session, inputs)
+        action = policy.predict(observation)
+        np.testing.assert_allclose(found["action"][0], action, rtol=0, atol=TOLERANCE)
+        observation, _, terminated, _, _ = env.step(action)
+        np.testing.assert_allclose(env.unwrapped.data.ctrl, found["joint_target"][0], rtol=0, atol=TOLERANCE)
+        phase = found["next_gait_phase"]
+        if terminated:
+            break
+    assert isinstance(env, gymnasium.Env)
