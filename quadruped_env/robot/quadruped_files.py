@@ -9,8 +9,7 @@ from typing import Final
 from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE, JointMotor
 from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
 
-
-FRONT_SHARE: Final = 0.1
+_FRONT_SHARE: Final = 0.1
 """Length of the mark at the front of the base, relative to the base."""
 _PROUD: Final = 0.001
 """Distance by which the mark stands out from the base, so that it is drawn in front of it, m."""
@@ -229,7 +228,7 @@ def _foot_sensors(kind: str, legs: Sequence[str], reading: str) -> str:
 def _front_size(design: QuadrupedDimensions) -> tuple[float, float, float]:
     """Size of the mark around the front end of the base along x, y and z, m."""
     length, width, height = design.base_size
-    return FRONT_SHARE * length + _PROUD, width + 2.0 * _PROUD, height + 2.0 * _PROUD
+    return _FRONT_SHARE * length + _PROUD, width + 2.0 * _PROUD, height + 2.0 * _PROUD
 
 
 def _front_centre(design: QuadrupedDimensions) -> str:
@@ -245,8 +244,7 @@ def _urdf_base(design: QuadrupedDimensions) -> str:
 
 
 def _urdf_visual(shape: str, material: str, origin: str | None = None) -> str:
-    place = "" if origin is None else f"""
-      <origin xyz="{origin}" rpy="0 0 0"/>"""
+    place = "" if origin is None else f'\n      <origin xyz="{origin}" rpy="0 0 0"/>'
     return f"""\
     <visual>{place}
       <geometry><{shape}/></geometry>
