@@ -21,7 +21,7 @@ _FADED: Final = 60.0
 
 
 def linear(colours: ArrayLike) -> NDArray[np.float64]:
-    """sRGB values in 0 to 1 as linear ones, which glTF expects as the colours of a mesh; source: IEC 61966-2-1."""
+    """Linear values of sRGB values, all in 0 to 1: glTF expects linear colours of a mesh; source: IEC 61966-2-1."""
     srgb = np.asarray(colours, dtype=np.float64)
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 

@@ -33,7 +33,7 @@ VISUALS = {
         ("sphere", (0.02,), BLACK, (0.0, 0.0, 0.0)),
     ),
 }
-"""What is drawn of each link: the tutorial's shapes with a mark at the front and round feet."""
+"""Drawn shapes of each link: those of the tutorial, with a mark at the front and round feet."""
 MASSES = {"base_link": 2.2, "hip": 0.25, "leg": 0.20}
 
 

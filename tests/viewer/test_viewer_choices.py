@@ -1,4 +1,4 @@
-"""What can be chosen in the viewer besides sources: terrain, disturbances; names, offered controls and the legend."""
+"""Choices in the viewer besides sources (terrain, disturbances), names of robots, offered controls and the legend."""
 
 import math
 
