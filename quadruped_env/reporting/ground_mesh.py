@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env.reporting.palette import FLOOR, SKY, SQUARE, rgb
+from quadruped_env.reporting.palette import BACKGROUND, FLOOR, SQUARE, rgb
 from quadruped_env.simulation.height_field import HeightField
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def use_film_colours(model: mujoco.MjModel) -> None:
 def set_up_scene(server: Any) -> None:
     """Set light and background of viser's scene, in place of those of mjviser."""
     server.scene.configure_environment_map("studio", environment_intensity=0.45)
-    server.scene.set_background_image(np.full((1, 1, 3), rgb(SKY), np.uint8), format="png")
+    server.scene.set_background_image(np.full((1, 1, 3), rgb(BACKGROUND), np.uint8), format="png")
 
 
 def floor_mesh() -> "trimesh.Trimesh":
@@ -66,7 +66,7 @@ def floor_mesh() -> "trimesh.Trimesh":
     ring = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     first = len(points)
     points = np.concatenate([points, _HALF_SQUARES * SQUARE * ring, _FADED * ring])
-    colours = np.concatenate([colours, [mean] * 4, [[*scene_rgb(SKY), 255]] * 4])
+    colours = np.concatenate([colours, [mean] * 4, [[*scene_rgb(BACKGROUND), 255]] * 4])
     sides = [[[i, i + 4, (i + 1) % 4 + 4], [i, (i + 1) % 4 + 4, (i + 1) % 4]] for i in range(4)]
     faces = np.concatenate([faces.reshape(-1, 3), first + np.array(sides).reshape(-1, 3)])
     vertices = np.column_stack([points, np.zeros(len(points))])

@@ -34,7 +34,7 @@ FRONT: Final = "#F0E342"
 """Colour of the mark at the robot's front, as in the robot's model."""
 FLOOR: Final = ("#EDF1F6", "#CFD7E1")
 """Colours of the floor's squares in films, replays and the viewer; assets/mini_quadruped/scene.xml has the same."""
-SKY: Final = "#DCE6F0"
+BACKGROUND: Final = "#DCE6F0"
 """Colour around the floor in films, replays and the viewer, as in assets/mini_quadruped/scene.xml."""
 SQUARE: Final = 0.5
 """Side length of the floor's squares, m."""

@@ -42,8 +42,8 @@ def test_the_scene_of_films_has_the_colours_of_the_palette():
     sky, ground = scene.findall("asset/texture")
     for name, expected in (("rgb1", palette.FLOOR[0]), ("rgb2", palette.FLOOR[1])):
         np.testing.assert_allclose(colour(ground, name), rgb(expected), atol=0.01)
-        np.testing.assert_allclose(colour(sky, name), rgb(palette.SKY), atol=0.01)
-    np.testing.assert_allclose(colour(scene.find("visual/rgba"), "haze"), rgb(palette.SKY), atol=0.01)
+        np.testing.assert_allclose(colour(sky, name), rgb(palette.BACKGROUND), atol=0.01)
+    np.testing.assert_allclose(colour(scene.find("visual/rgba"), "haze"), rgb(palette.BACKGROUND), atol=0.01)
     # A texture of two by two squares repeats this often per 2 m.
     repeats = [float(value) for value in scene.find("asset/material").get("texrepeat").split()]
     assert 2.0 / np.array(repeats) / 2.0 == pytest.approx(palette.SQUARE)
@@ -61,7 +61,7 @@ def test_films_and_scenes_have_one_colour_for_commands_and_one_for_measurements(
     assert len(set(colours)) == len(colours)
 
 
-@pytest.mark.parametrize("colour", [*palette.FLOOR, palette.SKY, palette.FRONT, *palette.SERIES])
+@pytest.mark.parametrize("colour", [*palette.FLOOR, palette.BACKGROUND, palette.FRONT, *palette.SERIES])
 def test_a_browser_displays_the_colour_of_the_palette(colour):
     np.testing.assert_allclose(displayed(scene_rgb(colour)), rgb(colour), atol=7.0)  # rounded to 8 bits when dark
 
@@ -130,4 +130,4 @@ def test_a_film_shows_floor_and_sky_in_these_colours():
     floor = [colour for colour, _ in Counter(map(tuple, picture[200:].reshape(-1, 3).tolist())).most_common(2)]
     for found, expected in zip(sorted(floor, reverse=True), palette.FLOOR, strict=True):
         np.testing.assert_allclose(found, rgb(expected), atol=20)
-    np.testing.assert_allclose(picture[2].mean(axis=0), rgb(palette.SKY), atol=6)
+    np.testing.assert_allclose(picture[2].mean(axis=0), rgb(palette.BACKGROUND), atol=6)

@@ -6,7 +6,7 @@ import pytest
 from browser import fill
 from viewer_page import choose, shot, still, tab, until
 
-from quadruped_env.reporting.palette import FLOOR, SKY, rgb
+from quadruped_env.reporting.palette import BACKGROUND, FLOOR, rgb
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
@@ -23,7 +23,7 @@ def test_floor_and_sky_have_the_colours_of_films(paused):
         return colours[np.argsort(-counts)].astype(int)
 
     sky = commonest(x=660, y=2, width=40, height=20)[0]
-    np.testing.assert_allclose(sky, rgb(SKY), atol=4)
+    np.testing.assert_allclose(sky, rgb(BACKGROUND), atol=4)
     floor = commonest(x=370, y=440, width=320, height=180)
     # The lights are not those of films, and the shadows are paler.
     for colour in FLOOR:
