@@ -43,7 +43,7 @@ def use_film_colours(model: mujoco.MjModel) -> None:
 
 def set_up_scene(server: Any) -> None:
     """Set light and background of viser's scene, in place of those of mjviser."""
-    server.scene.configure_environment_map("studio", environment_intensity=0.45)
+    server.scene.configure_environment_map("studio", environment_intensity=0.35)
     server.scene.set_background_image(np.full((1, 1, 3), rgb(BACKGROUND), np.uint8), format="png")
 
 

@@ -59,7 +59,7 @@ _FEET_AZIMUTH: Final = 102.0
 """Azimuth of the camera in a close-up of the feet, degrees."""
 _FEET_ELEVATION: Final = -6.0
 """Its elevation, degrees."""
-_FEET_DISTANCE: Final = 0.5
+_FEET_DISTANCE: Final = 0.58
 """Its distance from the point that it looks at, m, for a robot of size 1."""
 _FEET_HEIGHT: Final = 0.05
 """Height of that point over the ground, m, for a robot of size 1."""
