@@ -4,8 +4,9 @@
     mini-quadruped view flat trot runs/<name>   up to three robots side by side: policies, scripted gaits, runs
     mini-quadruped view walk.csv                a recording of joint states (or a bag), played through the motors
 
-Steer it with the sliders or the arrow keys, push it, change its gait, plot its joints, record it. The page is at the
-address that this program prints, for browsers on this machine only unless --host says otherwise. Ctrl-C ends it.
+Steer it with the sliders or the arrow keys, push it, choose its terrain, change its gait, plot its joints, record it.
+The page is at the address that this program prints, for browsers on this machine only unless --host says otherwise.
+Ctrl-C ends it.
 """
 
 import argparse

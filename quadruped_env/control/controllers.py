@@ -21,6 +21,8 @@ class Controller(Protocol):
     name: str
     action_mode: str
     """Action mode that the task must have."""
+    follows_command: bool
+    """False if the velocity command has no effect."""
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """Joint targets (N, J) in rad for one control step.
@@ -37,6 +39,7 @@ class ZeroController:
 
     name = "zero"
     action_mode = "position"
+    follows_command = False
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
@@ -47,6 +50,7 @@ class GaitController:
     """A scripted gait as a function of the time since the reset; it ignores the command."""
 
     action_mode = "position"
+    follows_command = False
 
     def __init__(self, gait: SinusoidalGait, name: str) -> None:
         self.gait = gait
@@ -66,6 +70,7 @@ class CommandedGaitController:
     """
 
     action_mode = "position"
+    follows_command = True
 
     def __init__(self, gait: CommandedGait | None = None, name: str = "tuned") -> None:
         self.name = name
@@ -86,6 +91,7 @@ class TrajectoryController:
     """
 
     action_mode = "position"
+    follows_command = False
 
     def __init__(self, trajectory: JointTrajectory, name: str = "recording") -> None:
         self.trajectory = trajectory
@@ -109,6 +115,8 @@ class TrajectoryController:
 
 class PolicyController:
     """A trained policy."""
+
+    follows_command = True
 
     def __init__(self, policy: Policy, name: str = "policy") -> None:
         self.policy = policy

@@ -38,6 +38,7 @@ class EditableGaitController:
 
     def __init__(self, preset: str, robot: Robot) -> None:
         self.name = preset
+        self.follows_command = preset == _COMMANDED
         self._robot = robot
         self._time = 0.0
         """Time in which the gait reaches its current phase at its current frequency, s."""
@@ -73,6 +74,6 @@ class EditableGaitController:
         return self._gait.violations()
 
     def _preset(self, command: tuple[float, float]) -> SinusoidalGait:
-        if self.name == _COMMANDED:
+        if self.follows_command:
             return CommandedGait.tuned(self._robot).at(command)
         return SinusoidalGait.preset(self.name, self._robot)

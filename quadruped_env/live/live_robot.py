@@ -20,7 +20,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.rotations import rotate
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
-from quadruped_env.viewer.robot import HISTORY_SECONDS, Offered, heading, world_velocity
+from quadruped_env.viewer.robot import HISTORY_SECONDS, Offered, heading, world_vector
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 NAME: Final = "live robot"
@@ -58,6 +58,7 @@ class LiveRobot:
     timestep = _TIMESTEP
     fell_at: float | None = None
     diverged = False
+    follows_command = True
     term_names: tuple[str, ...] = ()
 
     def __init__(
@@ -112,8 +113,11 @@ class LiveRobot:
 
     def push(self, velocity: tuple[float, float]) -> None:
         """Send a push: a velocity (forwards, left) in the robot's heading frame, m/s, that is added to its base."""
-        x, y, z = world_velocity(velocity, heading(self.data)).tolist()
+        x, y, z = world_vector(velocity, heading(self.data)).tolist()
         self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
+
+    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
+        """Without effect: no topic carries a sustained force."""
 
     def step(self) -> ViewedTrace:
         """Take the newest state from the topics, and send the command."""
@@ -173,7 +177,7 @@ class LiveRobot:
     def offered(self) -> Offered:
         """The available controls: those with a subscriber; the clock only with a simulation."""
         commands, pushes = bool(self._velocities.readers), bool(self._pushes.readers)
-        return Offered(command=commands, push=pushes, clock=pushes, sources=False)
+        return Offered(command=commands, push=pushes, force=False, clock=pushes, sources=False)
 
     @property
     def receives_states(self) -> bool:

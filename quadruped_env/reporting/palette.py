@@ -22,7 +22,29 @@ CONTROLLER_COLOURS: Final = {"policy": BLUE, "tuned": VERMILION, "article": GREE
 _LEG_PAIRS: Final = ((BLUE, VERMILION), (SKY, ORANGE), (GREEN, PURPLE))
 """Colours of a left leg and its counterpart on the right: sides differ in hue, pairs in lightness."""
 INK: Final = "#1B1F24"
+COMMANDED: Final = GREEN
+"""Colour of velocity commands."""
+ACTUAL: Final = BLUE
+"""Colour of measured velocities."""
+CONTACT: Final = VERMILION
+"""Colour of contact forces."""
+PUSH: Final = ORANGE
+"""Colour of pushes and of sustained forces."""
+FRONT: Final = "#F0E342"
+"""Colour of the mark at the robot's front, as in the robot's model."""
+FLOOR: Final = ("#EDF1F6", "#CFD7E1")
+"""Colours of the floor's squares in films, replays and the viewer; assets/mini_quadruped/scene.xml has the same."""
+BACKGROUND: Final = "#DCE6F0"
+"""Colour around the floor in films, replays and the viewer, as in assets/mini_quadruped/scene.xml."""
+SQUARE: Final = 0.5
+"""Side length of the floor's squares, m."""
 LIMIT: Final = "#CC0033"
+
+
+def rgb(colour: str) -> tuple[int, int, int]:
+    """`#rrggbb` as three numbers in 0 to 255."""
+    red, green, blue = bytes.fromhex(colour.removeprefix("#"))
+    return red, green, blue
 
 
 def leg_colours(robot: Robot) -> dict[str, str]:

@@ -4,9 +4,22 @@ assets/mini_quadruped/README.md explains the choices for motors, contacts, senso
 """
 
 from collections.abc import Iterable, Sequence
+from typing import Final
 
 from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE, JointMotor
 from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
+
+_FRONT_SHARE: Final = 0.1
+"""Length of the mark at the front of the base, relative to the base."""
+_PROUD: Final = 0.001
+"""Distance by which the mark stands out from the base, so that it is drawn in front of it, m."""
+_COLOURS: Final = {
+    "gray": "0.5 0.5 0.5 1",
+    "blue": "0.2 0.3 0.8 1",
+    "black": "0.1 0.1 0.1 1",
+    "yellow": "0.94 0.89 0.26 1",
+}
+"""Name -> red, green, blue and opacity. The first three are the tutorial's; yellow marks the front."""
 
 
 def number(value: float) -> str:
@@ -64,9 +77,7 @@ mass="0" rgba="0.9 0.4 0.1 0.4"/>
   </default>
 
   <asset>
-    <material name="gray" rgba="0.5 0.5 0.5 1"/>
-    <material name="blue" rgba="0.2 0.3 0.8 1"/>
-    <material name="black" rgba="0.1 0.1 0.1 1"/>
+{_join(f'    <material name="{name}" rgba="{colour}"/>' for name, colour in _COLOURS.items())}
   </asset>
 
   <worldbody>
@@ -74,6 +85,8 @@ mass="0" rgba="0.9 0.4 0.1 0.4"/>
       <freejoint name="floating_base"/>
       <inertial pos="0 0 0" mass="{number(design.base_mass)}" diaginertia="{numbers(*design.base_inertia)}"/>
       <geom name="base_visual" class="visual" type="box" size="{_half(design.base_size)}" material="gray"/>
+      <geom name="front_visual" class="visual" type="box" size="{_half(_front_size(design))}" \
+pos="{_front_centre(design)}" material="yellow"/>
       <geom name="base_collision" class="collision" type="box" size="{_half(design.base_size)}"/>
       <site name="imu" group="4" size="0.01"/>
       <site name="base_touch" class="touch_site" type="box" size="{_half(design.base_size, 0.01)}"/>
@@ -128,11 +141,9 @@ def urdf(design: QuadrupedDimensions) -> str:
      A robot like that of the ROS 2 tutorial, with the inertia, collision and drives that it leaves out; the MJCF of the
      same name is the same robot for MuJoCo. assets/mini_quadruped/README.md derives the built-in robot's numbers. -->
 <robot name="{design.name}" xmlns:drake="http://drake.mit.edu">
-  <material name="gray"><color rgba="0.5 0.5 0.5 1"/></material>
-  <material name="blue"><color rgba="0.2 0.3 0.8 1"/></material>
-  <material name="black"><color rgba="0.1 0.1 0.1 1"/></material>
+{_join(f'  <material name="{name}"><color rgba="{colour}"/></material>' for name, colour in _COLOURS.items())}
 
-{_urdf_link("base_link", f'box size="{numbers(*design.base_size)}"', "gray", design.base_mass, design.base_inertia)}
+{_urdf_base(design)}
 
 {(chr(10) * 2).join(_urdf_leg(design, leg) for leg in design.leg_names)}
 
@@ -197,7 +208,8 @@ def _mjcf_leg(design: QuadrupedDimensions, leg: str) -> str:
         <body name="{leg}_leg" pos="{numbers(0, 0, -design.hip_to_knee)}">
           <inertial pos="{centre}" mass="{number(design.leg_mass)}" diaginertia="{numbers(*design.leg_inertia)}"/>
           <joint name="{leg}_knee_joint" class="knee"/>
-          <geom class="visual" type="cylinder" size="{numbers(radius, 0.5 * length)}" pos="{centre}" material="black"/>
+          <geom class="visual" type="capsule" size="{number(radius)}" \
+fromto="{numbers(0, 0, 0, 0, 0, design.foot_height)}" material="black"/>
           <geom name="{leg}_leg_collision" class="collision" type="capsule" size="{number(radius)}" \
 fromto="{numbers(0, 0, -radius, 0, 0, design.foot_height)}"/>
           <site name="{leg}_foot" class="foot_site"/>
@@ -213,13 +225,39 @@ def _foot_sensors(kind: str, legs: Sequence[str], reading: str) -> str:
     return _join(f'    <{kind} name="{leg}_foot_{reading}" objtype="site" objname="{leg}_foot"/>' for leg in legs)
 
 
-def _urdf_link(name: str, shape: str, material: str, mass: float, inertia: Iterable[float]) -> str:
+def _front_size(design: QuadrupedDimensions) -> tuple[float, float, float]:
+    """Size of the mark around the front end of the base along x, y and z, m."""
+    length, width, height = design.base_size
+    return _FRONT_SHARE * length + _PROUD, width + 2.0 * _PROUD, height + 2.0 * _PROUD
+
+
+def _front_centre(design: QuadrupedDimensions) -> str:
+    return numbers(0.5 * (design.base_size[0] - _front_size(design)[0]) + _PROUD, 0, 0)
+
+
+def _urdf_base(design: QuadrupedDimensions) -> str:
+    front = f"""
+    <!-- A mark around the front end. -->
+{_urdf_visual(f'box size="{numbers(*_front_size(design))}"', "yellow", _front_centre(design))}"""
+    shape = f'box size="{numbers(*design.base_size)}"'
+    return _urdf_link("base_link", shape, "gray", design.base_mass, design.base_inertia, front)
+
+
+def _urdf_visual(shape: str, material: str, origin: str | None = None) -> str:
+    place = "" if origin is None else f'\n      <origin xyz="{origin}" rpy="0 0 0"/>'
     return f"""\
-  <link name="{name}">
-    <visual>
+    <visual>{place}
       <geometry><{shape}/></geometry>
       <material name="{material}"/>
-    </visual>
+    </visual>"""
+
+
+def _urdf_link(
+    name: str, shape: str, material: str, mass: float, inertia: Iterable[float], more_visuals: str = ""
+) -> str:
+    return f"""\
+  <link name="{name}">
+{_urdf_visual(shape, material)}{more_visuals}
     <collision>
       <geometry><{shape}/></geometry>
     </collision>
@@ -290,25 +328,26 @@ def _ros2_control_transmission(joint: str) -> str:
 def _urdf_leg(design: QuadrupedDimensions, leg: str) -> str:
     radius, length = design.leg_radius, design.leg_length
     centre = numbers(0, 0, -0.5 * length)
+    shank_centre, foot = numbers(0, 0, 0.5 * design.foot_height), numbers(0, 0, design.foot_height)
+    ball = f'sphere radius="{number(radius)}"'
     hip, shank = f"{leg}_hip", f"{leg}_leg"
     hip_origin, knee_origin = numbers(*design.hip_position(leg), 0), numbers(0, 0, -design.hip_to_knee)
     return f"""\
 {_urdf_link(hip, f'sphere radius="{number(design.hip_radius)}"', "blue", design.hip_mass, design.hip_inertia)}
 {_urdf_joint(f"{leg}_hip_joint", ("base_link", hip), hip_origin, design.hip_range, design.motors.hip)}
   <link name="{shank}">
-    <visual>
-      <origin xyz="{centre}" rpy="0 0 0"/>
-      <geometry><cylinder radius="{number(radius)}" length="{number(length)}"/></geometry>
-      <material name="black"/>
-    </visual>
-    <!-- URDF has no capsule: a cylinder for the shank and a sphere for the rounded foot at its lower end. -->
+    <!-- URDF has no capsule: a cylinder for the shank, and a sphere for the rounded foot at its lower end. The drawn
+         shank is rounded at the knee too. -->
+{_urdf_visual(f'cylinder radius="{number(radius)}" length="{number(-design.foot_height)}"', "black", shank_centre)}
+{_urdf_visual(ball, "black", foot)}
+{_urdf_visual(ball, "black")}
     <collision>
       <origin xyz="{centre}" rpy="0 0 0"/>
       <geometry><cylinder radius="{number(radius)}" length="{number(length - 2.0 * radius)}"/></geometry>
     </collision>
     <collision>
-      <origin xyz="{numbers(0, 0, design.foot_height)}" rpy="0 0 0"/>
-      <geometry><sphere radius="{number(radius)}"/></geometry>
+      <origin xyz="{foot}" rpy="0 0 0"/>
+      <geometry><{ball}/></geometry>
     </collision>
     <inertial>
       <origin xyz="{centre}" rpy="0 0 0"/>

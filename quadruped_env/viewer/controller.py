@@ -7,9 +7,8 @@ import copy
 import math
 import threading
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from operator import methodcaller
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -17,50 +16,25 @@ import mujoco
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.settings import GaitSettings
-from quadruped_env.policies import ControllerSpec
 from quadruped_env.robot import MINI_QUADRUPED, Robot
-from quadruped_env.simulation import Terrain
+from quadruped_env.simulation import TERRAINS, Terrain
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
-from quadruped_env.task import PRESETS, CommandConfig, TaskConfig
-from quadruped_env.viewer.robot import Offered, TaskRobot, ViewedRobot
+from quadruped_env.task import CommandConfig
+from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, push_velocity, sustained_force
+from quadruped_env.viewer.lineup import Lineup, Slot, Source
+from quadruped_env.viewer.robot import Offered, ViewedRobot
 from quadruped_env.viewer.snapshot import View, robot_view
 from quadruped_env.viewer.take import MAX_SECONDS, RESULTS, Take, TakeSaver
 
-MAX_ROBOTS: Final = 3
 SPEEDS: Final = (0.1, 4.0)
 """Range of the playback speed, as a multiple of real time."""
-MAX_PUSH: Final = 1.5
-"""Maximum velocity change by a push, m/s."""
 RESTART_AFTER: Final = 2.0
 """Time after a fall until the robot restarts, s."""
-START: Final = "start"
-RANDOMIZATIONS: Final[dict[str, Callable[[TaskConfig], TaskConfig]]] = {
-    "off": TaskConfig.without_randomization,
-    **{START if preset == "none" else preset: methodcaller("randomized", preset) for preset in PRESETS},
-    "as trained": lambda config: config,
-}
-"""Name -> function that gives a source's task this randomization."""
-
 _MAX_LAG: Final = 0.25
 """Maximum playback time that is caught up after a delay, s; the rest is skipped."""
 _MESSAGES: Final = 20
 
 Command = tuple[float, float]
-
-
-@dataclass
-class _Slot:
-    robot: ViewedRobot
-    clock: float
-    """Playback time that the robot has simulated, s."""
-    scratch: mujoco.MjData = field(init=False)
-    """Data for what is computed from a copy of the state."""
-
-    def __post_init__(self) -> None:
-        self.scratch = mujoco.MjData(self.robot.model)
-
-
-Source = ControllerSpec | Callable[[], ViewedRobot]
 
 
 class ViewController:
@@ -72,8 +46,9 @@ class ViewController:
         chosen: names of the initial sources, one per robot.
         results: directory for recordings.
         robot: description of the robots.
-        terrain: ground of all simulated robots; None: that of the first robot's task.
-        randomization: initial randomization, a key of `RANDOMIZATIONS`.
+        terrain: initial ground of all simulated robots; None: that of the first robot's task.
+        terrains: terrains that can be chosen.
+        randomization: initial randomization, a key of `lineup.RANDOMIZATIONS`.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit the robot.
@@ -87,14 +62,14 @@ class ViewController:
         robot: Robot = MINI_QUADRUPED,
         terrain: Terrain | None = None,
         randomization: str = "off",
+        terrains: Sequence[Terrain] = TERRAINS,
     ) -> None:
-        if not 1 <= len(chosen) <= MAX_ROBOTS:
-            raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
         self.sources = sources
         self.robot = robot
-        """Description of the robots."""
         self.command_ranges = CommandConfig()
-        self.offered = Offered()
+        self.available = Offered()
+        """Controls that have an effect on at least one kind of robot here."""
+        self.terrains = tuple(terrains)
         self._lock = threading.RLock()
         self._messages: deque[str] = deque(maxlen=_MESSAGES)
         self._saver = TakeSaver(results, self._messages.append)
@@ -104,12 +79,10 @@ class ViewController:
         self._speed = 1.0
         self._command: Command = (0.0, 0.0)
         self._watched = 0
-        self._randomization = randomization
         self.restart_after_fall = True
         self._take: Take | None = None
-        self._terrain = terrain
         try:
-            self._slots = [_Slot(self._make(name), 0.0) for name in chosen]
+            self._lineup = Lineup(sources, chosen, robot, terrain, randomization, terrains)
         except Exception:
             self._saver.close()
             raise
@@ -120,7 +93,19 @@ class ViewController:
     def robots(self) -> tuple[str, ...]:
         """The name of each robot's source."""
         with self._lock:
-            return tuple(slot.robot.name for slot in self._slots)
+            return self._lineup.sources
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The name of each robot: its source's, with a number if an earlier robot has the same source."""
+        with self._lock:
+            return self._lineup.names
+
+    @property
+    def offered(self) -> Offered:
+        """The controls that have an effect on the current robots."""
+        with self._lock:
+            return replace(self.available, command=self.available.command and self._lineup.follows_command)
 
     def set_source(self, index: int, name: str | None) -> None:
         """Change the source of a robot and restart it; None removes the robot.
@@ -131,26 +116,23 @@ class ViewController:
             QuadrupedError: if there is no such robot or source, or the source does not fit the robot. Nothing
                 changes then.
         """
-        robot = None if name is None else self._make(name)
+        robot = None if name is None else self._lineup.make(name)
         with self._lock:
-            if not 0 <= index <= min(len(self._slots), MAX_ROBOTS - 1):
-                raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)} of up to {MAX_ROBOTS}")
-            if robot is None and not index:
-                raise QuadrupedError("robot 1: cannot be removed; choose another source for it")
+            self._lineup.check_place(index, remove=robot is None)
             if index == self._watched:
                 self.stop_recording()
             if robot is not None:
                 robot.reset(self._seed, self._command)
-                self._slots[index : index + 1] = [_Slot(robot, self._time)]
+                self._lineup.slots[index : index + 1] = [Slot(robot, self._time)]
             else:
-                del self._slots[index : index + 1]
-                self.watch(min(self._watched, len(self._slots) - 1))
+                del self._lineup.slots[index : index + 1]
+                self.watch(min(self._watched, len(self._lineup.slots) - 1))
 
     def watch(self, index: int) -> None:
         """Select the robot for plots, camera, gait settings and recordings."""
         with self._lock:
-            if not 0 <= index < len(self._slots):
-                raise QuadrupedError(f"robot {index + 1}: there are {len(self._slots)}")
+            if not 0 <= index < len(self._lineup.slots):
+                raise QuadrupedError(f"watch: expected an index of 0 to {len(self._lineup.slots) - 1}; found {index}")
             if index != self._watched:
                 self.stop_recording()
             self._watched = index
@@ -172,19 +154,38 @@ class ViewController:
 
     @property
     def randomization(self) -> str:
-        """The randomization, a key of `RANDOMIZATIONS`."""
+        """The randomization, a key of `lineup.RANDOMIZATIONS`."""
         with self._lock:
-            return self._randomization
+            return self._lineup.randomization
 
     def set_randomization(self, name: str) -> None:
-        """Choose the randomization, a key of `RANDOMIZATIONS`, and restart all robots."""
-        if name not in RANDOMIZATIONS:
-            raise QuadrupedError(f"randomization: there is no {name!r}; there are {', '.join(RANDOMIZATIONS)}")
+        """Choose the randomization, a key of `lineup.RANDOMIZATIONS`, and restart all robots."""
         with self._lock:
-            self._randomization = name
-            self.stop_recording()
-            self._slots = [_Slot(self._make(source), 0.0) for source in self.robots]
-            self.reset()
+            self._replace(self._lineup.randomized(name))
+
+    @property
+    def terrain(self) -> Terrain:
+        """The ground of the robots."""
+        with self._lock:
+            return self._lineup.terrain
+
+    def set_terrain(self, name: str, level: int | None = None) -> None:
+        """Choose the ground of all simulated robots, and restart them.
+
+        Args:
+            name: name of one of `terrains`.
+            level: from 1 to 10, for a terrain that has levels; None: its default shape.
+
+        Raises:
+            QuadrupedError: if there is no such terrain or level. Nothing changes then.
+        """
+        with self._lock:
+            self._replace(self._lineup.on_terrain(name, level))
+
+    def _replace(self, slots: list[Slot]) -> None:
+        """Show other robots, from their start."""
+        self._lineup.slots = slots
+        self.reset()
 
     # --- the command and the clock
 
@@ -205,7 +206,7 @@ class ViewController:
         ranges = self.command_ranges
         with self._lock:
             self._command = (_cut(forward_velocity, ranges.forward_velocity), _cut(yaw_rate, ranges.yaw_rate))
-            for slot in self._slots:
+            for slot in self._lineup.slots:
                 slot.robot.set_command(self._command)
             return self._command
 
@@ -244,7 +245,7 @@ class ViewController:
             self.stop_recording()
             self._seed += 1
             self._time = self._budget = self._lag = 0.0
-            for slot in self._slots:
+            for slot in self._lineup.slots:
                 slot.robot.reset(self._seed, self._command)
                 slot.clock = 0.0
 
@@ -283,11 +284,22 @@ class ViewController:
             direction: direction relative to the robot's heading, positive to the left, rad.
             strength: velocity added to the base, m/s.
         """
-        strength = _cut(strength, (0.0, MAX_PUSH))
-        velocity = (strength * math.cos(direction), strength * math.sin(direction))
         with self._lock:
-            for slot in self._slots:
-                slot.robot.push(velocity)
+            for slot in self._lineup.slots:
+                slot.robot.push(push_velocity(direction, strength))
+
+    def hold_force(self, direction: float, force: float, seconds: float) -> None:
+        """Apply a sustained force to the base of all robots.
+
+        Args:
+            direction: direction relative to the robot's heading, positive to the left, rad.
+            force: force, N.
+            seconds: its duration, s.
+        """
+        vector = sustained_force(self.robot, direction, force)
+        with self._lock:
+            for slot in self._lineup.slots:
+                slot.robot.hold_force(vector, _cut(seconds, (0.0, MAX_FORCE_SECONDS)))
 
     # --- recordings
 
@@ -301,7 +313,7 @@ class ViewController:
             if self._take is None:
                 self._saver.check_room()
                 robot = self._watched_robot
-                self._take = Take(robot.name, [robot.history[-1]])
+                self._take = Take(self.names[self._watched], [robot.history[-1]], robot.follows_command)
 
     def stop_recording(self) -> None:
         """End the current recording, if any, and save it in the background."""
@@ -338,7 +350,11 @@ class ViewController:
                 self._paused,
                 self._speed,
                 self._command,
-                tuple(robot_view(slot.robot, slot.scratch) for slot in self._slots),
+                tuple(
+                    robot_view(slot.robot, name, slot.scratch)
+                    for slot, name in zip(self._lineup.slots, self.names, strict=True)
+                ),
+                self._lineup.terrain,
                 self._watched,
                 None if self._take is None else self._take.seconds,
                 self._lag,
@@ -347,31 +363,21 @@ class ViewController:
     def model(self) -> mujoco.MjModel:
         """A copy of the robots' MuJoCo model."""
         with self._lock:
-            return copy.copy(self._slots[0].robot.model)
+            return copy.copy(self._lineup.slots[0].robot.model)
 
     # --- inside
 
     @property
     def _watched_robot(self) -> ViewedRobot:
-        return self._slots[self._watched].robot
+        return self._lineup.slots[self._watched].robot
 
     @property
     def _timestep(self) -> float:
-        return self._slots[0].robot.timestep
-
-    def _make(self, name: str) -> ViewedRobot:
-        if name not in self.sources:
-            raise QuadrupedError(f"source: there is no {name!r}; there are {', '.join(self.sources)}")
-        source = self.sources[name]
-        if not isinstance(source, ControllerSpec):
-            return source()
-        robot = TaskRobot(source, RANDOMIZATIONS[self._randomization], self.robot, self._terrain)
-        self._terrain = robot.terrain
-        return robot
+        return self._lineup.slots[0].robot.timestep
 
     def _tick(self) -> None:
         self._time += self._timestep
-        for index, slot in enumerate(self._slots):
+        for index, slot in enumerate(self._lineup.slots):
             while slot.clock + slot.robot.timestep <= self._time + 1e-9:
                 slot.clock += slot.robot.timestep
                 self._step(index, slot.robot)

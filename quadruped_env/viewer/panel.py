@@ -5,33 +5,32 @@ import threading
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from html import escape
 from typing import TYPE_CHECKING, Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.settings import AMPLITUDES, FREQUENCIES
-from quadruped_env.reporting.palette import GREY, INK, LIMIT
-from quadruped_env.viewer.controller import MAX_PUSH, MAX_ROBOTS, RANDOMIZATIONS, SPEEDS, ViewController
+from quadruped_env.simulation.ground import LEVELS
+from quadruped_env.viewer.controller import SPEEDS, ViewController
+from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, MAX_PUSH, max_force
 from quadruped_env.viewer.keys import ARROWS_FIRST
+from quadruped_env.viewer.lineup import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.panel_text import keys_html, legend_html, status_html
 from quadruped_env.viewer.paths import without_directories
 from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.take import MAX_SECONDS
 
 if TYPE_CHECKING:
     import viser
 
 NONE: Final = "none"
+NO_LEVEL: Final = "default"
+ROBOTS: Final = ("Robot", "Compare with", "And with")
+"""Labels of the lists of sources."""
 PAUSE, RESUME, STEP, RESET = "Pause", "Resume", "Step", "Reset"
 RECORD, SAVE = "Record", "Stop and save"
 
-_KEYS: Final = (
-    "<b>↑ ↓</b> faster, slower &ensp; <b>← →</b> turn &ensp; <b>0</b> stand<br>"
-    "<b>Space</b> pause &ensp; <b>N</b> step &ensp; <b>R</b> reset &ensp; <b>P</b> push &ensp; <b>V</b> record"
-)
 _WIDTH: Final = 310
 """Panel width, pixels."""
-_SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
 # viser fades a scene in when its light has been loaded. On a slow machine the page's own light is loaded during the
 # fade of viser's default light, which ends the fade and leaves the scene pale.
 _UNFADED: Final = "<style>canvas[data-engine] { opacity: 1 !important }</style>"
@@ -65,7 +64,7 @@ class Panel:
         self._on(self._record, self._toggle_recording)
         tabs = gui.add_tab_group()
         self._sources: list[Any] = []
-        if controller.offered.sources:
+        if controller.available.sources:
             with tabs.add_tab("Drive"):
                 self._add_command()
                 self._add_push()
@@ -73,7 +72,7 @@ class Panel:
             with tabs.add_tab("Robots"):
                 self._add_robots()
                 self._add_gait()
-                self._add_randomization()
+                self._add_episodes()
         else:
             with tabs.add_tab("Drive"):
                 self._add_gait()
@@ -81,6 +80,8 @@ class Panel:
                 self._add_push()
         with tabs.add_tab("Show"):
             self._add_overlays()
+        self._legend = gui.add_html("")
+        self._keys = gui.add_html("")
         self._add_keys()
         self._show_offered()
         self._show_robots()
@@ -98,7 +99,7 @@ class Panel:
 
     def update(self, view: View) -> None:
         """Show the current state."""
-        _set(self._status, "content", _status(view))
+        _set(self._status, "content", status_html(view))
         _set(self._clock_buttons, "options", (RESUME if view.paused else PAUSE, STEP, RESET))
         _set(self._record, "label", RECORD if view.recorded is None else SAVE)
         if self._server.get_clients():
@@ -109,6 +110,10 @@ class Panel:
             try:
                 self._show_offered()
                 self._show_command()
+                if self._sources and self._controller.names != self._shown_names:
+                    self._show_robots()
+                if self._sources and self._controller.terrain != self._shown_terrain:
+                    self._show_terrain()
                 if self._controller.gait != self._shown_gait:
                     self._show_gait()
             finally:
@@ -125,20 +130,24 @@ class Panel:
             self._velocity = gui.add_slider("Forward, m/s", min=low, max=high, step=0.01, initial_value=velocity)
             low, high = ranges.yaw_rate
             self._yaw_rate = gui.add_slider("Turn left, rad/s", min=low, max=high, step=0.01, initial_value=yaw_rate)
-            gui.add_html(f'<div style="{_SMALL};color:{INK}">{_KEYS}</div>')
         for slider in (self._velocity, self._yaw_rate):
             self._on(slider, self._command)
 
     def _add_push(self) -> None:
         gui = self._server.gui
-        self._push_folder = gui.add_folder("Push")
+        self._push_folder = gui.add_folder("Disturb")
         with self._push_folder:
             self._direction = gui.add_slider(
                 "To, degrees", min=-180, max=180, step=5, initial_value=90,
-                hint="0 pushes forwards, 90 to the left, -90 to the right, 180 backwards.",
+                hint="0 is forwards, 90 to the left, -90 to the right, 180 backwards.",
             )  # fmt: skip
             self._strength = gui.add_slider("Strength, m/s", min=0.0, max=MAX_PUSH, step=0.05, initial_value=0.5)
             self._on(gui.add_button("Push", icon="arrow-big-right"), self._push)
+            most = math.floor(max_force(self._controller.robot))
+            self._force = gui.add_slider("Force, N", min=0.0, max=most, step=0.5, initial_value=min(5.0, most))
+            self._seconds = gui.add_slider("For, s", min=0.1, max=MAX_FORCE_SECONDS, step=0.1, initial_value=1.0)
+            self._hold = gui.add_button("Apply force", icon="arrow-bar-to-right")
+            self._on(self._hold, self._apply_force)
 
     def _add_playback(self) -> None:
         with self._server.gui.add_folder("Playback"):
@@ -149,9 +158,11 @@ class Panel:
         gui, names = self._server.gui, tuple(self._controller.sources)
         with gui.add_folder("Side by side"):
             self._sources = [
-                gui.add_dropdown(f"Robot {i + 1}", names if not i else (NONE, *names)) for i in range(MAX_ROBOTS)
+                gui.add_dropdown(label, names if not i else (NONE, *names))
+                for i, label in enumerate(ROBOTS[:MAX_ROBOTS])
             ]
-            self._watched = gui.add_dropdown("Watch", ("1",), hint="The robot that camera, plots and recordings follow")
+            hint = "The robot that camera, plots and recordings follow"
+            self._watched = gui.add_dropdown("Watch", self._controller.names, hint=hint)
         for index, dropdown in enumerate(self._sources):
             self._on(dropdown, partial(self._choose, index))
         self._on(self._watched, self._watch)
@@ -171,13 +182,21 @@ class Panel:
         self._on(amplitude, lambda: self._set_gait(amplitude=amplitude.value))
         self._on(frequency, lambda: self._set_gait(frequency=frequency.value))
         for slider in phases:
-            self._on(slider, lambda: self._set_gait(phases=self._shown_phases()))
+            self._on(slider, lambda: self._set_gait(phases=tuple(each.value for each in phases)))
 
-    def _add_randomization(self) -> None:
-        gui = self._server.gui
+    def _add_episodes(self) -> None:
+        gui, terrain = self._server.gui, self._controller.terrain
+        names = tuple(entry.name for entry in self._controller.terrains)
+        levels = (NO_LEVEL, *(str(level) for level in range(1, LEVELS + 1)))
         with gui.add_folder("Episodes"):
+            # A policy's own terrain may be one that cannot be chosen again.
+            self._terrain = gui.add_dropdown("Terrain", tuple(dict.fromkeys((*names, terrain.name))))
+            self._level = gui.add_dropdown("Level", levels, hint=f"From 1 to {LEVELS}, which is the hardest.")
             choice = gui.add_dropdown("Randomize", tuple(RANDOMIZATIONS), initial_value=self._controller.randomization)
             restart = gui.add_checkbox("Stand up after a fall", self._controller.restart_after_fall)
+        self._show_terrain()
+        self._on(self._terrain, self._choose_terrain)
+        self._on(self._level, self._choose_terrain)
         self._on(choice, lambda: self._controller.set_randomization(choice.value))
         self._on(restart, lambda: setattr(self._controller, "restart_after_fall", restart.value))
 
@@ -237,6 +256,8 @@ class Panel:
         self._show_command()
 
     def _stand(self) -> None:
+        if not self._controller.offered.command:
+            return
         self._controller.set_command(0.0, 0.0)
         self._show_command()
 
@@ -250,6 +271,20 @@ class Panel:
         self._controller.push(direction, self._strength.value)
         self._scene.show_push(direction, self._strength.value)
 
+    def _apply_force(self) -> None:
+        self._controller.hold_force(math.radians(self._direction.value), self._force.value, self._seconds.value)
+
+    def _choose_terrain(self) -> None:
+        level = None if self._level.value == NO_LEVEL or not self._has_levels() else int(self._level.value)
+        try:
+            self._controller.set_terrain(self._terrain.value, level)
+        finally:
+            self._show_terrain()
+
+    def _has_levels(self) -> bool:
+        """True if the chosen terrain has levels."""
+        return any(entry.hardest for entry in self._controller.terrains if entry.name == self._terrain.value)
+
     def _choose(self, index: int) -> None:
         name = self._sources[index].value
         try:
@@ -259,7 +294,7 @@ class Panel:
             self._show_robots()
 
     def _watch(self) -> None:
-        self._controller.watch(int(self._watched.value) - 1)
+        self._controller.watch(self._controller.names.index(self._watched.value))
         self._show_gait()
 
     def _set_gait(self, **changes: Any) -> None:
@@ -267,9 +302,6 @@ class Panel:
         if gait is not None:
             self._controller.set_gait(replace(gait, **changes))
             self._shown_gait = self._controller.gait
-
-    def _shown_phases(self) -> tuple[float, ...]:
-        return tuple(slider.value for slider in self._phases)
 
     # --- displayed values
 
@@ -291,14 +323,31 @@ class Panel:
         _set(self._clock_buttons, "visible", offered.clock)
         _set(self._command_folder, "visible", offered.command)
         _set(self._push_folder, "visible", offered.push)
+        for control in (self._force, self._seconds, self._hold):
+            _set(control, "visible", offered.force)
+        _set(self._keys, "content", keys_html(offered))
+        _set(self._legend, "content", legend_html(self._controller.robot, offered, self._scene.visible))
+
+    def _show_terrain(self) -> None:
+        """Set the lists to the terrain of the robots."""
+        terrain = self._shown_terrain = self._controller.terrain
+
+        def show() -> None:
+            _set(self._terrain, "value", terrain.name)
+            _set(self._level, "value", NO_LEVEL if terrain.level is None else str(terrain.level))
+            _set(self._level, "visible", self._has_levels())
+
+        self._show(show)
 
     def _show_robots(self) -> None:
-        names = self._controller.robots
+        names, distinct = self._controller.robots, self._controller.names
+        self._shown_names = distinct
 
         def show() -> None:
             for index, dropdown in enumerate(self._sources):
                 _set(dropdown, "value", names[index] if index < len(names) else NONE)
-            _set(self._watched, "options", tuple(str(i + 1) for i in range(len(names))))
+            _set(self._watched, "options", distinct)
+            _set(self._watched, "value", distinct[self._controller.view().watched])
 
         if self._sources:
             self._show(show)
@@ -347,26 +396,3 @@ def _set(control: Any, name: str, value: Any) -> None:
     """Set a property if it differs, since browsers redraw it whenever it is set."""
     if getattr(control, name) != value:
         setattr(control, name, value)
-
-
-def _status(view: View) -> str:
-    """The first lines of the panel, as HTML."""
-    robot = view.robots[view.watched]
-    (velocity, yaw_rate), (asked_velocity, asked_yaw_rate) = robot.now.smooth_velocity, robot.now.command
-    number = "font-size:22px;font-variant-numeric:tabular-nums"
-    pace = "paused" if view.paused else f"{view.speed:g} &times; real time"
-    lines = [
-        f'<span style="color:{GREY}">{escape(robot.source)} &ensp; {view.time:.1f} s &ensp; {pace}</span>',
-        f'<span style="{number}">{velocity:z.2f}</span> of {asked_velocity:z.2f} m/s &ensp; '
-        f'<span style="{number}">{yaw_rate:z.2f}</span> of {asked_yaw_rate:z.2f} rad/s',
-    ]
-    warnings = []
-    if robot.fell_at is not None:
-        warnings.append(f"fell at {robot.fell_at:.1f} s")
-    if view.recorded is not None:
-        warnings.append(f"&#9679; recording, {view.recorded:.1f} of at most {MAX_SECONDS:g} s")
-    if robot.complaints:
-        more = f", and {len(robot.complaints) - 1} more" if len(robot.complaints) > 1 else ""
-        warnings.append(escape(f"The gait exceeds limits: {robot.complaints[0]}{more}"))
-    lines += [f'<span style="color:{LIMIT}">{warning}</span>' for warning in warnings]
-    return f'<div style="{_SMALL};padding-top:8px;min-height:80px;color:{INK}" data-status>{"<br>".join(lines)}</div>'

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.reporting.palette import BLUE, GREEN, GREY, INK, LIMIT, VERMILION, joint_colours, leg_colours
+from quadruped_env.reporting.palette import (
+    ACTUAL,
+    COMMANDED,
+    GREEN,
+    GREY,
+    INK,
+    LIMIT,
+    VERMILION,
+    joint_colours,
+    leg_colours,
+)
 from quadruped_env.robot import Robot
 from quadruped_env.task import Section
 from quadruped_env.viewer.robot import HISTORY_SECONDS
@@ -53,7 +63,7 @@ class Plots:
 
     def update(self, robot: RobotView) -> None:
         """Show the last seconds of a robot."""
-        shown = robot.source, float(robot.now.time), len(robot.history)
+        shown = robot.name, float(robot.now.time), len(robot.history)
         if shown == self._shown:
             return
         self._shown = shown
@@ -61,8 +71,10 @@ class Plots:
         # Counted from the present, so that the drawn samples do not change as they age.
         drawn = ViewedTrace.stack(robot.history, max(1, round(HISTORY_SECONDS / timestep / _POINTS)))
         times = drawn.time
+        # NaN is not drawn.
+        command = drawn.command if robot.follows_command else np.full_like(drawn.command, np.nan)
         for i, chart in enumerate((self._forward, self._yaw)):
-            chart.show(times, drawn.velocity[:, i], drawn.smooth_velocity[:, i], drawn.command[:, i])
+            chart.show(times, drawn.velocity[:, i], drawn.smooth_velocity[:, i], command[:, i])
         for kind in self._kinds:
             kind.show(times, drawn.joint_position)
         speeds = np.abs(drawn.joint_velocity)
@@ -80,8 +92,8 @@ _Line = tuple[str, str, tuple[int, ...]]
 
 _VELOCITY_LINES: Final[tuple[_Line, ...]] = (
     ("now", "#B7CDE0", ()),
-    ("mean", BLUE, ()),
-    ("command", GREEN, (6, 4)),
+    ("mean", ACTUAL, ()),
+    ("command", COMMANDED, (6, 4)),
 )
 
 

@@ -31,10 +31,12 @@ class Offered:
 
     command: bool = True
     push: bool = True
+    force: bool = True
+    """A sustained force."""
     clock: bool = True
     """Pause, step and reset."""
     sources: bool = True
-    """Choice of the controllers, the playback speed and the randomization; fixed from the start."""
+    """Choice of controllers, terrain, playback speed and randomization; fixed from the start."""
 
 
 class ViewedRobot(Protocol):
@@ -56,6 +58,8 @@ class ViewedRobot(Protocol):
     """Names of the samples' reward terms."""
     terrain: Terrain
     """Ground below it."""
+    follows_command: bool
+    """False if the velocity command has no effect."""
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -89,6 +93,10 @@ class ViewedRobot(Protocol):
 
     def push(self, velocity: tuple[float, float]) -> None:
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
+        ...
+
+    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
+        """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s."""
         ...
 
     def step(self) -> ViewedTrace:
@@ -125,6 +133,7 @@ class TaskRobot:
         if randomization is not None:
             config = randomization(config)
         self._controller = controller
+        self.follows_command = controller.follows_command
         if terrain is not None:
             config = config.on_terrain(terrain, terrain.seed)
         self.terrain = config.ground
@@ -137,6 +146,9 @@ class TaskRobot:
         self.fell_at: float | None = None
         """Episode time of the fall, s; None if it has not fallen."""
         self.diverged = False
+        self._force = (0.0, 0.0)
+        self._force_steps = 0
+        """Number of control steps for which the force is still applied."""
         self.reset(0, (0.0, 0.0))
 
     @property
@@ -173,6 +185,7 @@ class TaskRobot:
         """Begin an episode at the origin, facing along x. Robots with the same seed start identically."""
         self.task.reset(_ROW, seeds=[seed], command=self._within(command))
         self._face_ahead()
+        self._force_steps = 0
         self.observation = self.task.observe()
         self.history.clear()
         self.history.append(self._sample())
@@ -185,14 +198,34 @@ class TaskRobot:
 
     def push(self, velocity: tuple[float, float]) -> None:
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
-        self._simulation.push(_ROW, world_velocity(velocity, heading(self.data))[None])
+        self._simulation.push(_ROW, world_vector(velocity, heading(self.data))[None])
         self.observation = self.task.observe()
+
+    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
+        """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s.
+
+        It replaces an earlier one, and a random one of the task.
+        """
+        self._force, self._force_steps = force, round(seconds / self.timestep)
+
+    def _apply_force(self) -> None:
+        if self._force_steps:
+            force = world_vector(self._force, heading(self.data))
+            self._simulation.set_force(_ROW, force[None])
+
+    def _end_force(self) -> None:
+        if self._force_steps:
+            self._force_steps -= 1
+            if not self._force_steps:
+                self._simulation.set_force(_ROW, np.zeros((1, 3)))
 
     def step(self) -> ViewedTrace:
         """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
         if self.diverged:
             return self.history[-1]
+        self._apply_force()
         transition = self.task.act(self._controller, self.observation)
+        self._end_force()
         self.observation = transition.observation
         self.diverged = bool(transition.diverged[0])
         moment = self._sample(transition)
@@ -236,9 +269,9 @@ def heading(data: mujoco.MjData) -> float:
     return float(yaw(data.qpos[3:7]))
 
 
-def world_velocity(velocity: tuple[float, float], heading: float) -> NDArray[np.float64]:
-    """A horizontal velocity (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
-    return rotate(from_yaw(heading), [*velocity, 0.0])
+def world_vector(vector: tuple[float, float], heading: float) -> NDArray[np.float64]:
+    """A horizontal vector (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
+    return rotate(from_yaw(heading), [*vector, 0.0])
 
 
 def contact_forces(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

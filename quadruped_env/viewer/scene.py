@@ -10,17 +10,23 @@ from numpy.typing import NDArray
 
 from quadruped_env.evaluation.metrics import GRAVITY
 from quadruped_env.reporting.films.film import size_of
-from quadruped_env.reporting.ground_mesh import ground_mesh
-from quadruped_env.reporting.palette import leg_colours
+from quadruped_env.reporting.ground_mesh import (
+    add_floor,
+    floor_offset,
+    ground_mesh,
+    scene_rgb,
+    set_up_scene,
+    use_film_colours,
+)
+from quadruped_env.reporting.palette import ACTUAL, COMMANDED, CONTACT, PUSH, leg_colours
 from quadruped_env.robot import Robot
+from quadruped_env.simulation import Terrain
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
-from quadruped_env.viewer.scene_colours import ACTUAL, COMMANDED, CONTACT, PUSH, rgb
+from quadruped_env.viewer.legend import CONTACT_FORCES, NAMES, OVERLAYS, TRAILS, VELOCITIES
 from quadruped_env.viewer.snapshot import RobotView, View
 
 if TYPE_CHECKING:
     import viser
-
-OVERLAYS: Final = ("contact forces", "velocity arrows", "foot trails", "names")
 
 # Lengths are for a robot of size 1.
 _LANE: Final = 0.6
@@ -40,6 +46,8 @@ _CONTACT_OFFSET: Final = 0.035
 """Outward offset of force arrows from the contact, so that the leg does not hide them, m."""
 _METRES_PER_VELOCITY: Final = 0.6
 """Arrow length for 1 m/s, m."""
+_METRES_PER_NEWTON: Final = 0.03
+"""Arrow length for a sustained force of 1 N, m."""
 _ARROW_HEIGHT: Final = 0.14
 """Height of velocity arrows above the base's centre, m."""
 _TURN_RADII: Final = (0.30, 0.33)
@@ -51,6 +59,8 @@ _PUSH_SHOWN: Final = 0.8
 """Time for which a push is shown, s."""
 _LABEL_HEIGHT: Final = 0.24
 """Height of labels above the base's centre, m."""
+_LABEL_STEP: Final = 0.05
+"""Distance of labels above each other, m."""
 _LOOK_AT: Final = (0.0, 0.0, 0.1)
 """Point that the camera looks at, relative to the centre of the robots, m."""
 _CAMERAS: Final = ((0.75, -1.45, 0.62), (1.1, -1.9, 1.0), (1.35, -2.3, 1.3))
@@ -66,9 +76,10 @@ class Scene:
         server: the server of the page.
         model: the robot's model; it is modified.
         robot: its description.
+        terrain: ground of the model.
     """
 
-    def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel, robot: Robot) -> None:
+    def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel, robot: Robot, terrain: Terrain) -> None:
         from mjviser import ViserMujocoScene
 
         self.visible = dict.fromkeys(OVERLAYS, True)
@@ -77,22 +88,21 @@ class Scene:
         self._server = server
         self._size = size_of(robot)
         self._metres_per_newton = self._size * _METRES_PER_WEIGHT / (robot.total_mass * GRAVITY)
-        self._leg_colours = [np.array(rgb(colour), np.uint8) for colour in leg_colours(robot).values()]
-        self._field = HeightField.of(model)
-        if self._field is not None:
-            # The ground is not part of the robots' scene, which would draw it again with every robot.
-            model.geom(GROUND).rgba[3] = 0.0
-            mesh = ground_mesh(self._field)
-            server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
-        self._surroundings = model.geom(GROUND if self._field is None else SURROUNDINGS)
+        self._leg_colours = [np.array(scene_rgb(colour), np.uint8) for colour in leg_colours(robot).values()]
+        # Drawn by `set_ground`: the robots' scene would draw a height field again with every robot.
+        model.geom(GROUND).rgba[3] = 0.0
+        plane = GROUND if HeightField.of(model) is None else SURROUNDINGS
+        self._floor_name = f"/fixed_bodies/world/{plane}"
+        use_film_colours(model)
         self._robots = ViserMujocoScene(server, model, num_envs=1)
         self._robots.camera_tracking_enabled = False
-        server.scene.configure_environment_map("studio", environment_intensity=0.3)
+        set_up_scene(server)
         self._offsets = np.zeros((1, 3))
         self._drawn_at = -math.inf
         self._drawn: tuple[Points, ...] = (np.empty(0),) * 3
         self._push: tuple[float, float, float] | None = None
-        self._ground()
+        self._uneven: Any = None
+        self.set_ground(model, terrain)
         self._aim(1)
         server.initial_camera.look_at = tuple(self._size * value for value in _LOOK_AT)
         server.initial_camera.fov = math.radians(45.0)
@@ -100,14 +110,14 @@ class Scene:
         add = server.scene
         thin = {"shaft_radius": 0.004, "head_radius": 0.011, "head_length": 0.025}
         thick = {"shaft_radius": 0.008, "head_radius": 0.022, "head_length": 0.05}
-        self._contacts = add.add_arrows("/overlay/contact", one, CONTACT, visible=False, **thin)
-        self._pushes = add.add_arrows("/overlay/push", one, PUSH, visible=False, **thick)
-        self._velocities = add.add_arrows("/overlay/velocity", one, COMMANDED, visible=False, **thick)
-        self._turns = add.add_line_segments("/overlay/turn", one, COMMANDED, thickness=0.012, visible=False)
+        self._contacts = add.add_arrows("/overlay/contact", one, scene_rgb(CONTACT), visible=False, **thin)
+        self._pushes = add.add_arrows("/overlay/push", one, scene_rgb(PUSH), visible=False, **thick)
+        self._velocities = add.add_arrows("/overlay/velocity", one, scene_rgb(COMMANDED), visible=False, **thick)
+        self._turns = add.add_line_segments("/overlay/turn", one, scene_rgb(COMMANDED), thickness=0.012, visible=False)
         self._turn_heads = add.add_arrows(
             "/overlay/turn_head",
             one,
-            COMMANDED,
+            scene_rgb(COMMANDED),
             visible=False,
             shaft_radius=0.001,
             head_radius=0.022,
@@ -115,6 +125,21 @@ class Scene:
         )
         self._trails = add.add_line_segments("/overlay/trail", one, (0, 0, 0), thickness=0.004, visible=False)
         self._labels: list[Any] = []
+
+    def set_ground(self, model: mujoco.MjModel, terrain: Terrain) -> None:
+        """Draw the ground of a model, which is that of a terrain, in place of the last one."""
+        self.terrain = terrain
+        """The ground that is drawn."""
+        self._field = HeightField.of(model)
+        if self._uneven is not None:
+            self._uneven.remove()
+            self._uneven = None
+        if self._field is not None:
+            mesh = ground_mesh(self._field)
+            self._uneven = self._server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
+        self._floor_height = float(model.geom(GROUND if self._field is None else SURROUNDINGS).pos[2])
+        self._add_floor()
+        self._drawn = (np.empty(0),) * 3
 
     def show_push(self, direction: float, strength: float) -> None:
         """Show an arrow for a push for a moment; see `ViewController.push`."""
@@ -161,30 +186,22 @@ class Scene:
         """Set the initial camera of browsers that connect from now on."""
         self._server.initial_camera.position = tuple(self._size * value for value in _CAMERAS[robots - 1])
 
-    def _ground(self) -> None:
-        self._server.scene.add_grid(
-            f"/fixed_bodies/world/{self._surroundings.name}",
-            position=self._surroundings.pos,
-            infinite_grid=True,
-            cell_size=0.1,
-            cell_color=(226, 230, 234),
-            section_size=0.5,
-            section_color=(190, 198, 206),
-            fade_distance=12.0,
-            shadow_opacity=0.25,
-            plane_color=(246, 247, 249),
-            plane_opacity=1.0,
-        )
+    def _add_floor(self) -> None:
+        # In place of the grid of mjviser, which has this name.
+        add_floor(self._server, self._floor_name, self._floor_height)
 
     def _draw_robots(self, robots: tuple[RobotView, ...], shift: Points, ground: Points) -> None:
         if self._robots.num_envs != len(robots):
             self._robots.num_envs = len(robots)
             self._robots.rebuild_visual_handles()
-            self._ground()
+            self._add_floor()
             self._aim(len(robots))
         positions = np.stack([robot.body_position + shift[i] for i, robot in enumerate(robots)])
         rotations = np.stack([robot.body_rotation for robot in robots])
-        drawn = positions, rotations, ground.copy()
+        ground = ground.copy()
+        if self._field is None:
+            ground[:2] = floor_offset(ground[:2])
+        drawn = positions, rotations, ground
         if not all(map(np.array_equal, drawn, self._drawn)):
             self._robots.update_from_arrays(positions, rotations)
             self._robots.fixed_bodies_frame.position = ground
@@ -197,7 +214,7 @@ class Scene:
             side = np.sign((robot.contact_points - robot.now.base_position) @ left)
             start = robot.contact_points + _CONTACT_OFFSET * self._size * side[:, None] * left + shift[i]
             arrows.append(np.stack([start, start + self._metres_per_newton * robot.contact_forces], axis=1))
-        _draw(self._contacts, np.concatenate(arrows), visible=self.visible["contact forces"])
+        _draw(self._contacts, np.concatenate(arrows), visible=self.visible[CONTACT_FORCES])
 
     def _draw_velocities(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         arrows, arcs, heads = [], [], []
@@ -217,10 +234,14 @@ class Scene:
                 # A short segment beyond the end aligns the arrowhead with the arc.
                 beyond = radius * _direction(angles[-1] + math.copysign(0.17, yaw_rate))
                 heads.append([arc[-1], centre + beyond])
-        visible = self.visible["velocity arrows"]
-        colours = np.tile(np.array([COMMANDED, ACTUAL], np.uint8), (len(robots), 1))
-        moving = np.abs([v for robot in robots for v in (robot.now.command[0], robot.now.smooth_velocity[0])]) > 0.03
-        turning = np.abs([v for robot in robots for v in (robot.now.command[1], robot.now.smooth_velocity[1])]) > 0.06
+        visible = self.visible[VELOCITIES]
+        colours = np.tile(np.array([scene_rgb(COMMANDED), scene_rgb(ACTUAL)], np.uint8), (len(robots), 1))
+        follows = np.array([shown for robot in robots for shown in (robot.follows_command, True)])
+        moving, turning = (
+            follows
+            & (np.abs([v for robot in robots for v in (robot.now.command[i], robot.now.smooth_velocity[i])]) > least)
+            for i, least in enumerate((0.03, 0.06))
+        )
         _draw(self._velocities, np.array(arrows)[moving], colours[moving], visible)
         kept = np.repeat(colours[turning], _ARC_POINTS, axis=0)
         segments = np.array(arcs)[turning].reshape(-1, 2, 3)
@@ -238,20 +259,23 @@ class Scene:
                 path = feet[:, leg]
                 segments.append(np.stack([path[:-1], path[1:]], axis=1))
                 colours.append(np.broadcast_to(colour, (len(path) - 1, 2, 3)))
-        _draw(self._trails, np.concatenate(segments), np.concatenate(colours), self.visible["foot trails"])
+        _draw(self._trails, np.concatenate(segments), np.concatenate(colours), self.visible[TRAILS])
 
     def _draw_push(self, robots: tuple[RobotView, ...], shift: Points) -> None:
-        if self._push is None or time.monotonic() > self._push[2]:
-            self._pushes.visible = False
-            return
-        direction, strength, _ = self._push
+        """Draw the arrows of the last push, for a moment, and of sustained forces; each ends at the base."""
         arrows = []
+        pushed = self._push is not None and time.monotonic() <= self._push[2]
         for i, robot in enumerate(robots):
-            towards = _direction(robot.heading + direction)
-            # The arrow ends at the base.
-            end = robot.now.base_position + shift[i] - 0.12 * self._size * towards
-            arrows.append([end - 0.35 * strength * towards, end])
-        _draw(self._pushes, np.array(arrows))
+            vectors = [_METRES_PER_NEWTON * robot.force]
+            if pushed and self._push is not None:
+                direction, strength, _ = self._push
+                vectors.append(0.35 * strength * _direction(robot.heading + direction))
+            for vector in vectors:
+                length = float(np.linalg.norm(vector))
+                if length > 0.0:
+                    end = robot.now.base_position + shift[i] - 0.12 * self._size * vector / length
+                    arrows.append([end - vector, end])
+        _draw(self._pushes, np.array(arrows).reshape(-1, 2, 3))
 
     def _draw_labels(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         while len(self._labels) > len(robots):
@@ -263,11 +287,13 @@ class Scene:
         for i, robot in enumerate(robots):
             velocity = robot.now.smooth_velocity[0]
             state = f"{velocity:z.1f} m/s" if robot.fell_at is None else "fell"
-            text = f"{robot.source}: {state}"
+            text = f"{robot.name}: {state}"
             if self._labels[i].text != text:
                 self._labels[i].text = text
-            self._labels[i].position = robot.now.base_position + shift[i] + (0.0, 0.0, _LABEL_HEIGHT * self._size)
-            self._labels[i].visible = self.visible["names"] and len(robots) > 1
+            # On uneven ground the robots begin at the same place, and their labels are above each other.
+            height = _LABEL_HEIGHT + (0.0 if self._field is None else i * _LABEL_STEP)
+            self._labels[i].position = robot.now.base_position + shift[i] + (0.0, 0.0, height * self._size)
+            self._labels[i].visible = self.visible[NAMES] and len(robots) > 1
 
 
 def _direction(angle: Any) -> Any:

@@ -11,7 +11,8 @@ from quadruped_env.policies import find_controllers
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.viewer.access import page_address
-from quadruped_env.viewer.controller import START, Command, ViewController
+from quadruped_env.viewer.controller import Command, ViewController
+from quadruped_env.viewer.lineup import START
 from quadruped_env.viewer.panel import Panel
 from quadruped_env.viewer.plots import Plots
 from quadruped_env.viewer.scene import Scene
@@ -64,7 +65,7 @@ class Show:
         self._host = host
         self._stop = threading.Event()
         self._server = start_server(host, port)
-        self._scene = Scene(self._server, controller.model(), controller.robot)
+        self._scene = Scene(self._server, controller.model(), controller.robot, controller.terrain)
         self.panel = Panel(self._server, controller, self._scene)
         self._plots = Plots(self._server, controller.command_ranges, controller.robot)
         self._server.on_client_disconnect(lambda _: self._left())
@@ -86,9 +87,14 @@ class Show:
 
     def draw(self, view: View) -> None:
         """Draw a view: scene, panel and plots."""
-        self._scene.update(view)
+        self._draw_scene(view)
         self.panel.update(view)
         self._plots.update(view.robots[view.watched])
+
+    def _draw_scene(self, view: View) -> None:
+        if view.terrain != self._scene.terrain:
+            self._scene.set_ground(self.controller.model(), view.terrain)
+        self._scene.update(view)
 
     def run(self, seconds: float | None = None) -> Pace:
         """Play in real time until `stop` is called, or for a time."""
@@ -102,7 +108,7 @@ class Show:
             last = now
             if ticks % TICKS_PER_FRAME == 0:
                 view = self.controller.view()
-                self._scene.update(view)
+                self._draw_scene(view)
                 frames += 1
                 if ticks % (TICKS_PER_FRAME * TICKS_PER_PLOT) == 0:
                     self.panel.update(view)
@@ -166,7 +172,9 @@ def open_show(
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
     sources, chosen = find_controllers(asked, task_file=task_file)
     randomized = {None: "off", "none": START}.get(randomization, randomization)
-    controller = ViewController(sources, chosen, results, definition.robot, ground, str(randomized))
+    controller = ViewController(
+        sources, chosen, results, definition.robot, ground, str(randomized), definition.terrains
+    )
     try:
         controller.set_command(*command)
         return Show(controller, host, port)

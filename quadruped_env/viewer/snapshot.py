@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.gait.settings import GaitSettings
+from quadruped_env.simulation import Terrain
 from quadruped_env.viewer.robot import ViewedRobot, contact_forces, heading
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
@@ -15,11 +16,15 @@ from quadruped_env.viewer.viewed_trace import ViewedTrace
 class RobotView:
     """Snapshot of a robot to draw; all arrays are copies."""
 
-    source: str
+    name: str
+    """Name of its source, with a number if another robot has the same."""
+    follows_command: bool
     body_position: NDArray[np.float64]
     """Body positions in the world frame (bodies, 3), m."""
     body_rotation: NDArray[np.float64]
     """Body rotation matrices in the world frame (bodies, 3, 3)."""
+    force: NDArray[np.float64]
+    """Sustained force on the base in the world frame (3,), N."""
     heading: float
     """Heading from the world's x axis, rad."""
     contact_points: NDArray[np.float64]
@@ -52,6 +57,7 @@ class View:
     speed: float
     command: tuple[float, float]
     robots: tuple[RobotView, ...]
+    terrain: Terrain
     watched: int
     """Index of the robot that plots and camera follow."""
     recorded: float | None
@@ -60,15 +66,17 @@ class View:
     """Playback time skipped since the last reset because the machine was too slow, s."""
 
 
-def robot_view(robot: ViewedRobot, scratch: mujoco.MjData) -> RobotView:
-    """Snapshot of a robot; `scratch` is data of its model, which is overwritten."""
+def robot_view(robot: ViewedRobot, name: str, scratch: mujoco.MjData) -> RobotView:
+    """Snapshot of a robot under a name; `scratch` is data of its model, which is overwritten."""
     # The contact forces of the last state are computed on a copy, since a control step ends before they are known.
     mujoco.mj_copyState(robot.model, robot.data, scratch, mujoco.mjtState.mjSTATE_INTEGRATION)
     points, forces = contact_forces(robot.model, scratch)
     return RobotView(
-        robot.name,
+        name,
+        robot.follows_command,
         robot.data.xpos.copy(),
         robot.data.xmat.reshape(-1, 3, 3).copy(),
+        robot.data.xfrc_applied[robot.model.body(robot.robot.base_name).id, :3].copy(),
         heading(robot.data),
         points,
         forces,

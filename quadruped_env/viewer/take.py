@@ -14,6 +14,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_mes
 from quadruped_env.files import free_path
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import save_film
+from quadruped_env.trace import Trace
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 MAX_SECONDS: Final = 300.0
@@ -35,6 +36,8 @@ class Take:
     title: str
     samples: list[ViewedTrace]
     """One or more"""
+    follows_command: bool = True
+    """False if the velocity command had no effect"""
 
     @property
     def seconds(self) -> float:
@@ -42,8 +45,12 @@ class Take:
         return (len(self.samples) - 1) * self.samples[0].timestep
 
     def clip(self) -> Clip:
-        """The take as a clip of a film."""
-        return Clip(self.title, ViewedTrace.stack(self.samples))
+        """The take as a clip of a film, which shows the command if the robot follows it."""
+        trace: Trace = ViewedTrace.stack(self.samples)
+        if not self.follows_command:
+            known = {name: getattr(trace, name) for name in Trace.quantities() if name != "command"}
+            trace = Trace(robot=trace.robot, timestep=trace.timestep, terrain=trace.terrain, **known)
+        return Clip(self.title, trace)
 
 
 class TakeSaver:

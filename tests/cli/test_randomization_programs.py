@@ -12,7 +12,7 @@ from quadruped_env.cli.options import randomization_option
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.policies import load_policy
 from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
-from quadruped_env.viewer.controller import RANDOMIZATIONS
+from quadruped_env.viewer.lineup import RANDOMIZATIONS
 
 
 @pytest.mark.parametrize("program", ["train", "evaluate", "compare", "view"])

@@ -9,7 +9,7 @@ from quadruped_env.evaluation.episode import record
 from quadruped_env.policies import ControllerSpec, PolicyController
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file, preset_values
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.controller import RANDOMIZATIONS
+from quadruped_env.viewer.lineup import RANDOMIZATIONS
 
 OWN = """
 from quadruped_env.task import ModelField, Randomization

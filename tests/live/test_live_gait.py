@@ -96,14 +96,14 @@ def test_gait_node_applies_settings_and_publishes_them(start, nodes):
 def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
     show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-    assert live.offered() == Offered(command=False, push=False, clock=False, sources=False)
+    assert live.offered() == Offered(command=False, push=False, force=False, clock=False, sources=False)
     assert show.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
         show.set_gait(CHANGED)
     robot.subscribe(CMD_VEL)
-    wait_until(lambda: live.offered() == Offered(command=True, push=False, clock=False, sources=False))
+    wait_until(lambda: live.offered() == Offered(command=True, push=False, force=False, clock=False, sources=False))
     robot.subscribe(PUSH)
-    wait_until(lambda: live.offered() == Offered(command=True, push=True, clock=True, sources=False))
+    wait_until(lambda: live.offered() == Offered(command=True, push=True, force=False, clock=True, sources=False))
     wanted = robot.subscribe(GAIT, read=lambda data: cdr.deserialize(data, GAIT.type_name))
     robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
     wait_until(lambda: show.advance(0.02) and show.gait == CHANGED)
@@ -129,9 +129,11 @@ def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, 
     )
     page.goto(f"{address}/?fixedDpr=1")
     page.get_by_text("Amplitude", exact=True).wait_for()
-    for label in ("Forward, m/s", "Strength, m/s", "Speed", "Robot 1", "Randomize"):
+    for label in ("Forward, m/s", "Strength, m/s", "Force, N", "Speed", "Robot", "Terrain", "Randomize"):
         assert not page.get_by_text(label, exact=True).filter(visible=True).count(), label
-    for button in ("Pause", "Reset", "Step", "Push"):
+    assert "record" in page.locator("[data-keys]").inner_text()
+    assert not set(page.locator("[data-keys]").inner_text().split()) & {"pause", "push", "turn"}
+    for button in ("Pause", "Reset", "Step", "Push", "Apply force"):
         assert not page.get_by_role("button", name=button, exact=True).filter(visible=True).count(), button
 
     def amplitude():

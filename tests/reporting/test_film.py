@@ -103,7 +103,7 @@ def test_overlay_draws_the_mean_speed_up_to_its_command():
     trace = standing_at((0.0, 0.0), (0.0, 0.0), timestep=0.5, velocity=velocity, command=command)
     shown = overlay.Overlay("", trace)
     drawn = shown.draw(np.zeros((480, 640, 3), np.uint8), 0)
-    blue = np.array([int(overlay.BLUE[i : i + 2], 16) for i in (1, 3, 5)])
+    blue = np.array([int(overlay.ACTUAL[i : i + 2], 16) for i in (1, 3, 5)])
     row = 480 - overlay._PANEL_HEIGHT + 14 + 8
     columns = np.flatnonzero((drawn[row] == blue).all(axis=-1))
     middle = (overlay._BAR_LEFT + overlay._BAR_RIGHT) / 2
@@ -156,14 +156,46 @@ def test_pictures_for_pages_keep_their_speed_and_colours(tmp_path, suffix):
         assert image.info.get("loop", 0) == 0
 
 
-def test_png_shows_the_middle_of_each_quarter_and_no_start_of_a_clip(tmp_path):
-    # Three clips of three pictures each; the first ones are 0, 60 and 120.
-    pictures = [np.full((8, 10, 3), 20 * i, np.uint8) for i in range(9)]
-    video.save_video(tmp_path / "stills.png", pictures)
+def test_stills_are_within_the_clips_and_not_at_their_edges():
+    def clip(title, samples):
+        return Clip(title, standing_at(*[(0.0, 0.0)] * samples))
+
+    for lengths in ((100,), (50, 100, 60), (60,) * 3, (60,) * 6, (10, 200), (80,) * 4):
+        clips = [clip(str(i), samples) for i, samples in enumerate(lengths)]
+        found = film.stills(clips, video.STILLS)
+        assert len(found) == video.STILLS
+        titles = [one.title for one, _ in found]
+        assert titles == sorted(titles)
+        for one, sample in found:
+            # A clip with n stills is divided into n parts, and each still is in the middle of one.
+            edge = min(sample, len(one.trace) - 1 - sample)
+            assert edge >= len(one.trace) / (2 * titles.count(one.title)) - 3
+    # Every clip is in the stills if there are as many stills.
+    assert [one.title for one, _ in film.stills([clip(name, 80) for name in "abcd"], 4)] == list("abcd")
+    # Two of the middle clip of three.
+    assert [one.title for one, _ in film.stills([clip(name, 80) for name in "abc"], 4)] == list("abbc")
+
+
+def test_a_png_holds_the_stills_side_by_side(tmp_path, camera, walk):
+    video.save_film(tmp_path / "stills.png", [walk])
     with Image.open(tmp_path / "stills.png") as image:
-        still = np.asarray(image)
-    assert still.shape == (4, 5 * video.STILLS, 3)
-    np.testing.assert_array_equal(np.unique(still), [20, 60, 100, 140])
+        picture = np.asarray(image)
+    assert picture.shape == (film.HEIGHT // 2, film.WIDTH // 2 * video.STILLS, 3)
+    frames = list(camera.film(walk))
+    for i, part in enumerate(np.split(picture, video.STILLS, axis=1)):
+        frame = video.halved(frames[int((i + 0.5) / video.STILLS * len(frames))])
+        assert np.abs(part.astype(int) - frame).mean() < 1.0
+
+
+def test_a_close_up_shows_the_feet_larger(camera):
+    trace = standing_at((0.0, 0.0))
+
+    def leg_width(feet):
+        """Pixels of the black legs in their widest row."""
+        picture = camera.picture(trace, 0, feet)
+        return (picture.max(axis=-1) < 35).sum(axis=1).max()
+
+    assert leg_width(feet=True) > 1.5 * leg_width(feet=False)
 
 
 def test_video_without_pictures_is_refused(tmp_path):

@@ -14,6 +14,7 @@ from tutorial import (
     LIMITS,
     LINKS,
     MASSES,
+    SHAPES,
     VELOCITY,
     VISUALS,
     geoms,
@@ -50,39 +51,42 @@ class TestNamesAndOrder:
 
 class TestShapes:
     @pytest.mark.parametrize("link", LINKS)
-    def test_urdf_visual(self, urdf, link):
-        shape, size, color, origin = VISUALS[kind(link)]
-        (visual,) = urdf.link_map[link].visuals
-        geometry = getattr(visual.geometry, shape)
+    def test_urdf_visuals(self, urdf, link):
+        materials = {material.name: material.color.rgba for material in urdf.robot.materials}
         found = {
             "box": lambda g: tuple(g.size),
             "sphere": lambda g: (g.radius,),
             "cylinder": lambda g: (g.radius, g.length),
         }
-        assert found[shape](geometry) == size
-        materials = {material.name: material.color.rgba for material in urdf.robot.materials}
-        np.testing.assert_array_equal(materials[visual.material.name], color)
-        pose = np.eye(4) if visual.origin is None else visual.origin
-        np.testing.assert_array_equal(pose[:3, 3], origin)
-        np.testing.assert_array_equal(pose[:3, :3], np.eye(3))
+        for visual, (shape, size, color, origin) in zip(urdf.link_map[link].visuals, VISUALS[kind(link)], strict=True):
+            assert found[shape](getattr(visual.geometry, shape)) == size
+            np.testing.assert_array_equal(materials[visual.material.name], color)
+            pose = np.eye(4) if visual.origin is None else visual.origin
+            np.testing.assert_array_equal(pose[:3, 3], origin)
+            np.testing.assert_array_equal(pose[:3, :3], np.eye(3))
 
     @pytest.mark.parametrize("link", LINKS)
-    def test_mjcf_visual(self, mjcf, link):
-        shape, size, color, origin = VISUALS[kind(link)]
-        (geom,) = geoms(mjcf, link, 2)
-        assert mjcf.geom_type[geom] == getattr(mujoco.mjtGeom, f"mjGEOM_{shape.upper()}")
-        # MuJoCo states half lengths; a cylinder's radius is whole.
-        halves = {"box": [s / 2 for s in size], "sphere": size, "cylinder": [size[0], size[-1] / 2]}[shape]
-        np.testing.assert_allclose(mjcf.geom_size[geom, : len(halves)], halves, rtol=0, atol=1e-15)
-        np.testing.assert_allclose(mjcf.mat_rgba[mjcf.geom_matid[geom]], color, rtol=0, atol=1e-7)  # float32
-        np.testing.assert_array_equal(mjcf.geom_pos[geom], origin)
-        np.testing.assert_array_equal(mjcf.geom_quat[geom], [1, 0, 0, 0])
-        assert mjcf.geom_contype[geom] == mjcf.geom_conaffinity[geom] == 0
+    def test_mjcf_visuals(self, mjcf, link):
+        seen = geoms(mjcf, link, 2)
+        expected = VISUALS[kind(link)]
+        if kind(link) == "leg":  # a cylinder and two spheres are a capsule
+            expected = (("capsule", expected[0][1], *expected[0][2:]),)
+        for geom, (shape, size, color, origin) in zip(seen, expected, strict=True):
+            assert mjcf.geom_type[geom] == getattr(mujoco.mjtGeom, f"mjGEOM_{shape.upper()}")
+            # MuJoCo states half lengths; a radius is whole.
+            halves = {"box": [s / 2 for s in size], "sphere": size, "capsule": [size[0], size[-1] / 2]}[shape]
+            np.testing.assert_allclose(mjcf.geom_size[geom, : len(halves)], halves, rtol=0, atol=1e-15)
+            np.testing.assert_allclose(mjcf.mat_rgba[mjcf.geom_matid[geom]], color, rtol=0, atol=1e-7)  # float32
+            np.testing.assert_allclose(mjcf.geom_pos[geom], origin, rtol=0, atol=1e-15)
+            axis = np.zeros(3)
+            mujoco.mju_rotVecQuat(axis, np.array([0.0, 0.0, 1.0]), mjcf.geom_quat[geom])
+            np.testing.assert_allclose(np.abs(axis), [0, 0, 1], atol=1e-15)
+            assert mjcf.geom_contype[geom] == mjcf.geom_conaffinity[geom] == 0
 
     def test_package(self):
-        assert VISUALS["base_link"][1] == DESIGN.base_size
-        assert VISUALS["hip"][1] == (DESIGN.hip_radius,)
-        assert VISUALS["leg"][1] == (DESIGN.leg_radius, DESIGN.leg_length)
+        assert SHAPES["base_link"][1] == DESIGN.base_size
+        assert SHAPES["hip"][1] == (DESIGN.hip_radius,)
+        assert SHAPES["leg"][1] == (DESIGN.leg_radius, DESIGN.leg_length)
         assert DESIGN.hip_to_knee == 0.03
         assert {leg: DESIGN.hip_position(leg) for leg in LEGS} == LEGS
         assert MINI_QUADRUPED.foot_radius == 0.02
@@ -169,7 +173,7 @@ class TestMass:
         assert inertial.mass == MASSES[kind(link)]
         np.testing.assert_allclose(inertial.inertia, np.diag(self.principal(link)), rtol=1e-9, atol=0)
         pose = np.eye(4) if inertial.origin is None else inertial.origin
-        np.testing.assert_array_equal(pose[:3, 3], VISUALS[kind(link)][3])
+        np.testing.assert_array_equal(pose[:3, 3], SHAPES[kind(link)][3])
         np.testing.assert_array_equal(pose[:3, :3], np.eye(3))
 
     @pytest.mark.parametrize("source", ["urdf_model", "mjcf"])
@@ -178,7 +182,7 @@ class TestMass:
         model = request.getfixturevalue(source)
         body = model.body(link)
         assert body.mass == pytest.approx(MASSES[kind(link)], rel=1e-9)
-        np.testing.assert_allclose(body.ipos, VISUALS[kind(link)][3], rtol=0, atol=1e-15)
+        np.testing.assert_allclose(body.ipos, SHAPES[kind(link)][3], rtol=0, atol=1e-15)
         axes = Rotation.from_quat(body.iquat, scalar_first=True).as_matrix()
         tensor = axes @ np.diag(body.inertia) @ axes.T
         np.testing.assert_allclose(tensor, np.diag(self.principal(link)), rtol=1e-9, atol=1e-14)
@@ -231,9 +235,9 @@ class TestCollision:
     @pytest.mark.parametrize("link", ["base_link", *(f"{leg}_hip" for leg in LEGS)])
     def test_trunk_collides_in_its_visible_shape(self, urdf, mjcf, link):
         (collision,) = urdf.link_map[link].collisions
-        (visual,) = urdf.link_map[link].visuals
+        visual = urdf.link_map[link].visuals[0]  # the second one of the base is the mark at its front
         assert repr(collision.geometry) == repr(visual.geometry)
-        (seen,), (felt,) = geoms(mjcf, link, 2), geoms(mjcf, link, 3)
+        seen, (felt,) = geoms(mjcf, link, 2)[0], geoms(mjcf, link, 3)
         assert mjcf.geom_type[seen] == mjcf.geom_type[felt]
         np.testing.assert_array_equal(mjcf.geom_size[seen], mjcf.geom_size[felt])
 

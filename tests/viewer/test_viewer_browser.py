@@ -1,83 +1,20 @@
 """The viewer in a browser, as a person uses it."""
 
-import re
-
 import browser
 import numpy as np
 import pytest
 from browser import field, fill
+from viewer_page import choose, shot, still, tab, until, visit
 from viewing import showing
-from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.viewer.controller import MAX_PUSH
-from quadruped_env.viewer.scene import OVERLAYS
+from quadruped_env.viewer.disturbances import MAX_PUSH
+from quadruped_env.viewer.legend import OVERLAYS
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
-
-MIDDLE = {"x": 370, "y": 200, "width": 320, "height": 400}
-"""Part of the page with the robot, without panels and notifications, pixels."""
-
-
-def visit(page, show):
-    before = len(show.clients())
-    # Without this the picture gets coarser where drawing is slow.
-    page.goto(f"http://127.0.0.1:{show.port}/?fixedDpr=1")
-    page.get_by_text("Feet on the ground").wait_for()
-    page.locator("canvas").first.wait_for()
-    until(lambda: len(show.clients()) > before)
-
-
-def still(page):
-    """A picture of the middle once it no longer changes."""
-    return browser.still(page, lambda: shot(page))
-
-
-def until(condition, page=None):
-    """Wait for a condition that another thread or the page brings about; a failure shows the page's console."""
-    wait_until(condition, lambda: f"the condition (console: {page.watched.console if page else []})", interval=0.02)
-
-
-@pytest.fixture(scope="module")
-def stage(tmp_path_factory, chromium):
-    """A show and a page on it, for the tests that leave both as they were."""
-    directory = tmp_path_factory.mktemp("viewer")
-    with showing(directory) as show, browser.opened(chromium) as page:
-        visit(page, show)
-        yield show, page
-        assert page.watched.errors == []
-        assert page.watched.outside() == []
-
-
-@pytest.fixture
-def paused(stage):
-    """The show at its start, standing still."""
-    show, page = stage
-    controller = show.controller
-    controller.paused = True
-    controller.reset()
-    controller.set_command(0.0, 0.0)
-    tab(page, "Drive")
-    tab(page, "Walk")
-    for label in ("Forward, m/s", "Turn left, rad/s"):
-        until(lambda label=label: field(page, label).input_value() == "0")
-    yield controller, page
-    controller.set_source(0, "policy flat")
-    controller.paused = False
-
-
-def choose(page, label, option):
-    """Choose from a list."""
-    identity = page.locator("label", has_text=re.compile(f"^{re.escape(label)}$")).get_attribute("for")
-    page.locator(f"[id='{identity}']").click()
-    page.get_by_role("option", name=option, exact=True).click()
-
-
-def tab(page, name):
-    page.get_by_role("tab", name=name).click()
 
 
 def robot_pixels(picture):
@@ -88,10 +25,6 @@ def robot_pixels(picture):
 
 ENOUGH = 300
 """Number of blue pixels above which a robot is in the middle of the picture."""
-
-
-def shot(page):
-    return browser.pixels(page, clip=MIDDLE)
 
 
 # --- the scene
@@ -238,7 +171,7 @@ def test_a_push_in_its_direction_and_strength(stage, paused):
     fill(page, "To, degrees", -90)
     fill(page, "Strength, m/s", MAX_PUSH)
     until(lambda: (panel._direction.value, panel._strength.value) == (-90, MAX_PUSH))
-    data = controller._slots[0].robot.data
+    data = controller._lineup.slots[0].robot.data
     page.get_by_role("button", name="Push", exact=True).click()
     until(lambda: data.qvel[1] < -0.5)
     np.testing.assert_allclose(data.qvel[:3], [0.0, -MAX_PUSH, 0.0], atol=1e-9)
@@ -259,12 +192,12 @@ def test_every_source_plays_next_to_another_one(paused):
     controller.paused = False
     tab(page, "Robots")
     for name in controller.sources:
-        choose(page, "Robot 2", name)
+        choose(page, "Compare with", name)
         until(lambda name=name: controller.robots == ("policy flat", name))
         until(lambda: controller.view().robots[1].now.time > 0.1)
-    choose(page, "Watch", "2")
+    choose(page, "Watch", controller.robots[1])
     until(lambda: controller.view().watched == 1)
-    choose(page, "Robot 2", "none")
+    choose(page, "Compare with", "none")
     until(lambda: controller.robots == ("policy flat",))
 
 
@@ -272,7 +205,7 @@ def test_every_source_plays_next_to_another_one(paused):
 def test_gait_sliders_set_the_gait(paused):
     controller, page = paused
     tab(page, "Robots")
-    choose(page, "Robot 1", "gait trot")
+    choose(page, "Robot", "gait trot")
     until(lambda: controller.gait is not None)
     fill(page, "Amplitude", 1.5)
     until(lambda: controller.gait.amplitude == 1.5)
@@ -281,7 +214,7 @@ def test_gait_sliders_set_the_gait(paused):
     for leg, name in enumerate(("LF", "RF", "LH", "RH")):
         fill(page, f"Phase {name}, cycles", 0.1 * leg + 0.3)
         until(lambda leg=leg: controller.gait.phases[leg] == pytest.approx(0.1 * leg + 0.3))
-    choose(page, "Robot 1", "policy flat")
+    choose(page, "Robot", "policy flat")
     until(lambda: controller.gait is None)
     page.get_by_text("Amplitude").wait_for(state="hidden")
 
@@ -349,10 +282,10 @@ def test_errors_are_shown_in_the_page(tmp_path, page, monkeypatch):
     with showing(tmp_path) as show:
         visit(page, show)
         tab(page, "Robots")
-        choose(page, "Robot 1", "run damaged")
+        choose(page, "Robot", "run damaged")
         page.get_by_text("the file is damaged, train again").wait_for()
         assert show.controller.robots == ("policy flat",)
-        page.get_by_role("combobox", name="Robot 1").and_(page.locator("[value='policy flat']")).wait_for()
+        page.get_by_role("combobox", name="Robot").and_(page.locator("[value='policy flat']")).wait_for()
         page.get_by_role("tab", name="Drive").click()
         page.get_by_role("button", name="Record").click()
         until(lambda: show.controller.view().recorded is not None)

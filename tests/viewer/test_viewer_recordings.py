@@ -11,7 +11,7 @@ from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.policies import find_controllers
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.controller import RESTART_AFTER
-from quadruped_env.viewer.panel import _status
+from quadruped_env.viewer.panel_text import status_html
 from quadruped_env.viewer.take import MAX_WAITING
 
 
@@ -114,10 +114,10 @@ def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, mo
 def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
     controller = control("stand still")
-    assert "recording" not in _status(controller.view())
+    assert "recording" not in status_html(controller.view())
     controller.start_recording()
     controller.advance(0.1)
-    assert "recording, 0.1 of at most 300 s" in _status(controller.view())
+    assert "recording, 0.1 of at most 300 s" in status_html(controller.view())
 
 
 def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
@@ -145,6 +145,25 @@ def test_recordings_of_a_show_are_bounded(control, monkeypatch):
     wait_until(lambda: not controller.saving)
     with pytest.raises(QuadrupedError, match="record: 1 recordings were made; start the viewer again"):
         controller.start_recording()
+
+
+@pytest.mark.parametrize(("source", "follows"), [("policy flat", True), ("gait trot", False)])
+def test_film_shows_the_command_if_the_robot_follows_it(control, monkeypatch, source, follows):
+    films = []
+    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: films.extend(clips))
+    controller = control(source)
+    controller.set_command(0.3, 0.1)
+    controller.start_recording()
+    controller.advance(0.2)
+    controller.close()
+    (clip,) = films
+    assert clip.title == source
+    assert len(clip.trace) == 11
+    assert clip.trace.velocity.shape == (11, 2)
+    if follows:
+        np.testing.assert_array_equal(clip.trace.command[-1], [0.3, 0.1])
+    else:
+        assert clip.trace.command is None
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, Sinusoid
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.evaluation.episode import publish
 from quadruped_env.policies import find_controllers, load_policy
-from quadruped_env.viewer.controller import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.lineup import MAX_ROBOTS, RANDOMIZATIONS
 
 
 @pytest.fixture
@@ -104,9 +104,9 @@ def test_robots_can_be_added_and_removed(control):
     controller.set_source(1, None)
     assert controller.robots == ("policy flat", "gait pace")
     assert controller.view().watched == 1
-    with pytest.raises(QuadrupedError, match="robot 1"):
+    with pytest.raises(QuadrupedError, match="policy flat: the first robot cannot be removed"):
         controller.set_source(0, None)
-    with pytest.raises(QuadrupedError, match="robot 3: there are 2"):
+    with pytest.raises(QuadrupedError, match="expected an index of 0 to 1; found 2"):
         controller.watch(2)
     with pytest.raises(QuadrupedError, match="1 to 3 robots; found 4"):
         control(*["stand still"] * 4)

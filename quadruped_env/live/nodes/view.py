@@ -31,14 +31,14 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     robot = LiveRobot(session.node, robot_of(arguments), session.refuse, chosen_terrain(arguments))
     controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, robot.robot)
     controller.restart_after_fall = False
-    controller.offered = robot.offered()
+    controller.available = robot.offered()
     show = Show(controller, port=arguments.port)
     try:
         session.say(f"the live robot: {show.address}")
         while session.running:
             began = time.monotonic()
             show.run(POLL_PERIOD)
-            controller.offered = robot.offered()
+            controller.available = robot.offered()
             if controller.paused and not controller.offered.clock:
                 # The simulation has ended while paused, and the button that resumes it is hidden.
                 controller.paused = False

@@ -55,6 +55,14 @@ _VIEW_DISTANCE: Final = 0.95
 _VIEW_HEIGHT: Final = 0.08
 """Height over the ground of the point that the camera looks at, m, for a robot of size 1: it leaves room for the
 overlay."""
+_FEET_AZIMUTH: Final = 102.0
+"""Azimuth of the camera in a close-up of the feet, degrees."""
+_FEET_ELEVATION: Final = -6.0
+"""Its elevation, degrees."""
+_FEET_DISTANCE: Final = 0.58
+"""Its distance from the point that it looks at, m, for a robot of size 1."""
+_FEET_HEIGHT: Final = 0.05
+"""Height of that point over the ground, m, for a robot of size 1."""
 _SMOOTHING: Final = 0.25
 """Half the window over which the camera's position is averaged, s: it follows the robot without shaking with each
 stride."""
@@ -71,6 +79,8 @@ class Clip:
 
     title: str
     trace: Trace
+    feet: bool = False
+    """True for a close-up of the feet"""
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
@@ -84,6 +94,23 @@ class Clip:
         """Indices of the samples that a film at `FRAME_RATE` shows."""
         times = np.arange(0.0, self.trace.seconds - 1e-9, 1.0 / FRAME_RATE)
         return np.minimum(np.round(times / self.trace.timestep), len(self.trace) - 1).astype(np.intp)
+
+
+def stills(clips: Sequence[Clip], count: int) -> list[tuple[Clip, int]]:
+    """Clips and samples of pictures that represent a film, in order.
+
+    The film has `count` equal parts, and each picture is of the clip in the middle of its part. The pictures of one
+    clip are the middles of equal parts of that clip, so that none is where one clip ends and the next begins.
+    """
+    samples = [clip.frame_samples() for clip in clips]
+    ends = np.cumsum([len(each) for each in samples])
+    middles = (np.arange(count) + 0.5) / count * ends[-1]
+    chosen = np.searchsorted(ends, middles, side="right")
+    found: list[tuple[Clip, int]] = []
+    for clip, each, number in zip(clips, samples, np.bincount(chosen, minlength=len(clips)), strict=True):
+        places = (np.arange(number) + 0.5) / max(number, 1) * len(each)
+        found += [(clip, int(each[int(place)])) for place in places]
+    return found
 
 
 def facing_ahead(trace: Trace) -> Trace:
@@ -149,8 +176,6 @@ class Camera:
         self._model.geom_sameframe[self._ground] = mujoco.mjtSameFrame.mjSAMEFRAME_NONE
         self._data = mujoco.MjData(self._model)
         self._view = mujoco.MjvCamera()
-        self._view.elevation, self._view.distance = _VIEW_ELEVATION, _VIEW_DISTANCE * size_of(self._robot)
-        self._view_height = _VIEW_HEIGHT * size_of(self._robot)
         self._renderer = SceneRenderer(self._model, self._data, "rgb_array", WIDTH, HEIGHT)
 
     def __enter__(self) -> Self:
@@ -163,8 +188,14 @@ class Camera:
         """Free the OpenGL context."""
         self._renderer.close()
 
-    def picture(self, trace: Trace, sample: int) -> Picture:
-        """Picture of the robot at one sample (HEIGHT, WIDTH, 3) of a trace of one env, without overlays."""
+    def picture(self, trace: Trace, sample: int, feet: bool = False) -> Picture:
+        """Picture of the robot at one sample (HEIGHT, WIDTH, 3) of a trace of one env, without overlays.
+
+        Args:
+            trace: trace of one env.
+            sample: index of the sample.
+            feet: True for a close-up of the feet.
+        """
         if trace.terrain != self._terrain:
             self.close()
             self._set_up(trace.terrain)
@@ -175,8 +206,11 @@ class Camera:
         self._model.geom_pos[self._ground, :2] = steps * self._ground_step
         mujoco.mj_forward(self._model, self._data)
         centre = smoothed_position(trace, sample)
-        self._view.lookat[:] = *centre, self._view_height
-        self._view.azimuth = _VIEW_AZIMUTH
+        size = size_of(self._robot)
+        self._view.elevation = _FEET_ELEVATION if feet else _VIEW_ELEVATION
+        self._view.distance = size * (_FEET_DISTANCE if feet else _VIEW_DISTANCE)
+        self._view.lookat[:] = *centre, size * (_FEET_HEIGHT if feet else _VIEW_HEIGHT)
+        self._view.azimuth = _FEET_AZIMUTH if feet else _VIEW_AZIMUTH
         if self._height_field is not None:
             self._view.lookat[2] += self._height_field.at(centre)
             # The robot of a trace on uneven ground begins with any heading.
@@ -193,7 +227,16 @@ class Camera:
         """
         overlay = Overlay(clip.title, clip.trace)
         for sample in clip.frame_samples():
-            yield overlay.draw(self.picture(clip.trace, sample), sample)
+            yield overlay.draw(self.picture(clip.trace, sample, clip.feet), sample)
+
+    def stills(self, clips: Sequence[Clip], count: int) -> Iterator[Picture]:
+        """Pictures (HEIGHT, WIDTH, 3) that represent a film of clips, with overlays: see `stills`.
+
+        Raises:
+            MissingExtraError: if Pillow is not installed.
+        """
+        for clip, sample in stills(clips, count):
+            yield Overlay(clip.title, clip.trace).draw(self.picture(clip.trace, sample, clip.feet), sample)
 
     def films(self, clips: Sequence[Clip], progress: Progress | None = None) -> Iterator[Picture]:
         """Pictures of several clips, one after another; `progress` is called with the fraction done."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.reporting.palette import BLUE, INK, leg_colours
+from quadruped_env.reporting.palette import ACTUAL, COMMANDED, GREY, INK, leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.trace import Trace
 
@@ -16,10 +16,16 @@ AVERAGED: Final = 0.5
 GAIT_SECONDS: Final = 2.0
 """Time span of the gait diagram, s."""
 
-_HEAD_HEIGHT, _PANEL_HEIGHT = 32, 76
+MEASURED_LEGEND: Final = f"measured, mean of {AVERAGED:g} s"
+COMMANDED_LEGEND: Final = "commanded"
+GAIT_LEGEND: Final = f"feet on the ground, last {GAIT_SECONDS:g} s"
+
+_HEAD_HEIGHT, _PANEL_HEIGHT = 32, 94
 _MARGIN: Final = 14
 _AIR: Final = 232
 """Grey level of a foot in the air."""
+_LEGEND_TOP: Final = 82
+"""Middle of the legend, from the top of the panel, pixels."""
 _GAIT_HEIGHT: Final = 60
 """Height of the gait diagram, pixels."""
 _BAND_SHARE: Final = 0.75
@@ -53,6 +59,7 @@ class Overlay:
             raise MissingExtraError("A film", "report") from error
         self._to_image, self._pen_for = Image.fromarray, ImageDraw.Draw
         self._font, self._small = ImageFont.load_default(16), ImageFont.load_default(13)
+        self._smallest = ImageFont.load_default(12)
         robot, velocity = trace.robot, trace.velocity
         self._robot = robot
         self._names_width = max(math.ceil(self._small.getlength(name)) for name in robot.leg_names)
@@ -89,6 +96,10 @@ class Overlay:
                 end = max(1, round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH))
                 strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - width) : end]))
                 image.paste(strip, (image.width - _MARGIN - strip.width, _GAIT_TOP))
+                at = image.width - _MARGIN, _LEGEND_TOP
+                pen.text(at, GAIT_LEGEND, fill=GREY, font=self._smallest, anchor="rm")
+            if self._velocity is not None:
+                self._draw_legend(pen)
             panel[:] = image
         return picture
 
@@ -105,14 +116,24 @@ class Overlay:
         pen.text((_MARGIN, top + 8), label, fill=INK, font=self._small, anchor="lm")
         pen.rectangle((_BAR_LEFT, top + 1, _BAR_RIGHT, top + 15), fill=(_AIR,) * 3)
         left, right = sorted((middle, place(value)))
-        pen.rectangle((left, top + 1, right, top + 15), fill=BLUE)
+        pen.rectangle((left, top + 1, right, top + 15), fill=ACTUAL)
         pen.line((middle, top, middle, top + 16), fill=(150,) * 3)
         text = f"{value:z.2f} {unit}"
         if self._command is not None:
             asked = float(self._command[sample, row])
-            pen.line((place(asked), top - 3, place(asked), top + 19), fill=INK, width=3)
+            pen.line((place(asked), top - 3, place(asked), top + 19), fill=COMMANDED, width=3)
             text = f"{value:z.2f} of {asked:z.2f} {unit}"
         pen.text((_BAR_RIGHT + 10, top + 8), text, fill=INK, font=self._small, anchor="lm")
+
+    def _draw_legend(self, pen: Any) -> None:
+        """Draw the meaning of the bar and of the mark."""
+        x, y = _BAR_LEFT, _LEGEND_TOP
+        pen.rectangle((x, y - 4, x + 14, y + 4), fill=ACTUAL)
+        pen.text((x + 20, y), MEASURED_LEGEND, fill=GREY, font=self._smallest, anchor="lm")
+        if self._command is not None:
+            x += 30 + math.ceil(self._smallest.getlength(MEASURED_LEGEND))
+            pen.line((x, y - 6, x, y + 6), fill=COMMANDED, width=3)
+            pen.text((x + 8, y), COMMANDED_LEGEND, fill=GREY, font=self._smallest, anchor="lm")
 
 
 def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float64]:

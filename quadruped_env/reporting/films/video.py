@@ -49,11 +49,14 @@ def prepare_video(path: Path | None, overwrite: bool = False) -> None:
 def save_film(path: Path, clips: Sequence[Clip], progress: Progress | None = None) -> None:
     """Write a film of several clips of a robot, one after another, in the format of the file's suffix.
 
+    A PNG holds `STILLS` pictures from within the clips, side by side.
+
     Raises:
         QuadrupedError, MissingExtraError: as `prepare_video`, or if the file cannot be written.
     """
     with Camera(clips[0].trace.robot) as camera:
-        save_video(path, camera.films(clips, progress))
+        stills = path.suffix == ".png"
+        save_video(path, camera.stills(clips, STILLS) if stills else camera.films(clips, progress))
 
 
 def save_video(path: Path, pictures: Iterable[Picture]) -> None:
@@ -148,14 +151,9 @@ def _page_images(pictures: Iterable[Picture]) -> list[Any]:
 
 
 def _encode_stills(pictures: Iterable[Picture]) -> bytes:
-    """`STILLS` pictures at half size, side by side: the middle picture of each of `STILLS` equal parts of the film.
-
-    Not the first ones: the robot stands at the beginning of a clip. A film may also consist of several clips.
-    """
+    """All pictures at half size, side by side."""
     _, pictures = _first(pictures)
-    every = list(pictures)
-    chosen = (np.arange(STILLS) + 0.5) / STILLS * len(every)
-    return encode_png(np.concatenate([halved(every[int(i)]) for i in chosen], axis=1))
+    return encode_png(np.concatenate([halved(picture) for picture in pictures], axis=1))
 
 
 def halved(picture: Picture) -> Picture:

@@ -1,7 +1,7 @@
 """Films, stills and the 3D replay of a report."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
@@ -18,17 +18,23 @@ from quadruped_env.reporting.pages.page import data_url, words
 from quadruped_env.reporting.pages.scene import scene_html
 from quadruped_env.trace import Trace
 
+FEET: Final = "feet"
+"""Title of close-ups of the feet."""
 CLIP_SECONDS: Final = 2.4
 SCENE_SECONDS: Final = 20.0
-STILL_TIMES: Final = (-0.6, -0.3, 0.0)
-"""Times of the stills relative to the failure, s."""
+FALL_TIMES: Final = (-0.6, -0.3, 0.0)
+"""Times of the stills relative to a fall, s."""
+ERROR_TIMES: Final = (-0.3, 0.0, 0.3)
+"""Times of the stills relative to the middle of the window with the largest error, s."""
 OVERLAY_LEGEND: Final = (
-    f"Black marks are commanded velocities, bars measured ones, averaged over {AVERAGED:g} s; coloured bands are feet "
+    f"Green marks are commanded velocities, bars measured ones, averaged over {AVERAGED:g} s; coloured bands are feet "
     f"on the ground."
 )
-_FILMED: Final = ("forwards", "turning", "backwards")
+_FILMED_VELOCITIES: Final = (0.2, 0.5)
+"""Forward velocities that are filmed, the whole robot and its feet, m/s; the closest commands are taken."""
+_FILMED_TOO: Final = ("turning", "backwards")
 _SHOWN_VELOCITY: Final = 0.4
-"""Forward velocity of the episode that is plotted over time and filmed, m/s; the closest command is taken."""
+"""Forward velocity of the episode that is plotted over time, m/s; the closest command is taken."""
 _STILL_CROP: Final = np.s_[20:440, 40:600]
 
 
@@ -46,20 +52,26 @@ def shown_commands(comparison: Comparison) -> dict[str, int]:
     """Motion -> index of the command that represents it in figures and films."""
     shown = {motion: comparison.conditions(motion)[0] for motion in MOTIONS if comparison.conditions(motion)}
     if "forwards" in shown:
-        shown["forwards"] = min(
-            comparison.conditions("forwards"), key=lambda i: abs(comparison.commands[i][0] - _SHOWN_VELOCITY)
-        )
+        shown["forwards"] = _closest(comparison, _SHOWN_VELOCITY)
     return shown
 
 
+def _closest(comparison: Comparison, velocity: float) -> int:
+    """Index of the command to walk forwards that is closest to a velocity in m/s."""
+    return min(comparison.conditions("forwards"), key=lambda i: abs(comparison.commands[i][0] - velocity))
+
+
 def filmed(comparison: Comparison, controller: str = "policy") -> list[Clip]:
-    """Clips of a report's film: a controller under one command of each kind of motion."""
+    """Clips of a report's film: a controller walking slowly and fast, its feet, turning and walking backwards."""
     commands = shown_commands(comparison)
     whose = "" if controller == "policy" else f"{controller}, "
-    motions: list[str] = [motion for motion in _FILMED if motion in commands]
-    motions = motions or list(commands)
+    ahead = dict.fromkeys(_closest(comparison, v) for v in _FILMED_VELOCITIES) if "forwards" in commands else {}
+    parts = [("forwards", command) for command in ahead] + [(FEET, command) for command in ahead]
+    parts += [(motion, commands[motion]) for motion in _FILMED_TOO if motion in commands]
+    parts = parts or list(commands.items())
     return [
-        _episode(comparison, commands[motion], CLIP_SECONDS, controller, f"{whose}{motion}: ") for motion in motions
+        replace(_episode(comparison, command, CLIP_SECONDS, controller, f"{whose}{what}: "), feet=what == FEET)
+        for what, command in parts
     ]
 
 
@@ -89,11 +101,19 @@ def take_pictures(
     return Pictures({"source": data_url("video/mp4", video), "caption": caption}, stills)
 
 
-def _stills(camera: Camera, trace: Trace, failure: Failure) -> str:
-    """Pictures at the times of `STILL_TIMES`, side by side at half size."""
-    samples = [round((failure.moment + time) / trace.timestep) - 1 for time in STILL_TIMES]
+def still_samples(trace: Trace, failure: Failure) -> list[int]:
+    """Samples of the stills of a failure; all are shifted by the same time if one would be outside of the episode."""
+    times = ERROR_TIMES if failure.fell_at is None else FALL_TIMES
+    samples = np.array([round((failure.moment + time) / trace.timestep) - 1 for time in times])
     last = len(trace) - 1
-    strip: list[Picture] = [halved(camera.picture(trace, min(max(s, 0), last))[_STILL_CROP]) for s in samples]
+    samples -= max(0, int(samples.max()) - last)
+    samples += max(0, -int(samples.min()))
+    return [min(int(sample), last) for sample in samples]
+
+
+def _stills(camera: Camera, trace: Trace, failure: Failure) -> str:
+    """Pictures before a fall, or around the largest error, side by side at half size."""
+    strip: list[Picture] = [halved(camera.picture(trace, s)[_STILL_CROP]) for s in still_samples(trace, failure)]
     return data_url("image/webp", encode_webp(np.concatenate(strip, axis=1)))
 
 

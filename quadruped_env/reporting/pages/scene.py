@@ -12,9 +12,15 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.reporting.films.film import FRAME_RATE, Clip, size_of, smoothed_position
-from quadruped_env.reporting.ground_mesh import ground_mesh
+from quadruped_env.reporting.ground_mesh import (
+    add_floor,
+    floor_offset,
+    ground_mesh,
+    set_up_scene,
+    use_film_colours,
+)
 from quadruped_env.simulation import build_model
-from quadruped_env.simulation.height_field import GROUND, HeightField
+from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
 
 _CAMERA: Final = (0.65, -0.85, 0.42)
 """Camera position relative to a robot of size 1, m: the robot walks slightly towards the viewer."""
@@ -47,8 +53,12 @@ def scene_html(clip: Clip) -> str:
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=_PORT, verbose=False)
     try:
+        use_film_colours(model)
         scene = ViserMujocoScene(server, model, num_envs=1)
         scene.camera_tracking_enabled = False
+        set_up_scene(server)
+        plane = model.geom(GROUND if field is None else SURROUNDINGS)
+        add_floor(server, f"/fixed_bodies/world/{plane.name}", float(plane.pos[2]))  # in place of the grid of mjviser
         size = size_of(trace.robot)
         server.initial_camera.position = tuple(size * value for value in _CAMERA)
         server.initial_camera.look_at = tuple(size * value for value in _LOOK_AT)
@@ -63,7 +73,8 @@ def scene_html(clip: Clip) -> str:
             data.qpos[:2] -= centre
             mujoco.mj_kinematics(model, data)
             scene.update_from_mjdata(data)
-            scene.fixed_bodies_frame.position = (-centre[0], -centre[1], 0.0)
+            ground = floor_offset(-centre) if field is None else -centre
+            scene.fixed_bodies_frame.position = (*ground, 0.0)
             recording.insert_sleep(1.0 / FRAME_RATE)
         return recording.as_html()
     finally:

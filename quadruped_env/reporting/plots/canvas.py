@@ -14,8 +14,8 @@ from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.reporting.palette import CONTROLLER_COLOURS, SERIES
 
 STYLE_FILE: Final = Path(__file__).with_name("quadruped.mplstyle")
-WIDTH: Final = 5.6
-"""Width of a figure, in."""
+WIDTH: Final = 4.2
+"""Width of a figure, in. On a page 400 px wide, text of 9 pt is then 11 px high."""
 REFERENCE: Final[dict[str, Any]] = {"color": "#333333", "linewidth": 1.0, "linestyle": (0, (4, 2))}
 """Line style of commands."""
 _MARKERS: Final = {"policy": "o", "tuned": "s", "article": "^", "zero": "x"}

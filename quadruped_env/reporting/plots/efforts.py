@@ -54,7 +54,7 @@ def cost_over_speed(comparison: Comparison) -> str:
             ax.set_ylim(bottom=0.0)
             ax.set_xlim(left=-0.02)
         handles, names = axes[0, 1].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=4, handletextpad=0.4)
+        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=3, handletextpad=0.4)
 
     return draw_figure(2, 2, 4.8, draw)
 
@@ -115,7 +115,7 @@ def motor_limits(comparison: Comparison) -> str:
                 ax.plot(half, place, "|", color="white", markersize=8, markeredgewidth=2, label="half")
                 ax.plot(peak, place, "D", color=GREY, markersize=4, label="peak")
             ax.axvline(100.0, color=LIMIT, linewidth=1.2)
-            ax.set(xlabel=f"{quantity} (% of the limit)")
+            ax.set(xlabel=f"{quantity} (% of limit)")
             ax.set_yticks(range(len(names)), names)
             ax.invert_yaxis()
             ax.grid(visible=False, axis="y")
@@ -157,7 +157,7 @@ def reward_terms(comparison: Comparison) -> str:
         for ax, motion in zip(axes[0], motions, strict=True):
             ax.set_title(motion or "")
         handles, labels = axes[0, 0].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles, labels, loc="outside upper center", ncols=4, handletextpad=0.4)
+        axes[0, 0].figure.legend(handles, labels, loc="outside upper center", ncols=3, handletextpad=0.4)
 
     ratios = [len(group) + 1.5 for group in groups]
     return draw_figure(len(groups), len(motions), 0.9 + 0.24 * sum(ratios), draw, height_ratios=ratios)

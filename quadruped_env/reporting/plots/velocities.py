@@ -48,7 +48,7 @@ def tracking(comparison: Comparison) -> str:
                             zorder=3 if controller == "policy" else 2,
                             label=None if hollow else label(controller),
                         )
-            ax.set(xlabel=f"commanded {quantity}", ylabel=f"achieved {quantity}")
+            ax.set(title=quantity, xlabel="commanded", ylabel="achieved")
         handles, names = axes[0, 0].get_legend_handles_labels()
         axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=3, handletextpad=0.4)
 
@@ -98,7 +98,7 @@ def episode(comparison: Comparison, controller: str, row: int) -> str:
     )
 
     def draw(axes: Any) -> None:
-        for ax, (quantity, values, command) in zip(axes[0], panels, strict=True):
+        for ax, (quantity, values, command) in zip(axes[:, 0], panels, strict=True):
             raw = {"color": colour} if command is None else {"color": GREY, "alpha": 0.6}
             ax.plot(time, values[:alive, 0], linewidth=0.6, **raw)
             means, _ = window_means(values[:alive], one.valid[:alive], one.timestep)
@@ -108,6 +108,7 @@ def episode(comparison: Comparison, controller: str, row: int) -> str:
                 ax.axhline(command, **REFERENCE)
             if one.fallen[0]:
                 ax.axvline(time[-1], color=LIMIT, linewidth=1.0)
-            ax.set(xlabel="time (s)", title=quantity)
+            ax.set(title=quantity)
+        axes[-1, 0].set_xlabel("time (s)")
 
-    return draw_figure(1, len(panels), 1.75, draw)
+    return draw_figure(len(panels), 1, 3.9, draw, sharex=True)

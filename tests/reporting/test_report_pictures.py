@@ -1,0 +1,51 @@
+"""The clips and the stills that a report shows."""
+
+import numpy as np
+import pytest
+
+from quadruped_env.evaluation.failures import Failure
+from quadruped_env.reporting.pages import pictures
+from quadruped_env.reporting.pages.pictures import filmed, still_samples
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.trace import Trace
+
+
+def test_film_shows_slow_and_fast_walking_the_feet_turning_and_backwards(comparison):
+    # Its commands forwards are 0.2 and 0.4 m/s.
+    assert [(clip.title, clip.feet) for clip in filmed(comparison)] == [
+        ("forwards: 0.2 m/s", False),
+        ("forwards: 0.4 m/s", False),
+        ("feet: 0.2 m/s", True),
+        ("feet: 0.4 m/s", True),
+        ("turning: 0.5 rad/s", False),
+        ("backwards: -0.2 m/s", False),
+    ]
+    assert all(clip.title.startswith("tuned, ") for clip in filmed(comparison, "tuned"))
+    for clip in filmed(comparison):
+        assert clip.trace.seconds <= pictures.CLIP_SECONDS + 1e-9
+
+
+@pytest.mark.parametrize("fell", [True, False])
+@pytest.mark.parametrize("moment", [0.1, 0.5, 1.0, 2.0, 3.9, 4.0])
+def test_stills_of_a_failure_are_within_the_episode_and_apart(moment, fell):
+    samples = 200
+    pose = np.tile([0.0, 0.0, 0.18, 1.0, 0.0, 0.0, 0.0], (samples, 1))
+    trace = Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=np.zeros((samples, 8)))
+    failure = Failure(0, (0.4, 0.0), 1, moment if fell else None, moment, 1.0, "")
+    found = still_samples(trace, failure)
+    np.testing.assert_array_equal(np.diff(found), [15, 15])  # 0.3 s
+    assert found[0] >= 0
+    assert found[-1] < samples
+    middle = round(moment / 0.02) - 1
+    if fell and moment >= 0.62:
+        assert found[-1] == middle
+    elif not fell and 0.32 <= moment <= 3.7:
+        assert found[1] == middle
+
+
+def test_stills_of_an_early_fall_do_not_leave_its_trace():
+    pose = np.tile([0.0, 0.0, 0.18, 1.0, 0.0, 0.0, 0.0], (10, 1))
+    trace = Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=np.zeros((10, 8)))
+    found = still_samples(trace, Failure(0, (0.4, 0.0), 1, 0.2, 0.2, 1.0, ""))
+    assert found[0] == 0
+    assert found[-1] == 9

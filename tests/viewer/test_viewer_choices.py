@@ -1,0 +1,185 @@
+"""Choices in the viewer besides sources (terrain, disturbances), names of robots, offered controls and the legend."""
+
+import math
+
+import mujoco
+import numpy as np
+import pytest
+import second_robot
+from viewing import DT, now, robot
+
+from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.evaluation.episode import publish
+from quadruped_env.policies import ControllerSpec, ZeroController
+from quadruped_env.reporting import palette
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation import find_terrain, flat
+from quadruped_env.viewer import ViewController
+from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
+from quadruped_env.viewer.legend import OVERLAYS, legend
+from quadruped_env.viewer.robot import Offered
+
+SHOWN = dict.fromkeys(OVERLAYS, True)
+
+
+# --- the terrain
+
+
+def test_a_terrain_is_chosen_with_its_level_and_every_robot_begins_on_it(control):
+    controller = control("policy flat", "gait trot")
+    assert controller.terrain == controller.view().terrain == flat
+    controller.set_command(0.3, 0.0)
+    for _ in range(10):
+        controller.advance(0.1)
+    controller.set_terrain("stairs", 6)
+    assert controller.view().terrain == controller.terrain == find_terrain("stairs").variant(level=6)
+    assert controller.view().time == 0.0
+    assert controller.robots == ("policy flat", "gait trot")
+    assert controller.command == (0.3, 0.0)
+    for index in range(2):
+        assert robot(controller, index).terrain.level == 6
+        heights = robot(controller, index).task.simulation.height_field
+        # The steps of level 6 are 33 mm high.
+        assert np.ptp(heights.points()[..., 2]) >= 0.033
+        assert now(controller, index).time == 0.0
+    # A robot that is added stands on the same ground.
+    controller.set_source(2, "stand still")
+    assert robot(controller, 2).terrain == controller.terrain
+    controller.set_terrain("flat")
+    assert {robot(controller, index).terrain for index in range(3)} == {flat}
+
+
+def test_a_terrain_of_another_robot_has_the_levels_of_its_size(tmp_path):
+    standing = {"stand still": ControllerSpec("stand still", ZeroController)}
+    controller = ViewController(standing, ["stand still"], tmp_path, second_robot.ROBOT)
+    try:
+        controller.set_terrain("steps", 10)
+        heights = robot(controller).task.simulation.height_field.points()[..., 2]
+    finally:
+        controller.close()
+    longer = second_robot.ROBOT.stance_height / MINI_QUADRUPED.stance_height
+    assert np.ptp(heights) == pytest.approx(0.055 * longer, rel=1e-3)
+
+
+def test_an_unknown_terrain_or_level_changes_nothing(control):
+    controller = control("policy flat")
+    controller.set_terrain("slope", 2)
+    controller.advance(DT)
+    before = controller.view()
+    for name, level, message in (
+        ("moon", None, "'moon' is unknown"),
+        ("hills", 3, "it has no levels"),
+        ("slope", 11, "from 1 to 10; found 11"),
+    ):
+        with pytest.raises(QuadrupedError, match=message):
+            controller.set_terrain(name, level)
+        assert controller.terrain == find_terrain("slope").variant(level=2)
+        assert controller.view().time == before.time
+
+
+# --- disturbances
+
+
+@pytest.mark.parametrize("heading", [0.0, 2.0])
+def test_a_sustained_force_acts_in_its_direction_for_its_time(control, heading):
+    """In free fall the base's momentum grows by force times time, whatever the legs do."""
+    controller = control("stand still")
+    shown = robot(controller)
+    shown.data.qpos[2] = 3.0
+    shown.data.qpos[3:7] = [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
+
+    def momentum():
+        mujoco.mj_subtreeVel(shown.model, shown.data)
+        return shown.data.subtree_linvel[1] * MINI_QUADRUPED.total_mass
+
+    controller.step()
+    before = momentum().copy()
+    controller.hold_force(math.radians(90.0), 6.0, 0.2)
+    for step in range(10):
+        controller.step()
+        force = controller.view().robots[0].force
+        if step < 9:
+            assert np.linalg.norm(force) == pytest.approx(6.0)
+    np.testing.assert_array_equal(force, np.zeros(3))
+    gained = momentum() - before
+    left = [-math.sin(heading), math.cos(heading)]
+    np.testing.assert_allclose(gained[:2], 6.0 * 0.2 * np.array(left), atol=0.02)
+    again = momentum().copy()
+    controller.step()
+    np.testing.assert_allclose(momentum()[:2], again[:2], atol=1e-3)
+
+
+def test_a_sustained_force_is_limited_and_ends_with_the_episode(control):
+    controller = control("stand still")
+    controller.hold_force(0.0, 1e6, 1e6)
+    assert robot(controller)._force_steps == round(MAX_FORCE_SECONDS / DT)
+    controller.step()
+    most = MAX_FORCE_SHARE * MINI_QUADRUPED.total_mass * 9.81
+    assert np.linalg.norm(controller.view().robots[0].force) == pytest.approx(most)
+    controller.reset()
+    controller.step()
+    np.testing.assert_array_equal(controller.view().robots[0].force, np.zeros(3))
+    controller.hold_force(0.0, -5.0, 1.0)
+    controller.step()
+    np.testing.assert_array_equal(controller.view().robots[0].force, np.zeros(3))
+
+
+# --- names, controls and the legend
+
+
+def test_robots_have_names_that_differ(control):
+    controller = control("policy flat", "gait trot", "policy flat")
+    assert controller.names == ("policy flat", "gait trot", "policy flat (2)")
+    assert tuple(shown.name for shown in controller.view().robots) == controller.names
+    controller.set_source(0, "gait pace")
+    assert controller.names == ("gait pace", "gait trot", "policy flat")
+
+
+def test_the_command_is_offered_if_a_robot_follows_it(control, tmp_path):
+    path = tmp_path / "walk.csv"
+    publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(path)
+    controller = control(asked=[str(path)])
+    follows = {}
+    for name in controller.sources:
+        controller.set_source(0, name)
+        follows[name] = controller.offered.command
+        assert controller.view().robots[0].follows_command is follows[name]
+    assert {name for name, command in follows.items() if command} == {"policy flat", "gait tuned"}
+    controller.set_source(0, "gait article")
+    controller.set_source(1, "gait tuned")
+    assert controller.offered == Offered()
+    controller.set_source(1, None)
+    assert controller.offered == Offered(command=False)
+
+
+def test_a_source_that_follows_no_command_walks_the_same_under_any(control):
+    controller = control("gait trot")
+    paths = []
+    for command in ((0.5, 0.3), (-0.2, 0.0)):
+        controller.set_command(*command)
+        controller.reset()
+        for _ in range(10):
+            controller.advance(0.1)
+        paths.append(now(controller).joint_position)
+    np.testing.assert_array_equal(*paths)
+
+
+def test_legend_names_every_colour_of_the_scene():
+    found = legend(MINI_QUADRUPED, Offered(), SHOWN)
+    assert {meaning: [colour for _, colour, _ in marks] for meaning, marks in found.items()} == {
+        "commanded velocity and turn": [palette.COMMANDED],
+        "measured velocity and turn": [palette.ACTUAL],
+        "contact forces": [palette.CONTACT],
+        "push, sustained force": [palette.PUSH],
+        "paths of the feet": list(palette.leg_colours(MINI_QUADRUPED).values()),
+        "front of the robot": [palette.FRONT],
+    }
+    assert [name for _, _, name in found["paths of the feet"]] == list(MINI_QUADRUPED.leg_names)
+
+
+def test_legend_leaves_out_what_is_not_drawn():
+    only_front = legend(MINI_QUADRUPED, Offered(push=False), dict.fromkeys(OVERLAYS, False))
+    assert list(only_front) == ["front of the robot"]
+    live = legend(MINI_QUADRUPED, Offered(command=False, force=False), SHOWN)
+    assert "commanded velocity and turn" not in live
+    assert "push" in live
