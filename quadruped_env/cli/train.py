@@ -78,10 +78,13 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         typed["hidden"] = tuple(typed["hidden"])
     task_file, typed_task = task_changes(typed.pop("task", []))
     check_level_has_terrain(arguments)
+    whole: dict[str, str] = {}
     if arguments.terrain is not None:
+        whole["terrain"] = "terrain"
         level = {} if arguments.level is None else {"level": arguments.level}
         typed_task = merged(typed_task, {"terrain": {"name": arguments.terrain, **level}})
     if arguments.randomization is not None:
+        whole["randomization"] = "randomization"
         # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
         robot = (BUILT_IN if task_file is None else load_task_file(task_file)).robot
         typed_task = merged({"randomization": preset_values(arguments.randomization, robot)}, typed_task)
@@ -95,7 +98,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         from quadruped_env.training.resume import Parent
 
         parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
-        config, resume = parent.resumed(typed), parent.directory
+        config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.

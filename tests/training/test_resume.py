@@ -7,7 +7,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
+from trainings import ENDLESS, STEPS, TINY, assert_complete, command, learn, progress, running, scalars, train
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
@@ -17,24 +17,6 @@ from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
-
-SMALL = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "hidden": (8,), "learning_rate": 1e-3, "log_std_init": -1.5}
-STEPS = 32
-"""Environment steps of an update."""
-
-
-def learn(runs, config, resume=None):
-    """Train in this process; the run directory."""
-    from quadruped_env.training import ppo
-
-    return ppo.train(config, runs, "train", resume)[0]
-
-
-@pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    """A complete run of eight updates, without checkpoints on a machine of any speed."""
-    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
-    return learn(tmp_path_factory.mktemp("runs"), config)
 
 
 @pytest.fixture
