@@ -5,9 +5,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Self
 
 from quadruped_env._plain import PlainFields, is_finite_number
+from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.errors import QuadrupedError, short
 
 ACTION_MODES: Final = ("position", "residual")
+
+HISTORY_RULE: Final = "a whole number of control steps, 1 or more (1: only the present observation)"
 
 Range = tuple[float, float]
 
@@ -84,8 +87,10 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: float = 2.2
-    """Frequency of the gait clock, cycles per second."""
+    clock_frequency: Frequency = 2.2
+    """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
+    observation_history: int = 1
+    """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
@@ -105,15 +110,17 @@ class ControlConfig:
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
         default = cls()
         decimation, physics_timestep = values.get("decimation", 4), values.get("physics_timestep", 0.005)
-        clock_frequency = values.get("clock_frequency", default.clock_frequency)
         check(type(decimation) is int and decimation >= 1, "decimation", decimation, "1 or more")
-        for name, number in (("physics_timestep", physics_timestep), ("clock_frequency", clock_frequency)):
-            check(is_finite_number(number) and number > 0, name, number, "a positive number")
+        valid = is_finite_number(physics_timestep) and physics_timestep > 0
+        check(valid, "physics_timestep", physics_timestep, "a positive number")
+        history = values.get("observation_history", default.observation_history)
+        check(type(history) is int and history >= 1, "observation_history", history, HISTORY_RULE)
         try:
             ranges = {command.name: command.range for command in commands} | values.get("command", {})
             return cls(
                 timestep=float(physics_timestep * decimation),
-                clock_frequency=float(clock_frequency),
+                clock_frequency=frequency_of(values.get("clock_frequency", default.clock_frequency)),
+                observation_history=history,
                 action=ActionConfig(**values.get("action", {})),
                 commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
             )

@@ -96,7 +96,8 @@ class Policy:
         """Check that actions have the same meaning in a task as in training.
 
         Raises:
-            QuadrupedError: if the action mode, action scale, control rate or gait clock differs from the policy's.
+            QuadrupedError: if the action mode, action scale, control rate, gait clock or length of the observation's
+                history differs from the policy's.
         """
         own = self.control
         for name, expected, found in (
@@ -104,6 +105,7 @@ class Policy:
             (f"action.{own.action.mode}_scale", own.action.scale, control.action.scale),
             ("control_timestep", own.timestep, control.timestep),
             ("clock_frequency", own.clock_frequency, control.clock_frequency),
+            ("observation_history", own.observation_history, control.observation_history),
         ):
             if expected != found:
                 raise QuadrupedError(
@@ -348,7 +350,8 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
             f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
             f"train again, or install the version that made it"
         )
-    weights, biases = _layers(document["layers"], tensors, tensors_path, layout.width, robot.num_joints)
+    inputs = control.observation_history * layout.width
+    weights, biases = _layers(document["layers"], tensors, tensors_path, inputs, robot.num_joints)
     return Policy(
         weights,
         biases,

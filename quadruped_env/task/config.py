@@ -16,7 +16,8 @@ import mujoco
 import numpy as np
 
 from quadruped_env._plain import PlainFields, plain
-from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check
+from quadruped_env.control.clock import CommandedFrequency, Frequency, frequency_of
+from quadruped_env.control.config import HISTORY_RULE, ActionConfig, Command, ControlConfig, check
 from quadruped_env.control.task_file import TASK_FILE, check_task_file
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
@@ -174,8 +175,11 @@ class TaskConfig(PlainFields):
     """Physics steps per control step."""
     physics_timestep: float = 0.005
     """Physics time step, s."""
-    clock_frequency: float = 2.2
-    """Frequency of the gait clock and, in residual mode, of the scripted gait, cycles per second."""
+    clock_frequency: Frequency = 2.2
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, cycles per second; or its values at some
+    commanded speeds, between which it is linear: see `CommandedFrequency`."""
+    observation_history: int = 1
+    """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
     command: Section = _OF_THE_DEFINITION
     reward: Section = _OF_THE_DEFINITION
@@ -194,7 +198,9 @@ class TaskConfig(PlainFields):
             object.__setattr__(self, "motor", self.robot.motors)
         check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
-        check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
+        object.__setattr__(self, "clock_frequency", frequency_of(self.clock_frequency))
+        history = self.observation_history
+        check(isinstance(history, int) and history >= 1, "observation_history", history, HISTORY_RULE)
         for name in _sections(self.definition):
             section = getattr(self, name)
             schema = _schema(name, Choice.of(section), self.definition)
@@ -296,6 +302,7 @@ class TaskConfig(PlainFields):
         return ControlConfig(
             timestep=self.control_timestep,
             clock_frequency=self.clock_frequency,
+            observation_history=self.observation_history,
             action=self.action,
             commands=self.commands,
         )
@@ -322,7 +329,9 @@ class TaskConfig(PlainFields):
                     values[ROBOT] = value.robot.identity
             else:
                 values[entry.name] = (
-                    dataclasses.asdict(value) if isinstance(value, (ActionConfig, MotorConfig)) else value
+                    dataclasses.asdict(value)
+                    if isinstance(value, (ActionConfig, CommandedFrequency, MotorConfig))
+                    else value
                 )
         return values
 
@@ -392,6 +401,8 @@ def _convert(hint: Any, value: Any, path: str, definition: TaskDefinition) -> An
     if dataclasses.is_dataclass(hint):
         assert isinstance(hint, type)
         return _build(hint, value, path, definition)
+    if hint == Frequency:
+        return frequency_of(value)
     if typing.get_origin(hint) is Literal:
         return value
     return number(value, path, whole=hint is int)
