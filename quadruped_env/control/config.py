@@ -10,8 +10,6 @@ from quadruped_env.errors import QuadrupedError, short
 
 ACTION_MODES: Final = ("position", "residual")
 
-HISTORY_RULE: Final = "a whole number of control steps, 1 or more (1: only the present observation)"
-
 Range = tuple[float, float]
 
 
@@ -19,6 +17,12 @@ def check(condition: bool, name: str, value: object, rule: str) -> None:
     """Raise a QuadrupedError that names the field, the value and the rule, unless the condition holds."""
     if not condition:
         raise QuadrupedError(f"config: {name} must be {rule}; found {short(value)}")
+
+
+def check_history(history: Any) -> None:
+    """Raise a QuadrupedError unless a value is a number of control steps."""
+    rule = "a whole number of control steps, 1 or more (1: only the present observation)"
+    check(type(history) is int and history >= 1, "observation_history", history, rule)
 
 
 def check_range(name: str, value: Any) -> None:
@@ -114,7 +118,7 @@ class ControlConfig:
         valid = is_finite_number(physics_timestep) and physics_timestep > 0
         check(valid, "physics_timestep", physics_timestep, "a positive number")
         history = values.get("observation_history", default.observation_history)
-        check(type(history) is int and history >= 1, "observation_history", history, HISTORY_RULE)
+        check_history(history)
         try:
             ranges = {command.name: command.range for command in commands} | values.get("command", {})
             return cls(

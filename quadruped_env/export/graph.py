@@ -126,6 +126,8 @@ def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> s
         layer = graph.add("Gemm", x, graph.constant(weight), graph.constant(bias))
         x = graph.add(_OPERATORS[policy.activation], layer)
     x = graph.add("Gemm", x, graph.constant(last[0]), graph.constant(last[1]))
+    if policy.output == "tanh":
+        return graph.add("Tanh", x, output=ACTION)
     return graph.clipped(x, -1.0, 1.0, output=ACTION)
 
 

@@ -16,8 +16,8 @@ import mujoco
 import numpy as np
 
 from quadruped_env._plain import PlainFields, plain
-from quadruped_env.control.clock import CommandedFrequency, Frequency, frequency_of
-from quadruped_env.control.config import HISTORY_RULE, ActionConfig, Command, ControlConfig, check
+from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check, check_history
 from quadruped_env.control.task_file import TASK_FILE, check_task_file
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
@@ -176,8 +176,7 @@ class TaskConfig(PlainFields):
     physics_timestep: float = 0.005
     """Physics time step, s."""
     clock_frequency: Frequency = 2.2
-    """Frequency of the gait clock and, in residual mode, of the scripted gait, cycles per second; or its values at some
-    commanded speeds, between which it is linear: see `CommandedFrequency`."""
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
     observation_history: int = 1
     """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
@@ -199,8 +198,7 @@ class TaskConfig(PlainFields):
         check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
         object.__setattr__(self, "clock_frequency", frequency_of(self.clock_frequency))
-        history = self.observation_history
-        check(isinstance(history, int) and history >= 1, "observation_history", history, HISTORY_RULE)
+        check_history(self.observation_history)
         for name in _sections(self.definition):
             section = getattr(self, name)
             schema = _schema(name, Choice.of(section), self.definition)
@@ -327,12 +325,10 @@ class TaskConfig(PlainFields):
                     values[TERRAIN_FILE] = terrain_file.to_dict()
                 if value.robot != BUILT_IN.robot:
                     values[ROBOT] = value.robot.identity
+            elif dataclasses.is_dataclass(value) and not isinstance(value, type):
+                values[entry.name] = dataclasses.asdict(value)
             else:
-                values[entry.name] = (
-                    dataclasses.asdict(value)
-                    if isinstance(value, (ActionConfig, CommandedFrequency, MotorConfig))
-                    else value
-                )
+                values[entry.name] = value
         return values
 
     @classmethod

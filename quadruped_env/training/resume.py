@@ -22,7 +22,17 @@ from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE, RESUMED_FROM, run_name
 
 NO_SECTIONS: Final[Mapping[str, str]] = MappingProxyType({})
-KEPT: Final = ("action_mode", "hidden", "activation", "symmetric", "log_std_init", "task")
+KEPT: Final = (
+    "recipe",
+    "algo",
+    "action_mode",
+    "hidden",
+    "activation",
+    "symmetric",
+    "asymmetric_critic",
+    "log_std_init",
+    "task",
+)
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
 
 

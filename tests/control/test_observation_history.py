@@ -15,6 +15,7 @@ from quadruped_env.control.live_controller import LiveController, Measurement, M
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.card import example
 from quadruped_env.export.graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.readings import Readings
@@ -204,6 +205,26 @@ def test_exported_graph_stacks_as_the_env_does(mode):
         np.testing.assert_allclose(found["next_observation_history"][0], observation[: 2 * WIDTH], rtol=0, atol=1e-5)
         observation, *_ = env.step(policy.predict(observation))
         past, phase = found["next_observation_history"], found["next_gait_phase"]
+
+
+def test_code_of_the_exported_page_feeds_the_history_back(tmp_path, monkeypatch):
+    policy = policy_with_history()
+    interface = PolicyInterface(policy)
+    (tmp_path / "policy.onnx").write_bytes(policy_graph(interface, "history"))
+    monkeypatch.chdir(tmp_path)
+    page = {}
+    exec(example(interface), page)  # noqa: S102
+    env = policy.make_env()
+    env.reset(seed=0, options={"command": (0.2, 0.3)})
+    task, layout = env.unwrapped.task, interface.layout
+    task.phase[:] = 0.0  # as the code begins
+    observation = task.observe()[0]
+    for _ in range(8):
+        frame = observation[:WIDTH] / layout.scale + interface.offsets
+        own = ("gait_clock", "last_action")
+        targets = page["joint_targets"](**{n: frame[s] for n, s in layout.slices.items() if n not in own})
+        observation, *_ = env.step(policy.predict(observation))
+        np.testing.assert_allclose(env.unwrapped.data.ctrl, targets, rtol=0, atol=1e-5)
 
 
 def test_live_controller_stacks_as_the_interface_does():

@@ -125,10 +125,12 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
 def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
     from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
 
-    from quadruped_env.training.native_ppo import NativePPO
+    from quadruped_env.training.models import native
+
+    ppo = native("ppo")
 
     seen = []
-    collect, update = OnPolicyAlgorithm.collect_rollouts, NativePPO.train
+    collect, update = OnPolicyAlgorithm.collect_rollouts, ppo.train
 
     def watched_collect(self, *args, **kwargs):
         seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
@@ -139,7 +141,7 @@ def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_pare
         seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
 
     monkeypatch.setattr(OnPolicyAlgorithm, "collect_rollouts", watched_collect)
-    monkeypatch.setattr(NativePPO, "train", watched_update)
+    monkeypatch.setattr(ppo, "train", watched_update)
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
     directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
@@ -181,7 +183,7 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
 
 def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.native_ppo import export_policy, make_model
+    from quadruped_env.training.models import export_policy, make_model
 
     parent = Parent.load(run)
     env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
@@ -271,7 +273,7 @@ def test_an_incomplete_run_is_not_resumed(copy, name):
         ('{"training": {}}', r"config.json: field 'task' is missing"),
         (
             '{"training": {"hidden": [8]}, "task": {}}',
-            r"config.json: field 'training.action_mode' is missing; start a new training",
+            r"config.json: field 'training.recipe' is missing; start a new training",
         ),
     ],
 )
