@@ -9,7 +9,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Final
 
-_LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch")
+_LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "sb3-contrib", "torch")
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,14 @@ import argparse
 import sys
 from pathlib import Path
 
+import numpy as np
+
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.control.clock import frequency_at
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.program import run_program
@@ -37,7 +40,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
     prepare_video(arguments.output, overwrite=True)
     policy = load_policy(arguments.policy)
-    stop = START + STRIDES / policy.config.clock_frequency
+    command = np.array([[arguments.velocity, 0.0]])
+    stop = START + STRIDES / float(frequency_at(policy.config.clock_frequency, command)[0])
     rollout = roll_out(PolicyController(policy), [(arguments.velocity, 0.0)], [FIRST_SEED], stop, policy.config)
     save_film(arguments.output, [Clip.of_rollout(rollout, 0, "trained policy", START)], ProgressLine("drawing"))
     print(f"written to {arguments.output}")

@@ -1,17 +1,19 @@
-"""Train a walking policy with PPO.
+"""Train a walking policy with PPO, or with another algorithm.
 
 mini-quadruped train                          two minutes or less, then a policy that walks
+mini-quadruped train --recipe robust          named settings: flat, robust, rough, fast
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
+mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 
 import argparse
 import dataclasses
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, Final, get_args
 
@@ -19,9 +21,14 @@ from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import add_output, add_randomization, add_terrain, check_level_has_terrain
 from quadruped_env.documents import read_json
+from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import Robot
 from quadruped_env.task import BUILT_IN, load_task_file, preset_values
+from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.algorithms import algorithm, check_used
+from quadruped_env.training.recipes import RECIPES, recipe, task_values
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
@@ -39,6 +46,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             "default": argparse.SUPPRESS,
             "help": f"{docs[field.name]} (default: {default})".replace("%", "%%"),
         }
+        if field.name == "recipe":
+            listed = "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
+            options["help"] = f"{docs[field.name]}. {listed} (default: {default})"
         if field.name == "hidden":
             options.update(type=int, nargs="+", metavar="N")
         elif field.name == "task":
@@ -57,8 +67,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             kind = {"seconds": float, "log_std_init": float}.get(field.name, type(default))
             options.update(type=kind, metavar=_METAVARS[kind])
         parser.add_argument(option, **options)
-    add_terrain(parser, "that of --task, or flat")
-    add_randomization(parser, "that of --task, or none")
+    add_terrain(parser, "that of --task, or of the --recipe")
+    add_randomization(parser, "that of --task, or of the --recipe")
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
     parser.add_argument(
         "--resume",
@@ -78,33 +88,38 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         typed["hidden"] = tuple(typed["hidden"])
     task_file, typed_task = task_changes(typed.pop("task", []))
     check_level_has_terrain(arguments)
+    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    whole: dict[str, str] = {}
     if arguments.terrain is not None:
+        whole["terrain"] = "terrain"
         level = {} if arguments.level is None else {"level": arguments.level}
-        typed_task = merged(typed_task, {"terrain": {"name": arguments.terrain, **level}})
+        typed_task = changed(typed_task, {"terrain": {"name": arguments.terrain, **level}})
     if arguments.randomization is not None:
+        whole["randomization"] = "randomization"
         # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
-        robot = (BUILT_IN if task_file is None else load_task_file(task_file)).robot
-        typed_task = merged({"randomization": preset_values(arguments.randomization, robot)}, typed_task)
+        typed_task = changed({"randomization": preset_values(arguments.randomization, definition.robot)}, typed_task)
     if typed_task:
         typed["task"] = typed_task
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
     if resume is None:
-        config = TrainConfig(**typed)
+        config = TrainConfig(**with_recipe(typed, definition.robot, whole))
     else:
         from quadruped_env.training.resume import Parent
 
-        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
-        config, resume = parent.resumed(typed), parent.directory
+        parent = Parent.load(resume, definition)
+        config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+    check_used(config.algo, typed)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
     from quadruped_env.policies import load_policy
     from quadruped_env.training.config import shortness
     from quadruped_env.training.ppo import train
 
     directory, finished = train(config, runs, invocation.line, resume, task_file)
-    advice = shortness(config.action_mode, load_policy(directory, task_file).card["timesteps"])
+    steps = load_policy(directory, task_file).card["timesteps"]
+    advice = shortness(config.action_mode, steps) if config.algo == TrainConfig.algo else ""
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     if advice:
@@ -143,17 +158,25 @@ def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, d
     changes: dict[str, Any] = {}
     for entry in given:
         if isinstance(entry, dict):
-            changes = merged(changes, entry)
+            changes = changed(changes, entry)
     return next(iter(files), None), changes
 
 
-def merged(values: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
-    """Nested values with changes applied."""
-    result = dict(values)
-    for name, value in changes.items():
-        both = isinstance(value, dict) and isinstance(result.get(name), dict)
-        result[name] = merged(result[name], value) if both else value
-    return result
+def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> dict[str, Any]:
+    """Fields of `TrainConfig`: those of the algorithm and of the recipe, and over them those that the user typed.
+
+    Args:
+        typed: fields that the user typed; of `task`, changes to the config.
+        robot: robot of the task.
+        whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
+    """
+    name, algo = typed.get("recipe", TrainConfig.recipe), typed.get("algo", TrainConfig.algo)
+    own = typed.get("task", {})
+    chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
+    task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
+    task = changed(task, own)
+    defaults = {"name": algo, **algorithm(algo).defaults}
+    return {**defaults, **recipe(name).training, **typed, **({"task": task} if task else {})}
 
 
 def json_object(text: str) -> dict[str, Any]:

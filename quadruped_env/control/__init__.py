@@ -1,5 +1,6 @@
 """Control in training and on a real robot: observations from readings, and joint targets from observations."""
 
+from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.config import ActionConfig, Command, ControlConfig
 from quadruped_env.control.controllers import (
     CommandedGaitController,
@@ -16,6 +17,7 @@ __all__ = [
     "OBSERVATIONS",
     "ActionConfig",
     "Command",
+    "CommandedFrequency",
     "CommandedGaitController",
     "ControlConfig",
     "ControlInterface",

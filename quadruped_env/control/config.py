@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Self
 
 from quadruped_env._plain import PlainFields, is_finite_number
+from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.errors import QuadrupedError, short
 
 ACTION_MODES: Final = ("position", "residual")
@@ -16,6 +17,12 @@ def check(condition: bool, name: str, value: object, rule: str) -> None:
     """Raise a QuadrupedError that names the field, the value and the rule, unless the condition holds."""
     if not condition:
         raise QuadrupedError(f"config: {name} must be {rule}; found {short(value)}")
+
+
+def check_history(history: Any) -> None:
+    """Raise a QuadrupedError unless a value is a number of control steps."""
+    rule = "a whole number of control steps, 1 or more (1: only the present observation)"
+    check(type(history) is int and history >= 1, "observation_history", history, rule)
 
 
 def check_range(name: str, value: Any) -> None:
@@ -84,8 +91,10 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: float = 2.2
-    """Frequency of the gait clock, cycles per second."""
+    clock_frequency: Frequency = 2.2
+    """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
+    observation_history: int = 1
+    """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
@@ -105,15 +114,17 @@ class ControlConfig:
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
         default = cls()
         decimation, physics_timestep = values.get("decimation", 4), values.get("physics_timestep", 0.005)
-        clock_frequency = values.get("clock_frequency", default.clock_frequency)
         check(type(decimation) is int and decimation >= 1, "decimation", decimation, "1 or more")
-        for name, number in (("physics_timestep", physics_timestep), ("clock_frequency", clock_frequency)):
-            check(is_finite_number(number) and number > 0, name, number, "a positive number")
+        valid = is_finite_number(physics_timestep) and physics_timestep > 0
+        check(valid, "physics_timestep", physics_timestep, "a positive number")
+        history = values.get("observation_history", default.observation_history)
+        check_history(history)
         try:
             ranges = {command.name: command.range for command in commands} | values.get("command", {})
             return cls(
                 timestep=float(physics_timestep * decimation),
-                clock_frequency=float(clock_frequency),
+                clock_frequency=frequency_of(values.get("clock_frequency", default.clock_frequency)),
+                observation_history=history,
                 action=ActionConfig(**values.get("action", {})),
                 commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
             )

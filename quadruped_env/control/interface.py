@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.capture import Functions
+from quadruped_env.control.clock import frequency_at
 from quadruped_env.control.config import ControlConfig
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
@@ -50,7 +51,7 @@ class ControlInterface:
         self.robot = robot
         self.config = config
         self.num_envs = num_envs
-        self.layout = ObservationLayout.of(robot, fields)
+        self.layout = ObservationLayout.of(robot, fields, config.observation_history)
         self.memory = memory = EpisodeMemory(num_envs)
         self.action: Floats = memory.zeros("action", robot.num_joints)
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
@@ -64,11 +65,18 @@ class ControlInterface:
         """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.phase: Floats = memory.zeros("phase")
         """Phase of the gait clock in [0, 2 pi), (N,), rad."""
+        self._phase_step: Floats = memory.zeros("phase_step")
+        """Advance of the gait clock per control step at the present command, (N,), rad."""
         self.steps: NDArray[np.int64] = memory.zeros("steps", dtype=np.int64)
         """Number of control steps since the reset, (N,)."""
         self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
         self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
         self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
+        # A ring: the observation of step s is at s modulo the number of steps.
+        depth = config.observation_history
+        past = (depth, self.layout.width) if depth > 1 else (0, 0)
+        self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
+        self._env_ids, self._ages = np.arange(num_envs)[:, None], np.arange(depth)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
         self._gait = CommandedGait.tuned(robot) if config.action.mode == "residual" else None
         self._joint_phases = joint_phases(robot)
@@ -77,13 +85,13 @@ class ControlInterface:
         """Joint positions of the stance (1, J), rad."""
         self._low, self._high = robot.joint_position_low[None], robot.joint_position_high[None]
         self._scale = np.array(config.action.scale)
-        self._phase_step = np.array(math.tau * config.clock_frequency * config.timestep)
         self._observation_scale = self.layout.scale[None]
         self._observation_low, self._observation_high = self.layout.low[None], self.layout.high[None]
         self._clock = np.zeros((num_envs, 2))
         self._raw = np.zeros((num_envs, self.layout.width))
         self._observed: Readings | None = None
         self._fields: Functions | None = None
+        self.reset(np.arange(num_envs))
 
     def __getstate__(self) -> dict[str, Any]:
         # `command` is a view, and unpickling would turn it into a copy; captured fields refer to other arrays then.
@@ -98,14 +106,21 @@ class ControlInterface:
         """Reset some envs (R,): zero actions and commands, and the gait clock at a phase (R,) in rad."""
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
+        # Clock and scripted gait of the zero command, too.
+        self.set_command(env_ids, np.zeros((len(env_ids), VELOCITY)))
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
         self.commands[env_ids, : command.shape[1]] = command
         velocity = command[:, :VELOCITY]
         self.moving[env_ids] = np.logical_or.reduce(np.abs(velocity) > MOVING_THRESHOLD, -1)
+        self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:
             self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
+
+    def _clock_step(self, velocity: Floats) -> Floats:
+        """Advance of the clock per control step (R,) in rad at velocity commands (R, 2)."""
+        return math.tau * frequency_at(self.config.clock_frequency, velocity) * self.config.timestep
 
     def command_of(self, name: str) -> Floats:
         """One component of the command by name, (N,)."""
@@ -163,7 +178,10 @@ class ControlInterface:
         return np.multiply(clock, self.moving[:, None], clock)
 
     def observe(self, readings: Readings, noise: Floats | None = None) -> NDArray[np.float32]:
-        """Observations (N, layout.width) in a new array.
+        """Observations (N, layout.history * layout.width) in a new array: of this step, then of the steps before.
+
+        Before an episode's first step there is none, so its first observation stands for them. A second call in the
+        same step replaces the observation of the first.
 
         Args:
             readings: readings of the N robots.
@@ -179,4 +197,13 @@ class ControlInterface:
         np.multiply(raw, self._observation_scale, raw)
         np.minimum(raw, self._observation_high, out=raw)
         np.maximum(raw, self._observation_low, out=raw)
-        return raw.astype(np.float32)
+        present = raw.astype(np.float32)
+        return present if self.layout.history == 1 else self._stacked(present)
+
+    def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
+        """The present observations (N, width) and those of the steps before."""
+        past, depth = self._past, self.layout.history
+        past[self._env_ids[:, 0], self.steps % depth] = present
+        first = self.steps == 0
+        past[first] = present[first, None]
+        return past[self._env_ids, (self.steps[:, None] - self._ages) % depth].reshape(self.num_envs, -1)

@@ -36,23 +36,19 @@ class ControlState(Protocol):
         ...
 
 
-Reader = Callable[[Readings, ControlState], Floats]
+Reader = Callable[..., Floats]
 PerRobot = float | Callable[[Robot], float]
 """Number, or function that computes it from the robot."""
 MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
 
 
 @dataclass(frozen=True)
-class ObservationField:
-    """A group of columns: observation = clip((reading + noise) * scale, low, high).
-
-    The decorator `observation` creates it. If the policy is to run on a real robot, the robot must measure all readings
-    that the field uses.
-    """
+class Field:
+    """A group of columns: value = clip((reading + noise) * scale, low, high)."""
 
     name: str
     read: Reader
-    """Function (readings, control interface) -> reading (N, width) in `unit`."""
+    """Function that returns the reading (N, width) in `unit`."""
     unit: str
     mirror: MirrorRule
     """Effect of the left/right mirror on the reading: `joints` or `feet` if its columns, one per joint or foot, swap
@@ -77,6 +73,14 @@ class ObservationField:
         if self.mirror == "feet":
             return robot.num_legs
         return len(self.mirror)
+
+
+class ObservationField(Field):
+    """A field of the observation, whose `read` is a function (readings, control interface).
+
+    The decorator `observation` creates it. If the policy is to run on a real robot, the robot must measure all readings
+    that the field uses.
+    """
 
 
 def observation(
@@ -109,18 +113,19 @@ def observation(
             scale=scale,
             bound=bound,
             noise=noise,
-            description=_first_line(read),
+            description=first_line(read),
             pure=pure,
         )
 
     return decorate
 
 
-def _named(module: str, name: str) -> ObservationField:
+def _named(module: str, name: str) -> Field:
     return getattr(importlib.import_module(module), name)
 
 
-def _first_line(function: Callable[..., Any]) -> str:
+def first_line(function: Callable[..., Any]) -> str:
+    """First line of a function's docstring."""
     return (function.__doc__ or "").strip().partition("\n")[0]
 
 
@@ -191,14 +196,17 @@ OBSERVATIONS: Final = (
 
 @dataclass(frozen=True, eq=False)
 class ObservationLayout:
-    """Columns of the observation of one robot, computed from a list of fields.
+    """Columns of the observation of one robot at one control step, computed from a list of fields.
 
     Raises:
         QuadrupedError: if the list is empty or two fields have the same name.
     """
 
     robot: Robot
-    fields: tuple[ObservationField, ...] = OBSERVATIONS
+    fields: tuple[Field, ...] = OBSERVATIONS
+    history: int = 1
+    """Number of control steps whose observations a policy gets at once, the latest first. The other attributes describe
+    the columns of one step."""
     width: int = field(init=False)
     slices: dict[str, slice] = field(init=False)
     """Columns of each field, by name."""
@@ -259,9 +267,9 @@ class ObservationLayout:
         ]
 
     @classmethod
-    def of(cls, robot: Robot, fields: Sequence[ObservationField]) -> Self:
+    def of(cls, robot: Robot, fields: Sequence[Field], history: int = 1) -> Self:
         """A layout from any sequence of fields."""
-        return cls(robot, tuple(fields))
+        return cls(robot, tuple(fields), history)
 
 
 def _mirror(rule: MirrorRule, robot: Robot, width: int) -> tuple[Sequence[int], list[float]]:

@@ -42,6 +42,7 @@ def _elu(x: NDArray[np.float32]) -> NDArray[np.float32]:
 
 _Activation = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 ACTIVATIONS: Final[dict[str, _Activation]] = {"tanh": np.tanh, "elu": _elu, "relu": lambda x: np.maximum(x, 0.0)}
+OUTPUTS: Final[dict[str, _Activation]] = {"clip": lambda x: np.minimum(np.maximum(x, -1.0), 1.0), "tanh": np.tanh}
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,8 @@ class Policy:
     task: dict[str, Any]
     card: dict[str, Any]
     robot: Robot = MINI_QUADRUPED
+    output: str = "clip"
+    """Function that brings the last layer's values into [-1, 1], a key of `OUTPUTS`."""
     source: str = CARD_FILE
     """Name of the policy's file in error messages."""
 
@@ -89,14 +92,14 @@ class Policy:
         activate = ACTIVATIONS[self.activation]
         for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
             x = activate(x @ weight + bias)
-        x = x @ self.weights[-1] + self.biases[-1]
-        return np.minimum(np.maximum(x, -1.0), 1.0)
+        return OUTPUTS[self.output](x @ self.weights[-1] + self.biases[-1])
 
     def check_control(self, control: ControlConfig) -> None:
         """Check that actions have the same meaning in a task as in training.
 
         Raises:
-            QuadrupedError: if the action mode, action scale, control rate or gait clock differs from the policy's.
+            QuadrupedError: if the action mode, action scale, control rate, gait clock or length of the observation's
+                history differs from the policy's.
         """
         own = self.control
         for name, expected, found in (
@@ -104,6 +107,7 @@ class Policy:
             (f"action.{own.action.mode}_scale", own.action.scale, control.action.scale),
             ("control_timestep", own.timestep, control.timestep),
             ("clock_frequency", own.clock_frequency, control.clock_frequency),
+            ("observation_history", own.observation_history, control.observation_history),
         ):
             if expected != found:
                 raise QuadrupedError(
@@ -155,6 +159,7 @@ class Policy:
             "weights_sha256": hashlib.sha256(content).hexdigest(),
             "config_sha256": _config_hash(self.task),
             "activation": self.activation,
+            "output": self.output,
             "layers": len(self.weights),
             "robot": self.robot.identity,
             "observation_layout": ObservationLayout(self.robot, self.fields).document(),
@@ -327,11 +332,12 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
             f"{card_path}: observation_layout differs from this version's, so the policy would get other columns than "
             f"it was trained on; train again, or install the version that made it"
         )
-    if document["activation"] not in tuple(ACTIVATIONS):
-        raise QuadrupedError(
-            f"{card_path}: activation {short(document['activation'])} is not one of {', '.join(ACTIVATIONS)}; "
-            f"the file is damaged, train again"
-        )
+    output = document.get("output", "clip")
+    for name, value, valid in (("activation", document["activation"], ACTIVATIONS), ("output", output, OUTPUTS)):
+        if value not in tuple(valid):
+            raise QuadrupedError(
+                f"{card_path}: {name} {short(value)} is not one of {', '.join(valid)}; the file is damaged, train again"
+            )
     if not isinstance(document["card"], dict):
         raise QuadrupedError(
             f"{card_path}: card must be a table of facts; found {short(document['card'])}; the file is damaged, train "
@@ -348,7 +354,8 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
             f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
             f"train again, or install the version that made it"
         )
-    weights, biases = _layers(document["layers"], tensors, tensors_path, layout.width, robot.num_joints)
+    inputs = control.observation_history * layout.width
+    weights, biases = _layers(document["layers"], tensors, tensors_path, inputs, robot.num_joints)
     return Policy(
         weights,
         biases,
@@ -358,6 +365,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
         task,
         document["card"],
         robot,
+        output,
         str(card_path),
     )
 

@@ -26,8 +26,10 @@ class MirrorMap:
 
     @classmethod
     def of(cls, layout: ObservationLayout) -> Self:
-        """From the mirror rules of a layout's fields and its robot's joints."""
-        return cls(layout.mirror_order, layout.mirror_sign, np.array(layout.robot.joint_mirror))
+        """From the mirror rules of a layout's fields and its robot's joints; the same for each step of a history."""
+        steps = layout.width * np.arange(layout.history)[:, None]
+        order = (steps + layout.mirror_order).ravel()
+        return cls(order, np.tile(layout.mirror_sign, layout.history), np.array(layout.robot.joint_mirror))
 
     def observation(self, observation: NDArray[np.floating]) -> NDArray[np.floating]:
         """Mirrored observation (..., width)."""

@@ -48,7 +48,11 @@ def register() -> None:
 
 
 def make_sb3_vec_env(
-    num_envs: int, seed: int | None = None, max_episode_steps: int = MAX_EPISODE_STEPS, **env_kwargs: Any
+    num_envs: int,
+    seed: int | None = None,
+    max_episode_steps: int = MAX_EPISODE_STEPS,
+    privileged: bool = False,
+    **env_kwargs: Any,
 ) -> "MiniQuadrupedSB3VecEnv":
     """Create a Stable-Baselines3 `VecEnv` on the native vector environment.
 
@@ -56,6 +60,7 @@ def make_sb3_vec_env(
         num_envs: number of robots.
         seed: seed of env 0; env i has seed + i.
         max_episode_steps: control steps after which an episode is truncated.
+        privileged: append the task's privileged readings to the observations, for the value function of a training.
         env_kwargs: arguments of `gymnasium.make_vec("MiniQuadruped-v0", ...)`.
 
     Raises:
@@ -65,6 +70,7 @@ def make_sb3_vec_env(
     from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 
     seed = arguments.seed(seed)
-    env = MiniQuadrupedSB3VecEnv(MiniQuadrupedVectorEnv(num_envs, max_episode_steps=max_episode_steps, **env_kwargs))
+    vector = MiniQuadrupedVectorEnv(num_envs, max_episode_steps=max_episode_steps, **env_kwargs)
+    env = MiniQuadrupedSB3VecEnv(vector, privileged)
     env.seed(seed)
     return env

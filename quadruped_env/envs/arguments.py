@@ -52,22 +52,22 @@ def task_config(
         task = config if definition == config.definition else config.with_definition(definition)
     else:
         changes = {} if config is None else config
-        task = TaskConfig.from_dict(_over(defaults, changes) if isinstance(changes, dict) else changes, definition)
+        task = TaskConfig.from_dict(changed(defaults, changes) if isinstance(changes, dict) else changes, definition)
     if action_mode is not None:
         mode: Any = action_mode  # checked by ActionConfig
         task = dataclasses.replace(task, action=dataclasses.replace(task.action, mode=mode))
     return task if terrain is None else task.on_terrain(terrain)
 
 
-def _over(defaults: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Nested defaults with changes applied. A section that names another terrain replaces the default one."""
+def changed(defaults: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Nested values with changes applied. A section that names another terrain replaces the one before."""
     result = dict(defaults)
     for name, value in changes.items():
         default = defaults.get(name)
         result[name] = value
         if isinstance(value, Mapping) and isinstance(default, Mapping):
             named = default.get("name")
-            result[name] = _over(default, value) if value.get("name", named) == named else value
+            result[name] = changed(default, value) if value.get("name", named) == named else value
     return result
 
 

@@ -4,11 +4,13 @@ import time
 from collections.abc import Sequence
 from typing import Any
 
+import gymnasium
 import numpy as np
 from gymnasium.vector import AutoresetMode
 from numpy.typing import NDArray
 
 from quadruped_env.envs.member import MemberEnv
+from quadruped_env.envs.spaces import observation_space
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 
@@ -29,11 +31,15 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
     `env_is_wrapped(Monitor)` is true. The data of all envs is in the arrays of `self.task`. Supports pickling and
     `copy.deepcopy`.
 
+    Args:
+        env: the native vector environment.
+        privileged: append the task's privileged readings to the observations, for the value function of a training.
+
     Raises:
-        QuadrupedError: if the environment's autoreset mode is not `SAME_STEP`.
+        QuadrupedError: if the environment's autoreset mode is not `SAME_STEP`, or a privileged reading is not valid.
     """
 
-    def __init__(self, env: MiniQuadrupedVectorEnv) -> None:
+    def __init__(self, env: MiniQuadrupedVectorEnv, privileged: bool = False) -> None:
         if env.autoreset_mode is not AutoresetMode.SAME_STEP:
             raise QuadrupedError(
                 f"autoreset_mode: Stable-Baselines3 resets finished envs within the step; expected "
@@ -43,11 +49,26 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.task = env.task
         self.render_mode = env.render_mode
         self.metadata = env.metadata
-        super().__init__(env.num_envs, env.single_observation_space, env.single_action_space)
+        self.privileged = env.task.privileged_readings() if privileged else None
+        """The privileged readings in the last columns of the observations; None without them."""
+        super().__init__(env.num_envs, self._space(), env.single_action_space)
         self._actions = np.zeros((env.num_envs, env.task.control.robot.num_joints), dtype=np.float32)
         self.last_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._episode_terms = np.zeros((env.num_envs, len(self.task.term_names)))
         self._start_time = time.time()
+
+    def _space(self) -> gymnasium.Space[NDArray[np.float32]]:
+        if self.privileged is None:
+            return self.env.single_observation_space
+        spaces = self.env.single_observation_space, observation_space(self.privileged.layout)
+        low, high = (np.concatenate([getattr(space, end) for space in spaces]) for end in ("low", "high"))
+        return gymnasium.spaces.Box(low, high)
+
+    def _with_privileged(self, observations: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Observations (N, width) of the present state, with the privileged readings."""
+        if self.privileged is None:
+            return observations
+        return np.concatenate([observations, self.privileged.values()], axis=1)
 
     def reset(self) -> NDArray[np.float32]:
         """Begin new episodes in all envs, with the seeds and options from `seed` and `set_options`."""
@@ -60,7 +81,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self._episode_terms[:] = 0.0
         self._reset_seeds()
         self._reset_options()
-        return observations
+        return self._with_privileged(observations)
 
     def step_async(self, actions: NDArray[np.float32]) -> None:
         """Store the actions for `step_wait`."""
@@ -72,7 +93,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.last_terms = transition.terms
         self._episode_terms += transition.terms
         done = transition.terminated | transition.truncated
-        observations = transition.observation
+        observations = self._with_privileged(transition.observation)
         # New dicts at every step: a wrapper may write into them.
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         if done.any():
@@ -92,7 +113,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
                 }
             self._episode_terms[env_ids] = 0.0
             self.task.reset(env_ids)
-            observations = self.task.observe()
+            observations = self._with_privileged(self.task.observe())
         return observations, transition.reward.astype(np.float32), done, infos
 
     def close(self) -> None:

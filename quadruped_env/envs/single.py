@@ -51,6 +51,9 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     {observations}
 
+    With the config's `observation_history` they are stacked over several control steps, the latest first, and
+    `clock_frequency` may be a function of the command (docs/environment.md).
+
     ## Command
     Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; 10 % of the commands are
     zero, another 40 % have zero yaw rate. A new command is drawn every 3 to 6 s.

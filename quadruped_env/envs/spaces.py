@@ -22,8 +22,9 @@ def action_space(robot: Robot) -> gymnasium.Space[NDArray[np.float32]]:
 
 
 def observation_space(layout: ObservationLayout) -> gymnasium.Space[NDArray[np.float32]]:
-    """Observation space with the bounds of the layout."""
-    return gymnasium.spaces.Box(layout.low.astype(np.float32), layout.high.astype(np.float32))
+    """Observation space with the bounds of the layout, for each step of its history."""
+    low, high = (np.tile(bound.astype(np.float32), layout.history) for bound in (layout.low, layout.high))
+    return gymnasium.spaces.Box(low, high)
 
 
 def metadata(config: TaskConfig) -> dict[str, Any]:

@@ -5,7 +5,16 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
-from quadruped_env.export.interface import COMMAND, GAIT_PHASE, JOINT_TARGET, LAST_ACTION, PolicyInterface
+from quadruped_env.export.interface import (
+    COMMAND,
+    GAIT_PHASE,
+    HISTORY,
+    JOINT_TARGET,
+    LAST_ACTION,
+    NEXT_GAIT_PHASE,
+    NEXT_HISTORY,
+    PolicyInterface,
+)
 from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
 
 CARD_PAGE: Final = "README.md"
@@ -81,9 +90,12 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
 
 def example(interface: PolicyInterface) -> str:
     """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
-    own = {entry.name: entry.width for entry in interface.inputs if entry.name in (LAST_ACTION, GAIT_PHASE)}
-    feedback = {LAST_ACTION: "action", GAIT_PHASE: "next_gait_phase"}
-    first = ", ".join(f'"{name}": np.zeros((1, {width}), np.float32)' for name, width in own.items())
+    feedback = {LAST_ACTION: "action", GAIT_PHASE: NEXT_GAIT_PHASE, HISTORY: NEXT_HISTORY}
+    own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
+    values = {HISTORY: "np.full((1, {}), np.nan, np.float32)"}
+    first = ", ".join(
+        f'"{name}": {values.get(name, "np.zeros((1, {}), np.float32)").format(width)}' for name, width in own.items()
+    )
     kept = "".join(f'\n    memory["{name}"] = outputs["{feedback[name]}"]' for name in own)
     readings = ", ".join(entry.name for entry in interface.inputs if entry.name not in own)
     return f'''\

@@ -8,14 +8,17 @@ from numpy.typing import ArrayLike
 
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
+from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.export.interface import (
     ACTION,
     COMMAND,
     GAIT_PHASE,
+    HISTORY,
     JOINT_TARGET,
     NEXT_GAIT_PHASE,
+    NEXT_HISTORY,
     Input,
     PolicyInterface,
 )
@@ -56,9 +59,26 @@ def policy_graph(interface: PolicyInterface, name: str) -> bytes:
         )
     graph = _Graph()
     clock, phase = _clock(graph, interface)
-    action = _network(graph, interface, _observation(graph, interface, clock))
+    observation = _with_history(graph, interface, _observation(graph, interface, clock))
+    action = _network(graph, interface, observation)
     _joint_target(graph, interface, action, phase)
     return graph.finish(name, interface.inputs, interface.outputs)
+
+
+def _phase_step(graph: "_Graph", interface: PolicyInterface) -> str:
+    """Advance of the gait clock in rad, (N, 1) or a constant."""
+    frequency = interface.frequency
+    if not isinstance(frequency, CommandedFrequency):
+        return graph.constant(interface.phase_step(frequency))
+    arms = graph.constant([[1.0], [frequency.turn_arm]])
+    speed = graph.add("MatMul", graph.add("Abs", COMMAND), arms)
+    knots, values = np.array(frequency.speeds), np.array(frequency.frequencies)
+    widths = np.diff(knots)
+    # Part of the speed within each interval (N, K - 1).
+    parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
+    change = graph.add("MatMul", parts, graph.constant((np.diff(values) / widths)[:, None]))
+    present = graph.add("Add", change, graph.constant(values[0]))
+    return graph.add("Mul", present, graph.constant(interface.phase_step(1.0)))
 
 
 def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
@@ -69,7 +89,7 @@ def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
     largest = graph.add("ReduceMax", size, graph.integers([1]), keepdims=1)
     moving = graph.add("Cast", graph.add("Greater", largest, graph.constant(MOVING_THRESHOLD)), to=_FLOAT)
     both = graph.add("Concat", graph.add("Sin", GAIT_PHASE), graph.add("Cos", GAIT_PHASE), axis=1)
-    later = graph.add("Add", GAIT_PHASE, graph.constant(interface.phase_step))
+    later = graph.add("Add", GAIT_PHASE, _phase_step(graph, interface))
     phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=NEXT_GAIT_PHASE)
     return graph.add("Mul", both, moving), phase
 
@@ -84,6 +104,19 @@ def _observation(graph: "_Graph", interface: PolicyInterface, clock: str) -> str
     return graph.clipped(scaled, layout.low, layout.high)
 
 
+def _with_history(graph: "_Graph", interface: PolicyInterface, present: str) -> str:
+    """Observation of this step and of those before (N, history * width)."""
+    width = interface.history_width
+    if not width:
+        return present
+    repeated = graph.add("Concat", *[present] * (interface.layout.history - 1), axis=1)
+    past = graph.add("Where", graph.add("IsNaN", HISTORY), repeated, HISTORY)
+    stacked = graph.add("Concat", present, past, axis=1)
+    start, end, axis = (graph.integers([value]) for value in (0, width, 1))
+    graph.add("Slice", stacked, start, end, axis, output=NEXT_HISTORY)
+    return stacked
+
+
 def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> str:
     """Action (N, J) in [-1, 1]."""
     policy = interface.policy
@@ -93,6 +126,8 @@ def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> s
         layer = graph.add("Gemm", x, graph.constant(weight), graph.constant(bias))
         x = graph.add(_OPERATORS[policy.activation], layer)
     x = graph.add("Gemm", x, graph.constant(last[0]), graph.constant(last[1]))
+    if policy.output == "tanh":
+        return graph.add("Tanh", x, output=ACTION)
     return graph.clipped(x, -1.0, 1.0, output=ACTION)
 
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control import observations
-from quadruped_env.control.observations import ObservationField, ObservationLayout
+from quadruped_env.control.clock import Frequency
+from quadruped_env.control.observations import Field, ObservationLayout
 from quadruped_env.control.policy import Policy
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.control.velocity_command import VELOCITY
@@ -24,9 +25,15 @@ LAST_ACTION: Final = "last_action"
 ACTION: Final = "action"
 JOINT_TARGET: Final = "joint_target"
 NEXT_GAIT_PHASE: Final = "next_gait_phase"
+HISTORY: Final = "observation_history"
+NEXT_HISTORY: Final = "next_observation_history"
 
 _ABSOLUTE: Final = "Joint positions, zero with straight legs; the stance is subtracted in the graph."
 _PHASE: Final = "Phase of the gait clock in [0, 2 pi): 0 at first, then next_gait_phase of the step before."
+_HISTORY: Final = (
+    "Scaled observations of the steps before, the latest first: NaN at first, then next_observation_history of the "
+    "step before. Where it is NaN, the present observation stands for it."
+)
 _COMMAND: Final = "Commanded forward velocity and yaw rate."
 
 
@@ -54,7 +61,12 @@ class PolicyInterface:
     policy: Policy
 
     def __post_init__(self) -> None:
-        reserved = {COMMAND: observations.command, LAST_ACTION: observations.last_action, GAIT_PHASE: None}
+        reserved = {
+            COMMAND: observations.command,
+            LAST_ACTION: observations.last_action,
+            GAIT_PHASE: None,
+            HISTORY: None,
+        }
         for entry in self.policy.fields:
             if entry.name in reserved and entry is not reserved[entry.name]:
                 raise QuadrupedError(
@@ -65,7 +77,12 @@ class PolicyInterface:
     @cached_property
     def layout(self) -> ObservationLayout:
         """Columns of the observation, which the graph computes."""
-        return ObservationLayout(self.policy.robot, self.policy.fields)
+        return ObservationLayout(self.policy.robot, self.policy.fields, self.policy.control.observation_history)
+
+    @property
+    def history_width(self) -> int:
+        """Columns of the observations of the steps before; 0 for a policy without a history."""
+        return (self.layout.history - 1) * self.layout.width
 
     @cached_property
     def gait(self) -> CommandedGait | None:
@@ -95,20 +112,25 @@ class PolicyInterface:
             if observations.command not in self.policy.fields:
                 found.append(Input(COMMAND, VELOCITY, observations.command.unit, _COMMAND))
             found.append(Input(GAIT_PHASE, 1, "rad", _PHASE))
+        if self.history_width:
+            found.append(Input(HISTORY, self.history_width, "1", _HISTORY))
         return tuple(found)
 
     @cached_property
     def outputs(self) -> tuple[Input, ...]:
-        """Outputs; `next_gait_phase` only with a clock."""
+        """Outputs; `next_gait_phase` only with a clock, and `next_observation_history` only with a history."""
         joints = self.policy.robot.num_joints
-        found = (
+        found = [
             Input(ACTION, joints, "1", "Action in [-1, 1]: last_action of the next step."),
             Input(JOINT_TARGET, joints, "rad", "Joint targets within the joints' ranges."),
-        )
-        phase = Input(NEXT_GAIT_PHASE, 1, "rad", "Phase of the gait clock for the next step.")
-        return (*found, phase) if self.has_clock else found
+        ]
+        if self.has_clock:
+            found.append(Input(NEXT_GAIT_PHASE, 1, "rad", "Phase of the gait clock for the next step."))
+        if self.history_width:
+            found.append(Input(NEXT_HISTORY, self.history_width, "1", "Scaled observations for the next step."))
+        return tuple(found)
 
-    def offset(self, entry: ObservationField) -> Floats:
+    def offset(self, entry: Field) -> Floats:
         """Subtracted from the input of a field before it is scaled, in its unit (width,)."""
         if entry is observations.joint_position:
             return self.policy.robot.stance
@@ -120,9 +142,13 @@ class PolicyInterface:
         return np.concatenate([self.offset(entry) for entry in self.policy.fields])
 
     @property
-    def phase_step(self) -> float:
-        """Advance of the gait clock per control step, rad."""
-        return math.tau * self.policy.control.clock_frequency * self.policy.control.timestep
+    def frequency(self) -> Frequency:
+        """Frequency of the gait clock, Hz; constant, or a function of the command."""
+        return self.policy.control.clock_frequency
+
+    def phase_step(self, frequency: float) -> float:
+        """Advance of the gait clock per control step at a frequency in Hz, rad."""
+        return math.tau * frequency * self.policy.control.timestep
 
     @cached_property
     def gait_table(self) -> tuple[Floats, Floats, Floats]:
@@ -147,6 +173,7 @@ class PolicyInterface:
         """True if the policy gives the mirrored action for every mirrored observation, to float32's accuracy."""
         mirror = MirrorMap.of(self.layout)
         random = np.random.default_rng(0)
-        seen = random.uniform(self.layout.low, self.layout.high, (256, self.layout.width)).astype(np.float32)
+        low, high = (np.tile(bound, self.layout.history) for bound in (self.layout.low, self.layout.high))
+        seen = random.uniform(low, high, (256, len(low))).astype(np.float32)
         both = self.policy.predict(mirror.observation(seen)), mirror.action(self.policy.predict(seen))
         return bool(np.abs(both[0] - both[1]).max() < 1e-5)

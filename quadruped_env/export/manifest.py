@@ -6,11 +6,12 @@ from typing import Any, Final
 
 from quadruped_env._plain import plain
 from quadruped_env._version import __version__
+from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
 from quadruped_env.export.graph import OPSET
-from quadruped_env.export.interface import LAST_ACTION, Input, PolicyInterface
+from quadruped_env.export.interface import HISTORY, LAST_ACTION, Input, PolicyInterface
 from quadruped_env.policies import Policy
 
 MANIFEST_FILE: Final = "manifest.json"
@@ -20,6 +21,8 @@ FORMAT_VERSION: Final = 1
 
 RESULTS: Final = ("metrics", "acceptance", "verdict")
 """Fields of a shipped policy's card that are results, not training."""
+
+_FIRST_INPUTS: Final = {LAST_ACTION: 0.0, HISTORY: "NaN"}
 
 _TARGET: Final = {
     "position": "clip(stance + action_scale * action, lower, upper)",
@@ -118,7 +121,10 @@ def _observation(interface: PolicyInterface) -> dict[str, Any]:
     layout = interface.layout
     return {
         "formula": "clip((input - offset) * scale, low, high); the graph computes it",
+        "order": "fields of this step, then those of the history - 1 steps before, the latest first; before the first "
+        "step, the first observation stands for them",
         "width": layout.width,
+        "history": layout.history,
         "fields": [
             {
                 **document,
@@ -153,11 +159,26 @@ def _command(policy: Policy) -> dict[str, Any]:
 def _clock(interface: PolicyInterface) -> dict[str, Any] | None:
     if not interface.has_clock:
         return None
+    frequency = interface.frequency
+    step: dict[str, Any]
+    if isinstance(frequency, CommandedFrequency):
+        formula = (
+            "next_gait_phase = (gait_phase + 2 pi * frequency * timestep) mod 2 pi, with the frequency interpolated "
+            "linearly at the speed |forward_velocity| + turn_arm * |yaw_rate|, and constant beyond the ends of the "
+            "table; the graph computes it"
+        )
+        step = {
+            "speeds_m_s": list(frequency.speeds),
+            "frequencies_hz": list(frequency.frequencies),
+            "turn_arm_m": frequency.turn_arm,
+        }
+    else:
+        formula = "next_gait_phase = (gait_phase + step) mod 2 pi; the graph computes it"
+        step = {"frequency_hz": frequency, "step_rad": interface.phase_step(frequency)}
     return {
-        "frequency_hz": interface.policy.control.clock_frequency,
-        "step_rad": interface.phase_step,
+        **step,
         "first_phase_rad": 0.0,
-        "formula": "next_gait_phase = (gait_phase + step) mod 2 pi; the graph computes it",
+        "formula": formula,
         "observed_as": "sine and cosine of gait_phase, both 0 where standing is commanded",
     }
 
@@ -198,7 +219,7 @@ def _entry(policy: Policy, interface: PolicyInterface) -> dict[str, Any]:
         "mean_speed_rad_s": safety.ramp_speed,
         "min_time_s": safety.min_ramp_time,
         "settle_s": safety.settle,
-        "first_inputs": {LAST_ACTION: 0.0} if LAST_ACTION in own else {},
+        "first_inputs": {name: value for name, value in _FIRST_INPUTS.items() if name in own},
         "command": "idle",
         "stop": {
             "tilt_rad": safety.max_tilt,

@@ -9,7 +9,17 @@ from numpy.typing import NDArray
 from quadruped_env.control import observations
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.export.interface import COMMAND, GAIT_PHASE, NEXT_GAIT_PHASE, Input, PolicyInterface
+from quadruped_env.export.interface import (
+    ACTION,
+    COMMAND,
+    GAIT_PHASE,
+    HISTORY,
+    JOINT_TARGET,
+    NEXT_GAIT_PHASE,
+    NEXT_HISTORY,
+    Input,
+    PolicyInterface,
+)
 
 Arrays = dict[str, NDArray[np.float32]]
 
@@ -45,7 +55,7 @@ def run(session: Any, inputs: Arrays) -> Arrays:
 def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Arrays:
     """Random inputs (N, width): readings within and beyond the range that is clipped, commands, and phases.
 
-    A tenth of the commands stand still.
+    A tenth of the commands stand still, and a tenth of the histories is empty.
     """
     random = np.random.default_rng(seed)
     policy, layout = interface.policy, interface.layout
@@ -58,6 +68,11 @@ def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Ar
             command = random.uniform(low, high, (samples, entry.width))
             command[::10] = 0.0
             return command
+        if entry.name == HISTORY:
+            low, high = (np.tile(bound, layout.history - 1) for bound in (layout.low, layout.high))
+            past = random.uniform(low, high, (samples, entry.width))
+            past[::10] = np.nan
+            return past
         columns = layout.slices[entry.name]
         reach = _REACH * layout.high[columns] / np.abs(layout.scale[columns])
         return interface.offsets[columns] + random.uniform(-reach, reach, (samples, entry.width))
@@ -82,12 +97,19 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
         axis=1,
     )
     observation = np.clip((readings - interface.offsets) * layout.scale, layout.low, layout.high).astype(np.float32)
+    if HISTORY in inputs:
+        past = inputs[HISTORY]
+        past = np.where(np.isnan(past), np.tile(observation, layout.history - 1), past)
+        observation = np.concatenate([observation, past], axis=1)
     action = policy.predict(observation)
     control.advance()
-    target = control.joint_target(action.astype(np.float64))
-    found: tuple[NDArray[Any], ...] = (action, target, control.phase[:, None])
-    # Without a clock, the phase is no output.
-    return {entry.name: value.astype(np.float32) for entry, value in zip(interface.outputs, found, strict=False)}
+    found: dict[str, NDArray[Any]] = {
+        ACTION: action,
+        JOINT_TARGET: control.joint_target(action.astype(np.float64)),
+        NEXT_GAIT_PHASE: control.phase[:, None],
+        NEXT_HISTORY: observation[:, : interface.history_width],
+    }
+    return {entry.name: found[entry.name].astype(np.float32) for entry in interface.outputs}
 
 
 def largest_difference(interface: PolicyInterface, content: bytes, samples: int = SAMPLES) -> float:

@@ -31,6 +31,7 @@ class Policy(control_policy.Policy):
         activation: activation function between layers, a key of `ACTIVATIONS`.
         config: task that it was trained for.
         card: provenance: command, seed, steps, versions, metrics.
+        output: function of the last layer's values, `clip` or `tanh`.
     """
 
     def __init__(
@@ -40,6 +41,7 @@ class Policy(control_policy.Policy):
         activation: str,
         config: TaskConfig,
         card: dict[str, Any],
+        output: str = "clip",
     ) -> None:
         super().__init__(
             tuple(weights),
@@ -50,6 +52,7 @@ class Policy(control_policy.Policy):
             config.to_dict(),
             card,
             config.robot,
+            output,
         )
         object.__setattr__(self, "config", config)
 
@@ -58,7 +61,7 @@ class Policy(control_policy.Policy):
 
     def with_card(self, card: dict[str, Any]) -> Self:
         """The same policy with another card."""
-        return type(self)(self.weights, self.biases, self.activation, self.config, card)
+        return type(self)(self.weights, self.biases, self.activation, self.config, card, self.output)
 
     def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
         """The environment that the policy was trained for: its task, action mode and control rate.
@@ -168,7 +171,7 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
         config = TaskConfig.from_dict(policy.task, own)
     except QuadrupedError as error:
         raise QuadrupedError(f"{policy.source}: {error}; train again, or install the version that made it") from error
-    return Policy(policy.weights, policy.biases, policy.activation, config, policy.card)
+    return Policy(policy.weights, policy.biases, policy.activation, config, policy.card, policy.output)
 
 
 def find_controller(text: str, task_file: str | Path | None = None) -> ControllerSpec:

@@ -110,6 +110,10 @@ class BatchSimulation:
         """See `Simulation.compiled_field`."""
         return getattr(self.model, name)
 
+    def field_values(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.field_values`."""
+        return self.batch.expand(name) if name in self._varied_fields else getattr(self.model, name)[None]
+
     def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
         """See `Simulation.restore_model_fields`."""
         for name in self._varied_fields:

@@ -95,6 +95,10 @@ class Simulation(Protocol):
         """A field of the model as it was before `model_field` was first called for it; read-only."""
         ...
 
+    def field_values(self, name: str) -> NDArray[np.float64]:
+        """A field of the model in each env (N, ...), or (1, ...) if it is the same in all; read-only."""
+        ...
+
     def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
         """Set every field that was requested with `model_field` back to the model's values, in some envs (R,)."""
         ...

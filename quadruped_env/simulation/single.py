@@ -105,6 +105,11 @@ class SingleSimulation:
         """See `Simulation.compiled_field`."""
         return self._varied_fields.get(name, getattr(self.model, name))
 
+    def field_values(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.field_values`."""
+        values: NDArray[np.float64] = getattr(self.model, name)
+        return values[None]
+
     def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
         """See `Simulation.restore_model_fields`."""
         if len(env_ids):

@@ -19,6 +19,7 @@ from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_fi
 from quadruped_env.task.event import Event
 from quadruped_env.task.model_fields import ModelField
 from quadruped_env.task.presets import PRESETS, preset_values
+from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged
 from quadruped_env.task.randomization import Randomization, SensorError
 from quadruped_env.task.settings import Section
 from quadruped_env.task.task import Task, Transition
@@ -35,6 +36,7 @@ __all__ = [
     "ModelField",
     "ObservationField",
     "Parameter",
+    "PrivilegedReading",
     "Randomization",
     "RandomizationConfig",
     "RewardConfig",
@@ -51,9 +53,11 @@ __all__ = [
     "Terrain",
     "TerrainConfig",
     "Transition",
+    "TrueState",
     "load_task_file",
     "observation",
     "preset_values",
+    "privileged",
     "reward",
     "reward_group",
     "termination",

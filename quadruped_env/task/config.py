@@ -16,7 +16,8 @@ import mujoco
 import numpy as np
 
 from quadruped_env._plain import PlainFields, plain
-from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check
+from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check, check_history
 from quadruped_env.control.task_file import TASK_FILE, check_task_file
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
@@ -174,8 +175,10 @@ class TaskConfig(PlainFields):
     """Physics steps per control step."""
     physics_timestep: float = 0.005
     """Physics time step, s."""
-    clock_frequency: float = 2.2
-    """Frequency of the gait clock and, in residual mode, of the scripted gait, cycles per second."""
+    clock_frequency: Frequency = 2.2
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
+    observation_history: int = 1
+    """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
     command: Section = _OF_THE_DEFINITION
     reward: Section = _OF_THE_DEFINITION
@@ -194,7 +197,8 @@ class TaskConfig(PlainFields):
             object.__setattr__(self, "motor", self.robot.motors)
         check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
         check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
-        check(self.clock_frequency > 0, "clock_frequency", self.clock_frequency, "positive (Hz)")
+        object.__setattr__(self, "clock_frequency", frequency_of(self.clock_frequency))
+        check_history(self.observation_history)
         for name in _sections(self.definition):
             section = getattr(self, name)
             schema = _schema(name, Choice.of(section), self.definition)
@@ -296,6 +300,7 @@ class TaskConfig(PlainFields):
         return ControlConfig(
             timestep=self.control_timestep,
             clock_frequency=self.clock_frequency,
+            observation_history=self.observation_history,
             action=self.action,
             commands=self.commands,
         )
@@ -320,10 +325,10 @@ class TaskConfig(PlainFields):
                     values[TERRAIN_FILE] = terrain_file.to_dict()
                 if value.robot != BUILT_IN.robot:
                     values[ROBOT] = value.robot.identity
+            elif dataclasses.is_dataclass(value) and not isinstance(value, type):
+                values[entry.name] = dataclasses.asdict(value)
             else:
-                values[entry.name] = (
-                    dataclasses.asdict(value) if isinstance(value, (ActionConfig, MotorConfig)) else value
-                )
+                values[entry.name] = value
         return values
 
     @classmethod
@@ -392,6 +397,8 @@ def _convert(hint: Any, value: Any, path: str, definition: TaskDefinition) -> An
     if dataclasses.is_dataclass(hint):
         assert isinstance(hint, type)
         return _build(hint, value, path, definition)
+    if hint == Frequency:
+        return frequency_of(value)
     if typing.get_origin(hint) is Literal:
         return value
     return number(value, path, whole=hint is int)

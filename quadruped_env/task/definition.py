@@ -19,6 +19,7 @@ from quadruped_env.simulation.ground import Terrain
 from quadruped_env.simulation.terrain import TERRAINS
 from quadruped_env.simulation.tiles import Tiles
 from quadruped_env.task.built_in_randomizations import RANDOMIZATIONS
+from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
 from quadruped_env.task.randomization import Randomization
 from quadruped_env.task.rewards import REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
@@ -27,7 +28,7 @@ from quadruped_env.task.terms import RewardTerm, Termination
 
 @dataclass(frozen=True, eq=False)
 class TaskDefinition:
-    """Robot, and ordered lists of rewards, observations, terminations, randomizations, commands and terrains.
+    """Robot, and ordered lists of terms: rewards, observations, terminations, randomizations, commands, terrains.
 
     Two definitions are equal if they have the same robot, come from files with the same content, and were given the
     same terrains.
@@ -35,6 +36,7 @@ class TaskDefinition:
 
     rewards: tuple[RewardTerm, ...] = REWARDS
     observations: tuple[ObservationField, ...] = OBSERVATIONS
+    privileged: tuple[PrivilegedReading, ...] = PRIVILEGED
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
     commands: tuple[Command, ...] = COMMANDS
@@ -105,6 +107,7 @@ class TaskDefinition:
 _LISTS: Final[dict[str, type]] = {
     "rewards": RewardTerm,
     "observations": ObservationField,
+    "privileged": PrivilegedReading,
     "terminations": Termination,
     "randomizations": Randomization,
     "commands": Command,
@@ -145,9 +148,9 @@ def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
     robot = robot_in(module)
     if not terms and robot is None:
         raise QuadrupedError(
-            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @termination or "
-            f"@terrain, or make a Randomization, Command or QuadrupedDesign, at the top level of the file "
-            f"(docs/make-it-yours.md)"
+            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @privileged, "
+            f"@termination or @terrain, or make a Randomization, Command or QuadrupedDesign, at the top level of the "
+            f"file (docs/make-it-yours.md)"
         )
     definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
     return definition.extended(terms, file, path)

@@ -23,6 +23,7 @@ from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.draws import Draws
 from quadruped_env.task.episodes import Randomizer
+from quadruped_env.task.privileged import PrivilegedReadings, TrueState
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
 from quadruped_env.task.tile_assignment import TileAssignment
 
@@ -257,6 +258,15 @@ class Task:
                 flags[restart] = False
         np.logical_or(terminated, truncated, out=self.finished)
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
+
+    def privileged_readings(self) -> PrivilegedReadings:
+        """The privileged readings of the task's definition, which no observation has.
+
+        Raises:
+            QuadrupedError: if one of them is not valid.
+        """
+        state = TrueState(self.context, self.simulation, self._randomizer.sensors)
+        return PrivilegedReadings(self.config.definition.privileged, state)
 
     def observe(self) -> NDArray[np.float32]:
         """Observations (N, width) of all envs in a new array."""

@@ -6,6 +6,8 @@ from typing import Any, Final, Literal
 
 from quadruped_env.control.config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.training.algorithms import algorithm
+from quadruped_env.training.recipes import recipe
 
 STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 """Median number of steps until a policy walks at 0.5 m/s, measured by `evaluate/learning_speed.py`
@@ -14,8 +16,12 @@ STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 
 @dataclass(frozen=True)
 class TrainConfig:
-    """Settings of a training, the options of `mini-quadruped train`; PPO's have Stable-Baselines3's names."""
+    """Settings of a training, the options of `mini-quadruped train`; an algorithm's have Stable-Baselines3's names."""
 
+    recipe: Literal["flat", "robust", "rough", "fast"] = "flat"
+    """Named settings of the training and its task, which other options change"""
+    algo: Literal["ppo", "a2c", "trpo", "sac", "td3", "ddpg", "tqc", "crossq"] = "ppo"
+    """Algorithm of Stable-Baselines3 or, for trpo, tqc and crossq, of sb3-contrib"""
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
     timesteps: int = 2_000_000
@@ -45,17 +51,29 @@ class TrainConfig:
     gae_lambda: float = 0.95
     """Decay of the advantage estimate"""
     clip_range: float = 0.2
-    """PPO's clip range of the probability ratio"""
+    """Clip range of PPO's probability ratio"""
     ent_coef: float = 0.0
     """Weight of the entropy bonus"""
     max_grad_norm: float = 1.0
     """Maximum norm of the gradient"""
+    buffer_size: int = 500_000
+    """Environment steps in the replay buffer of sac, td3, ddpg, tqc and crossq"""
+    learning_starts: int = 10_000
+    """Environment steps of random actions with which the replay buffer begins"""
+    gradient_steps: int = 16
+    """Gradient steps in an update from the replay buffer"""
+    tau: float = 0.005
+    """Share of the networks that their slow copies take over in each gradient step of sac, td3, ddpg and tqc"""
+    action_noise: float = 0.1
+    """Standard deviation of the exploration of td3 and ddpg, which are deterministic"""
     hidden: tuple[int, ...] = (64, 64)
     """Widths of the hidden layers of the policy and of the value function"""
     activation: Literal["elu", "relu", "tanh"] = "elu"
     """Activation function of the hidden layers"""
     symmetric: bool = True
     """Make the policy left/right symmetric by construction, as the robot is"""
+    asymmetric_critic: bool = False
+    """Let the value function see privileged readings that only the simulation knows; the policy never sees them"""
     log_std_init: float | None = None
     """Logarithm of the exploration's initial standard deviation; default -1, or -2 on top of the scripted gait"""
     final_log_std: float = -4.0
@@ -74,7 +92,9 @@ class TrainConfig:
             raise QuadrupedError(
                 f"--action-mode: {self.action_mode!r} is unknown; valid modes are {', '.join(ACTION_MODES)}"
             )
-        for name in ("timesteps", "num_envs", "n_steps", "batch_size", "n_epochs"):
+        recipe(self.recipe)
+        entry = algorithm(self.algo)
+        for name in ("timesteps", "num_envs", "n_steps", "batch_size", "n_epochs", "buffer_size", "gradient_steps"):
             if getattr(self, name) < 1:
                 raise QuadrupedError(f"--{name.replace('_', '-')}: expected 1 or more; found {getattr(self, name)}")
         for name, valid, rule in (
@@ -88,6 +108,9 @@ class TrainConfig:
             ("clip_range", 0 < self.clip_range < math.inf, "more than 0, and finite"),
             ("ent_coef", 0 <= self.ent_coef < math.inf, "0 or more, and finite"),
             ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
+            ("learning_starts", self.learning_starts >= 0, "0 or more"),
+            ("tau", 0 < self.tau <= 1, "more than 0, and at most 1"),
+            ("action_noise", 0 <= self.action_noise < math.inf, "0 or more, and finite"),
             ("hidden", all(width >= 1 for width in self.hidden), "widths of 1 or more"),
             ("log_std_init", math.isfinite(self.first_log_std), "a finite number"),
             ("final_log_std", math.isfinite(self.final_log_std), "a finite number"),
@@ -96,7 +119,8 @@ class TrainConfig:
                 raise QuadrupedError(f"--{name.replace('_', '-')}: expected {rule}; found {getattr(self, name)}")
         if "/" in self.name or self.name in {"", ".", ".."}:
             raise QuadrupedError(f"--name: {self.name!r} cannot be part of a directory's name")
-        if self.num_envs * self.n_steps < self.batch_size:
+        minibatches = entry.on_policy and "batch_size" in entry.settings
+        if minibatches and self.num_envs * self.n_steps < self.batch_size:
             raise QuadrupedError(
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
                 f"(num_envs * n_steps); lower it or use more envs"

@@ -16,7 +16,7 @@ from typing import Any, cast
 import numpy as np
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.native_ppo import NativePPO, export_policy, make_model
+from quadruped_env.training.models import NativeModel, export_policy, make_model
 
 # isort: split
 from quadruped_env.control.policy import CHECKPOINTS
@@ -71,6 +71,7 @@ def train(
         action_mode=config.action_mode,
         config=config.task,
         task_file=task_file,
+        privileged=config.asymmetric_critic,
     )
     task = env.task.config
     model = make_model(config, env)
@@ -260,16 +261,18 @@ class Recorder(BaseCallback):
 
     def _files(self) -> dict[str, bytes]:
         """Name -> content; the policy's card, which marks a directory as complete, is the last."""
-        model = cast(NativePPO, self.model)
+        model = cast(NativeModel, self.model)
         card = {
             **self._run.facts,
+            "recipe": self._config.recipe,
+            "algo": self._config.algo,
             "seed": self._config.seed,
             "timesteps": int(model.num_timesteps),
             "seconds": round(self.seconds, 1),
             "budget_left": model.budget_left(),
         }
         archive = io.BytesIO()
-        model.save(archive)
+        self.model.save(archive)
         policy = export_policy(model, self._task_config, self._config.activation, card)
         return {RESUME_FILE: archive.getvalue(), **policy.files()}
 

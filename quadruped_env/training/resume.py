@@ -6,17 +6,33 @@ import os
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, fields, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Final
 
+from quadruped_env._plain import plain
 from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE, finished_directory
+from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.policies import load_policy
+from quadruped_env.simulation.ground import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
+from quadruped_env.task.presets import PRESET
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE, RESUMED_FROM, run_name
 
-KEPT: Final = ("action_mode", "hidden", "activation", "symmetric", "log_std_init", "task")
+NO_SECTIONS: Final[Mapping[str, str]] = MappingProxyType({})
+KEPT: Final = (
+    "recipe",
+    "algo",
+    "action_mode",
+    "hidden",
+    "activation",
+    "symmetric",
+    "asymmetric_critic",
+    "log_std_init",
+    "task",
+)
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
 
 
@@ -37,6 +53,8 @@ class Parent:
     """The same at the start of its own run, less than 1 if that was resumed too"""
     curve: tuple[dict[str, str], ...]
     """Rows of progress.csv up to `timesteps`"""
+    definition: TaskDefinition = BUILT_IN
+    """Terms and robot of its task"""
 
     @property
     def name(self) -> str:
@@ -73,20 +91,22 @@ class Parent:
             _number(path, "card", card, "budget_left", most=1.0),
             budget_left_at_start,
             _read_curve(directory / PROGRESS_FILE, int(timesteps)),
+            definition,
         )
 
-    def resumed(self, changes: Mapping[str, Any]) -> TrainConfig:
+    def resumed(self, changes: Mapping[str, Any], whole: Mapping[str, str] = NO_SECTIONS) -> TrainConfig:
         """Settings of the resumed training: this run's, with changes.
 
         Without a budget it is the rest of this run's, or the same amount again if that was complete.
 
         Args:
             changes: fields of `TrainConfig` that the user set.
+            whole: see `check`.
 
         Raises:
             QuadrupedError: if one of them cannot be changed, or is invalid.
         """
-        self.check(changes)
+        self.check(changes, whole)
         changes = {name: value for name, value in changes.items() if name not in KEPT}
         if "timesteps" in changes:
             changes = {"seconds": None, **changes}
@@ -97,8 +117,13 @@ class Parent:
             changes[budget] = max(1, round(left)) if budget == "timesteps" else left
         return replace(self.config, **changes)
 
-    def check(self, asked: Mapping[str, Any]) -> None:
+    def check(self, asked: Mapping[str, Any], whole: Mapping[str, str] = NO_SECTIONS) -> None:
         """Refuse settings that differ from this training's network or task.
+
+        Args:
+            asked: fields of `TrainConfig`; of `task`, the fields of the config that are given are compared.
+            whole: sections of the task's config that an option sets as a whole, with the option: what `asked` leaves
+                out of them has its default.
 
         Raises:
             QuadrupedError: naming the option, the value given and the run's own.
@@ -109,11 +134,10 @@ class Parent:
             value, kept = asked[name], getattr(self.config, name)
             option = name.replace("_", "-")
             if name == "task":
-                difference = _difference(json.loads(json.dumps(value)), json.loads(json.dumps(kept)))
+                difference = self._task_difference(value, whole)
                 if difference is None:
                     continue
-                field, value, kept = difference
-                option = f"task: {field}"
+                option, value, kept = difference
             else:
                 if name == "log_std_init" and value is not None:
                     kept = self.config.first_log_std
@@ -124,10 +148,32 @@ class Parent:
                 f"task and network: leave the option out, or start a new training without --resume"
             )
 
+    def _task_difference(self, asked: dict[str, Any], whole: Mapping[str, str]) -> tuple[str, Any, Any] | None:
+        """The first field of a task's config that is not as in this run: its option, its value and the run's."""
+        for section, changes in asked.items():
+            values, kept = _as_json(changes), _as_json(self.config.task.get(section))
+            option = whole.get(section)
+            preset = section == "randomization" and (isinstance(values, str) or PRESET in values)
+            if option is not None or preset:
+                complete = TaskConfig.from_dict({section: values}, self.definition).to_dict()[section]
+                # Fields that only the run has count, too.
+                values = {**dict.fromkeys(kept), **_as_json(complete)}
+            found = _difference(values, kept, section)
+            if found is not None:
+                field, value, own = found
+                field = field if option is None else field.removeprefix(f"{section}.")
+                return f"{option or 'task'}: {field}", value, own
+        return None
+
     def facts(self) -> dict[str, Any]:
         """Facts about the parent in a resumed run's files."""
         facts = {"run": self.name, "timesteps": self.timesteps, "seconds": self.seconds}
         return {**facts, "budget_left": self.budget_left}
+
+
+def _as_json(value: Any) -> Any:
+    """A value as it is read from a file again."""
+    return json.loads(json.dumps(plain(value)))
 
 
 def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] | None:
@@ -157,6 +203,11 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
                 f"{path}: training.{field.name}: expected {rule}; found {short(value)}; start a new training"
             )
         values[field.name] = value
+    if definition.file is not None and not {TASK_FILE, TERRAIN_FILE} & set(task):
+        raise QuadrupedError(
+            f"--task: found {definition.file.name}; {run_name(path.parent)} was trained without a file, and a resumed "
+            f"training keeps its task and network: leave the option out, or start a new training without --resume"
+        )
     unknown = sorted(set(training) - set(values))
     if unknown:
         raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; start a new training")

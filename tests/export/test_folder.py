@@ -1,5 +1,6 @@
 """The folder of an exported policy: complete, consistent, and enough to walk without this package."""
 
+import dataclasses
 import hashlib
 import json
 import re
@@ -14,11 +15,15 @@ from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
+from quadruped_env.control import CommandedFrequency
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.folder import export_policy
+from quadruped_env.export.graph import policy_graph
+from quadruped_env.export.interface import PolicyInterface
+from quadruped_env.export.manifest import manifest
 from quadruped_env.policies import Policy, find_controller, load_policy
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.task import ActionConfig, TaskConfig
@@ -366,3 +371,21 @@ def test_film_is_on_the_page(opengl, run, tmp_path, monkeypatch):
     assert (tmp_path / "export" / "film.webp").read_bytes()[8:12] == b"WEBP"
     assert "![The robot walks.](film.webp)" in (tmp_path / "export" / "README.md").read_text()
     assert "film.webp" in export.manifest["files"]
+
+
+def test_clock_that_follows_the_command_is_in_the_manifest_with_its_formula():
+    frequency = CommandedFrequency((0.1, 0.3, 0.7), (2.0, 2.5, 4.0), 0.4)
+    shipped = load_policy("flat")
+    task = dataclasses.replace(shipped.config, clock_frequency=frequency)
+    policy = Policy(shipped.weights, shipped.biases, shipped.activation, task, {})
+    interface = PolicyInterface(policy)
+    clock = manifest(policy, interface, "following", None, 0.0)["gait_clock"]
+    assert "2 pi * frequency * timestep" in clock["formula"]
+    rng = np.random.default_rng(0)
+    inputs = {entry.name: rng.normal(0.0, 0.4, (200, entry.width)).astype(np.float32) for entry in interface.inputs}
+    found = runtime.run(runtime.session_of(policy_graph(interface, "following")), inputs)
+    speed = np.abs(inputs["command"][:, 0]) + clock["turn_arm_m"] * np.abs(inputs["command"][:, 1])
+    hertz = np.interp(speed, clock["speeds_m_s"], clock["frequencies_hz"])
+    later = inputs["gait_phase"][:, 0] + 2.0 * np.pi * hertz * 0.02
+    np.testing.assert_allclose(np.cos(found["next_gait_phase"][:, 0] - later), 1.0, atol=1e-6)
+    assert np.ptp(hertz) > 1.5

@@ -12,6 +12,7 @@ from comparisons import random_policy
 from policies import make_policy
 
 from quadruped_env import QuadrupedError
+from quadruped_env.control import CommandedFrequency
 from quadruped_env.control import policy as control_policy
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.symmetry import MirrorMap
@@ -96,6 +97,14 @@ def other_robots_policy(mode):
     return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 
+def following_policy(mode):
+    """A policy whose clock is the faster the faster it is commanded to walk."""
+    policy = random_policy(mode)
+    clock = CommandedFrequency((0.1, 0.3, 0.7), (2.0, 2.5, 4.0), 0.4)
+    task = TaskConfig(action=ActionConfig(mode=mode), clock_frequency=clock)
+    return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
+
+
 POLICIES = {
     "shipped": lambda: load_policy("flat"),
     "position": lambda: random_policy("position"),
@@ -104,6 +113,8 @@ POLICIES = {
     "tanh": lambda: make_policy("tanh"),
     "relu, one layer": lambda: make_policy("relu", (24,)),
     "linear": lambda: make_policy("tanh", ()),
+    "clock that follows, residual": lambda: following_policy("residual"),
+    "clock that follows, position": lambda: following_policy("position"),
     "other robot, residual": lambda: other_robots_policy("residual"),
     "other robot, position": lambda: other_robots_policy("position"),
 }
@@ -279,7 +290,7 @@ def test_graph_that_differs_from_the_policy_is_refused():
         runtime.largest_difference(PolicyInterface(other), content, 100)
 
 
-@pytest.mark.parametrize("name", ["shipped", "position", "other robot, residual"])
+@pytest.mark.parametrize("name", ["shipped", "position", "other robot, residual", "clock that follows, residual"])
 def test_actions_and_targets_in_an_env_are_those_of_the_policy(name):
     policy = POLICIES[name]()
     interface, session = PolicyInterface(policy), session_of(policy)

@@ -17,11 +17,21 @@ from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 SCRIPT = ROOT / "train" / "ppo.py"
 TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
 ENDLESS = ("--timesteps", "1000000000", *TINY[2:])
+SMALL = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "hidden": (8,), "learning_rate": 1e-3, "log_std_init": -1.5}
+STEPS = 32
+"""Environment steps of an update of a training with the settings `SMALL`."""
 RUN_FILES = {CONFIG_FILE, PROGRESS_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, "tensorboard"}
 
 
 def command(runs, *arguments):
     return [sys.executable, str(SCRIPT), "--runs", str(runs), *map(str, arguments)]
+
+
+def learn(runs, config, resume=None):
+    """Train in this process; the run directory."""
+    from quadruped_env.training import ppo
+
+    return ppo.train(config, runs, "train", resume)[0]
 
 
 def train(runs, *arguments):

@@ -7,7 +7,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
+from trainings import ENDLESS, STEPS, TINY, assert_complete, command, learn, progress, running, scalars, train
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
@@ -17,24 +17,6 @@ from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
-
-SMALL = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "hidden": (8,), "learning_rate": 1e-3, "log_std_init": -1.5}
-STEPS = 32
-"""Environment steps of an update."""
-
-
-def learn(runs, config, resume=None):
-    """Train in this process; the run directory."""
-    from quadruped_env.training import ppo
-
-    return ppo.train(config, runs, "train", resume)[0]
-
-
-@pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    """A complete run of eight updates, without checkpoints on a machine of any speed."""
-    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
-    return learn(tmp_path_factory.mktemp("runs"), config)
 
 
 @pytest.fixture
@@ -143,10 +125,12 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
 def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
     from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
 
-    from quadruped_env.training.native_ppo import NativePPO
+    from quadruped_env.training.models import native
+
+    ppo = native("ppo")
 
     seen = []
-    collect, update = OnPolicyAlgorithm.collect_rollouts, NativePPO.train
+    collect, update = OnPolicyAlgorithm.collect_rollouts, ppo.train
 
     def watched_collect(self, *args, **kwargs):
         seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
@@ -157,7 +141,7 @@ def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_pare
         seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
 
     monkeypatch.setattr(OnPolicyAlgorithm, "collect_rollouts", watched_collect)
-    monkeypatch.setattr(NativePPO, "train", watched_update)
+    monkeypatch.setattr(ppo, "train", watched_update)
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
     directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
@@ -199,7 +183,7 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
 
 def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.native_ppo import export_policy, make_model
+    from quadruped_env.training.models import export_policy, make_model
 
     parent = Parent.load(run)
     env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
@@ -289,7 +273,7 @@ def test_an_incomplete_run_is_not_resumed(copy, name):
         ('{"training": {}}', r"config.json: field 'task' is missing"),
         (
             '{"training": {"hidden": [8]}, "task": {}}',
-            r"config.json: field 'training.action_mode' is missing; start a new training",
+            r"config.json: field 'training.recipe' is missing; start a new training",
         ),
     ],
 )

@@ -16,7 +16,7 @@ from trainings import progress
 
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig, native_ppo, ppo
+from quadruped_env.training import TrainConfig, models, ppo
 from quadruped_env.training.resume import Parent
 
 ENVS, N_STEPS, ROLLOUTS = 8, 8, 12
@@ -55,12 +55,12 @@ class Watched:
         self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
         self.exploration, self.learning_rates = [], []
         self.model = None
-        for module in (native_ppo, ppo):
+        for module in (models, ppo):
             monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
         monkeypatch.setattr(ppo, "make_sb3_vec_env", self._make_env)
-        monkeypatch.setattr(ppo, "make_model", self._make_model(native_ppo.make_model))
+        monkeypatch.setattr(ppo, "make_model", self._make_model(models.make_model))
         # On the class, because SB3 saves the attributes of an instance.
-        monkeypatch.setattr(native_ppo.NativePPO, "train", self._update(native_ppo.NativePPO.train))
+        monkeypatch.setattr(models.native("ppo"), "train", self._update(models.native("ppo").train))
 
     def train(self, runs, config, resume=None):
         self.directory, self.finished = ppo.train(config, runs, "a test", resume)

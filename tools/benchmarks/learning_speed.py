@@ -18,7 +18,7 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Policy, PolicyController
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.native_ppo import export_policy, make_model
+from quadruped_env.training.models import export_policy, make_model
 
 COMMAND: Final = (0.5, 0.0)
 EPISODES: Final = 64

@@ -223,7 +223,7 @@ def training_over_bare() -> list[Measure]:
     """PPO end to end over a bare `Batch.step` on all cores."""
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.native_ppo import make_model
+    from quadruped_env.training.models import make_model
 
     config = TrainConfig(action_mode="position")
     env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position")

@@ -1,0 +1,92 @@
+"""Frequency of the gait clock: constant, or a function of the velocity command."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env._plain import PlainFields, is_finite_number, plain
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.gait.presets import TUNED
+
+Floats = NDArray[np.float64]
+
+FIELD: Final = "clock_frequency"
+
+
+@dataclass(frozen=True)
+class CommandedFrequency(PlainFields):
+    """Frequency of the gait clock that follows the commanded speed: |forward velocity| + turn_arm * |yaw rate|.
+
+    It is linear between the given speeds, and constant beyond them.
+    """
+
+    speeds: tuple[float, ...]
+    """Commanded speeds (K,), 0 or more and increasing, m/s."""
+    frequencies: tuple[float, ...]
+    """Frequency at each of them (K,), cycles per second."""
+    turn_arm: float = TUNED["half_track"]
+    """Speed per yaw rate, m. Default: that of the tuned gait, whose outer legs then walk at the commanded speed."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name in ("speeds", "frequencies"):
+            values = getattr(self, name)
+            valid = isinstance(values, tuple) and len(values) >= 2 and all(map(is_finite_number, values))
+            _check(valid, name, values, "a list of two or more finite numbers")
+        rising = self.speeds[0] >= 0 and all(low < high for low, high in pairwise(self.speeds))
+        _check(rising, "speeds", self.speeds, "0 or more, and increasing (m/s)")
+        fits = len(self.frequencies) == len(self.speeds)
+        _check(fits, "frequencies", self.frequencies, f"as many as the speeds, {len(self.speeds)}")
+        _check(all(value > 0 for value in self.frequencies), "frequencies", self.frequencies, "positive (Hz)")
+        arm = self.turn_arm
+        _check(is_finite_number(arm) and arm >= 0, "turn_arm", arm, "a finite number, 0 or more (m)")
+
+
+Frequency = float | CommandedFrequency
+
+
+def frequency_of(value: Any) -> Frequency:
+    """The frequency from a config's value: a number in Hz, or a `CommandedFrequency` or its fields.
+
+    Raises:
+        QuadrupedError: if it is not valid; the message names the field.
+    """
+    value = plain(value) if not isinstance(value, CommandedFrequency) else value
+    if isinstance(value, CommandedFrequency):
+        return value
+    if isinstance(value, Mapping):
+        fields = ("speeds", "frequencies", "turn_arm")
+        unknown = sorted(str(name) for name in set(value) - set(fields))
+        if unknown:
+            raise QuadrupedError(
+                f"config.{FIELD}: unknown field {short(unknown[0])}; valid fields are {', '.join(fields)}"
+            )
+        for name in fields[:2]:
+            if name not in value:
+                raise QuadrupedError(
+                    f"config.{FIELD}: field {name!r} is missing; give speeds and frequencies, such as "
+                    f"{{'speeds': [0.0, 0.6], 'frequencies': [2.2, 3.0]}}, or one number (Hz)"
+                )
+        return CommandedFrequency(**value)
+    if not is_finite_number(value) or not value > 0:
+        raise QuadrupedError(
+            f"config: {FIELD} must be positive (Hz), or a mapping with speeds and frequencies; found {short(value)}"
+        )
+    return float(value)
+
+
+def frequency_at(frequency: Frequency, velocity: Floats) -> Floats:
+    """Frequency (N,) in Hz for velocity commands (N, 2) in m/s and rad/s."""
+    if isinstance(frequency, CommandedFrequency):
+        speed = np.abs(velocity[:, 0]) + frequency.turn_arm * np.abs(velocity[:, 1])
+        return np.interp(speed, frequency.speeds, frequency.frequencies)
+    return np.full(len(velocity), frequency)
+
+
+def _check(condition: bool, name: str, value: object, rule: str) -> None:
+    if not condition:
+        raise QuadrupedError(f"config: {FIELD}.{name} must be {rule}; found {short(value)}")

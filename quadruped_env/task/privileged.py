@@ -1,0 +1,166 @@
+"""Privileged readings: what a simulation knows and a robot does not measure, for the value function of a training."""
+
+import functools
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.observations import Field, MirrorRule, ObservationLayout, PerRobot, Reader, first_line
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.simulation import Simulation
+from quadruped_env.task.context import TaskContext
+from quadruped_env.task.reward_function import checked
+from quadruped_env.task.sensors import Sensors
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class TrueState:
+    """Input of privileged readings: N robots after a control step."""
+
+    context: TaskContext
+    """True readings, command, clock, and heights over the ground."""
+    simulation: Simulation
+    sensors: Sensors | None
+    """Errors of the sensors; None if they have none."""
+
+    def model_values(self, field: str) -> Floats:
+        """A field of MuJoCo's model in each env (N, ...), with what randomizations have changed; read-only."""
+        values = self.simulation.field_values(field)
+        return np.broadcast_to(values, (self.simulation.num_envs, *values.shape[1:]))
+
+
+class PrivilegedReading(Field):
+    """A group of columns for the value function alone, whose `read` is a function of a `TrueState`.
+
+    The decorator `privileged` creates it.
+    """
+
+
+def privileged(
+    *, unit: str, mirror: MirrorRule, scale: PerRobot = 1.0, bound: PerRobot = 1.0
+) -> Callable[[Reader], PrivilegedReading]:
+    """Decorator: a function (state) -> (N, width) becomes a `PrivilegedReading` of the same name.
+
+    Args:
+        unit: unit of the reading.
+        mirror: as of `observation`.
+        scale: factor from the reading to the value function's input.
+        bound: the scaled value is clipped to +-bound.
+    """
+
+    def decorate(read: Reader) -> PrivilegedReading:
+        return PrivilegedReading(
+            name=read.__name__,
+            read=read,
+            unit=unit,
+            mirror=mirror,
+            scale=scale,
+            bound=bound,
+            noise=0.0,
+            description=first_line(read),
+        )
+
+    return decorate
+
+
+@privileged(unit="m/s", mirror=(1.0, -1.0, 1.0), scale=2.0, bound=4.0)
+def base_velocity(state: TrueState) -> Floats:
+    """Linear velocity of the base in its own frame."""
+    return state.context.readings.linear_velocity_b
+
+
+@privileged(unit="m", mirror=(1.0,), scale=10.0, bound=2.0)
+def base_height(state: TrueState) -> Floats:
+    """Height of the base's centre over the ground below it, relative to the stance."""
+    return (state.context.base_height - state.context.robot.stance_height)[:, None]
+
+
+@privileged(unit="1", mirror="feet")
+def foot_contact(state: TrueState) -> Floats:
+    """1 for each foot on the ground, else 0."""
+    return state.context.contact
+
+
+@privileged(unit="m", mirror="feet", scale=20.0, bound=4.0)
+def foot_height(state: TrueState) -> Floats:
+    """Height of each foot's lowest point over the ground below it."""
+    return state.context.sole_height
+
+
+@privileged(unit="1", mirror=(1.0,), bound=2.0)
+def friction(state: TrueState) -> Floats:
+    """Largest coefficient of sliding friction of ground and robot, which counts in a contact."""
+    model = state.simulation.model
+    collides = (model.geom_contype | model.geom_conaffinity) != 0
+    return state.model_values("geom_friction")[:, collides, 0].max(axis=1, keepdims=True)
+
+
+@privileged(unit="kg", mirror=(1.0,), scale=lambda robot: 4.0 / robot.total_mass, bound=4.0)
+def added_mass(state: TrueState) -> Floats:
+    """Mass of the whole robot relative to that of its model: payload and masses of the links."""
+    own = state.simulation.compiled_field("body_mass")
+    return (state.model_values("body_mass") - own).sum(axis=1, keepdims=True)
+
+
+@privileged(unit="s", mirror=(1.0,), scale=20.0, bound=4.0)
+def action_latency(state: TrueState) -> Floats:
+    """Mean delay from joint target to motor."""
+    delays = state.model_values("actuator_delay")
+    return delays.reshape(len(delays), -1).mean(axis=1, keepdims=True)
+
+
+@privileged(unit="s", mirror=(1.0,), scale=20.0, bound=4.0)
+def observation_latency(state: TrueState) -> Floats:
+    """Age of the readings when the policy receives them."""
+    return np.zeros((state.simulation.num_envs, 1)) if state.sensors is None else state.sensors.latency
+
+
+PRIVILEGED: Final = (
+    base_velocity,
+    base_height,
+    foot_contact,
+    foot_height,
+    friction,
+    added_mass,
+    action_latency,
+    observation_latency,
+)
+"""Built-in privileged readings, in the order of their columns."""
+
+
+class PrivilegedReadings:
+    """The privileged readings of N robots, scaled and clipped like an observation.
+
+    Args:
+        fields: the readings.
+        state: what they are computed from.
+
+    Raises:
+        QuadrupedError: if a reading is not an array with its columns.
+    """
+
+    def __init__(self, fields: Sequence[PrivilegedReading], state: TrueState) -> None:
+        self.layout = ObservationLayout.of(state.context.robot, fields)
+        self._state = state
+        for field in fields:
+            shape = state.simulation.num_envs, field.width(state.context.robot)
+            checked(f"privileged reading {field.name}", shape, functools.partial(field.read, state))
+
+    def values(self) -> NDArray[np.float32]:
+        """Scaled readings (N, layout.width) in a new array.
+
+        Raises:
+            QuadrupedError: if one of them is not finite.
+        """
+        layout, state = self.layout, self._state
+        raw: NDArray[Any] = np.concatenate([field.read(state) for field in layout.fields], axis=1)
+        if not np.isfinite(raw).all():
+            column = int(np.argwhere(~np.isfinite(raw))[0, 1])
+            name = next(name for name, columns in layout.slices.items() if column < columns.stop)
+            raise QuadrupedError(f"privileged reading {name}: found NaN or infinity; return finite numbers")
+        return np.clip(raw * layout.scale, layout.low, layout.high).astype(np.float32)

@@ -1,0 +1,72 @@
+"""Recipes: named settings of a training and its task, as plain values that the run keeps."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot.robot import Robot
+from quadruped_env.task import preset_values
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """Settings of a training and its task that differ from the defaults."""
+
+    description: str
+    """Purpose of the training, in a few words."""
+    training: Mapping[str, Any] = field(default_factory=dict)
+    """Fields of `TrainConfig`, without the task."""
+    task: Mapping[str, Any] = field(default_factory=dict)
+    """Changes to the task's config; `randomization` may be the name of a preset."""
+
+
+RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
+    {
+        "flat": Recipe("level ground and an undisturbed robot"),
+        "robust": Recipe(
+            "another robot in each episode, with sensor noise, latency and pushes",
+            {"timesteps": 6_000_000, "asymmetric_critic": True},
+            {"randomization": "hard"},
+        ),
+        "rough": Recipe(
+            "all kinds of terrain, with a curriculum, and moderate randomization",
+            {"timesteps": 8_000_000, "asymmetric_critic": True},
+            {"terrain": {"name": "tiles", "curriculum": True}, "randomization": "moderate"},
+        ),
+        # The clock reaches 3.2 Hz, at which an open-loop gait of this robot walked at 0.73 m/s.
+        "fast": Recipe(
+            "commands up to 0.9 m/s and 1.5 rad/s, with a gait clock that follows them",
+            {"timesteps": 4_000_000},
+            {
+                "command": {"forward_velocity": [-0.4, 0.9], "yaw_rate": [-1.5, 1.5]},
+                "clock_frequency": {"speeds": [0.3, 0.9], "frequencies": [2.2, 3.2]},
+            },
+        ),
+    }
+)
+"""The recipes by name; `flat` has the defaults."""
+
+
+def recipe(name: str) -> Recipe:
+    """A recipe by its name.
+
+    Raises:
+        QuadrupedError: if there is none; the message names those that there are.
+    """
+    if name not in RECIPES:
+        raise QuadrupedError(f"--recipe: {short(name)} is unknown; valid recipes are {', '.join(RECIPES)}")
+    return RECIPES[name]
+
+
+def task_values(name: str, robot: Robot) -> dict[str, Any]:
+    """Changes of a recipe to the task's config as plain values, with its preset's values for a robot.
+
+    Raises:
+        QuadrupedError: if there is no such recipe.
+    """
+    values = dict(recipe(name).task)
+    if "randomization" in values:
+        values["randomization"] = preset_values(values["randomization"], robot)
+    return values

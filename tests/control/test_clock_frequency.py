@@ -1,0 +1,237 @@
+"""The gait clock whose frequency follows the command: phase in closed form, envs, policies, export and input."""
+
+import math
+
+import gymnasium
+import numpy as np
+import pytest
+from settings import settings
+from tasks import NEVER_FALLS, ONE_COMMAND, make_task
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control import CommandedFrequency, ControlConfig, ControlInterface, PolicyController
+from quadruped_env.control.clock import frequency_at, frequency_of
+from quadruped_env.control.joint_command import limited
+from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
+from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.gait import CommandedGait
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.readings import Readings
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task import ActionConfig, TaskConfig
+
+TABLE = {"speeds": [0.1, 0.3, 0.6], "frequencies": [2.0, 2.5, 4.0], "turn_arm": 0.5}
+FOLLOWING = CommandedFrequency((0.1, 0.3, 0.6), (2.0, 2.5, 4.0), 0.5)
+DT = 0.02
+STEP = 20_000_000
+"""The same control step in ns."""
+
+
+@pytest.mark.parametrize(
+    ("command", "hertz"),
+    [
+        ((0.0, 0.0), 2.0),  # constant below the first speed
+        ((0.1, 0.0), 2.0),
+        ((0.2, 0.0), 2.25),
+        ((-0.2, 0.0), 2.25),  # backwards as forwards
+        ((0.3, 0.0), 2.5),
+        ((0.45, 0.0), 3.25),
+        ((0.0, 0.4), 2.25),  # 0.2 m/s on the arm of 0.5 m
+        ((0.1, -0.2), 2.25),
+        ((-0.25, 0.4), 3.25),
+        ((0.6, 0.8), 4.0),  # constant above the last speed
+    ],
+)
+def test_frequency_is_interpolated_at_the_commanded_speed(command, hertz):
+    assert frequency_at(FOLLOWING, np.array([command])) == pytest.approx(hertz, abs=1e-12)
+
+
+@pytest.mark.parametrize("mode", ["position", "residual"])
+def test_phase_is_the_integral_of_the_commanded_frequencies(mode):
+    """Each command holds for some steps: phase = start + 2 pi * sum of frequency * time."""
+    config = ControlConfig(clock_frequency=FOLLOWING, action=ActionConfig(mode=mode))
+    control = ControlInterface(MINI_QUADRUPED, config, 3)
+    start = np.array([0.0, 1.0, 6.0])
+    control.reset(np.arange(3), start)
+    cycles = 2.0 * 0.02 * np.ones(3)
+    control.advance()  # before any command, as at the command 0
+    for command, steps, hertz in (
+        ((0.45, 0.0), 31, 3.25),
+        ((0.0, 0.4), 17, 2.25),
+        ((0.0, 0.0), 5, 2.0),
+        ((0.9, 0.0), 40, 4.0),
+    ):
+        control.set_command(np.arange(3), np.tile(command, (3, 1)))
+        for _ in range(steps):
+            control.advance()
+        cycles += hertz * steps * DT
+        np.testing.assert_allclose(np.exp(1j * control.phase), np.exp(1j * (start + math.tau * cycles)), atol=1e-9)
+        assert ((control.phase >= 0) & (control.phase < math.tau)).all()
+        if mode == "residual":
+            # The scripted gait's phase, exactly: zero action is the gait at this phase.
+            expected = CommandedGait.tuned().positions(control.phase, np.tile(command, (3, 1)))
+            np.testing.assert_array_equal(control.nominal(), expected)
+    control.reset(np.array([1]))
+    control.advance()
+    assert control.phase[1] == pytest.approx(math.tau * 2.0 * DT), "a reset forgets the command"
+
+
+def test_reset_leaves_the_clock_and_the_gait_of_the_zero_command():
+    control = ControlInterface(MINI_QUADRUPED, ControlConfig(action=ActionConfig(mode="residual")), 2)
+    standing = CommandedGait.tuned().positions(np.zeros(2), np.zeros((2, 2)))
+    np.testing.assert_array_equal(control.nominal(), standing)
+    control.set_command(np.arange(2), np.array([[0.4, 0.0], [0.4, 0.0]]))
+    control.reset(np.array([1]))
+    np.testing.assert_array_equal(control.nominal()[1], standing[1])
+    np.testing.assert_allclose(control.joint_target(np.zeros((2, 8)))[1], MINI_QUADRUPED.stance, atol=1e-12)
+    assert np.abs(control.nominal()[0] - standing[0]).max() > 0.05
+
+
+def test_constant_frequency_is_a_table_with_one_value():
+    constant = make_task(4, clock_frequency=2.2)
+    table = make_task(4, clock_frequency=CommandedFrequency((0.0, 0.6), (2.2, 2.2)))
+    rng = np.random.default_rng(0)
+    for _ in range(40):
+        action = rng.uniform(-1, 1, (4, 8))
+        one, other = constant.step(action), table.step(action)
+        np.testing.assert_array_equal(one.observation, other.observation)
+        np.testing.assert_array_equal(constant.phase, table.phase)
+
+
+def test_envs_of_all_kinds_are_bit_identical_with_commands_that_change():
+    config = {"clock_frequency": TABLE, **settings(resample=(0.1, 0.3), shares=(0.2, 0.2))}
+    arguments = {"action_mode": "residual", "config": config}
+    vector = gymnasium.make_vec("MiniQuadruped-v0", num_envs=3, **arguments)
+    sb3 = make_sb3_vec_env(3, seed=5, **arguments)
+    singles = [gymnasium.make("MiniQuadruped-v0", **arguments) for _ in range(3)]
+    start, _ = vector.reset(seed=5)
+    np.testing.assert_array_equal(sb3.reset(), start)
+    for i, env in enumerate(singles):
+        np.testing.assert_array_equal(env.reset(seed=5 + i)[0], start[i])
+    rng, frequencies = np.random.default_rng(0), set()
+    task = vector.unwrapped.task
+    for _ in range(100):
+        action = 0.3 * rng.uniform(-1, 1, (3, 8)).astype(np.float32)
+        before = task.phase.copy()
+        hertz = frequency_at(FOLLOWING, task.command)
+        observation, reward, _, _, _ = vector.step(action)
+        turned = (task.phase - before) % math.tau
+        running = task.steps > 1
+        np.testing.assert_allclose(turned[running], math.tau * DT * hertz[running], atol=1e-12)
+        frequencies |= set(hertz.round(6))
+        np.testing.assert_array_equal(sb3.step(action)[0], observation)
+        for i, env in enumerate(singles):
+            one, own, terminated, *_ = env.step(action[i])
+            if not terminated:
+                np.testing.assert_array_equal(one, observation[i])
+                assert own == reward[i]
+            else:
+                np.testing.assert_array_equal(env.reset()[0], observation[i])
+    assert len(frequencies) > 10
+
+
+def test_state_holds_the_frequency():
+    one = make_task(2, clock_frequency=FOLLOWING, command=ONE_COMMAND, termination=NEVER_FALLS)
+    other = make_task(2, clock_frequency=FOLLOWING, command=ONE_COMMAND, termination=NEVER_FALLS, fixed_command=(0, 0))
+    for _ in range(3):
+        one.step(np.zeros((2, 8)))
+    other.set_state(1, one.get_state(1))
+    for _ in range(10):
+        one.step(np.zeros((2, 8)))
+        other.step(np.zeros((2, 8)))
+    assert one.phase[1] == other.phase[1]
+    assert one.phase[0] != other.phase[0]
+
+
+def following_policy():
+    """The shipped network in a task whose clock follows the command."""
+    policy = load_policy("flat")
+    task = TaskConfig(clock_frequency=FOLLOWING, action=ActionConfig(mode="residual"))
+    return Policy(policy.weights, policy.biases, policy.activation, task, {"timesteps": 1})
+
+
+def test_policy_keeps_its_frequency_and_refuses_an_env_with_another(tmp_path):
+    policy = following_policy()
+    policy.save(tmp_path)
+    loaded = load_policy(tmp_path)
+    assert loaded.control.clock_frequency == loaded.config.clock_frequency == FOLLOWING
+    env = loaded.make_env()
+    assert env.unwrapped.task.config.clock_frequency == FOLLOWING
+    loaded.check_env(env)
+    other = gymnasium.make("MiniQuadruped-v0", action_mode="residual")
+    with pytest.raises(QuadrupedError, match=r"trained with clock_frequency CommandedFrequency\(.* has 2\.2; make"):
+        loaded.check_env(other)
+    with pytest.raises(QuadrupedError, match=r"trained with clock_frequency 2\.2, .* has CommandedFrequency"):
+        load_policy("flat").check_env(env)
+
+
+def test_live_controller_runs_the_clock_of_the_env():
+    """A robot in its stance: the joint targets are those of the env's interface, while the command changes."""
+    policy = following_policy()
+    config = policy.config
+    safety = Safety(min_ramp_time=0.1, settle=0.0, command_timeout=100.0, fresh_states=1)
+    live = LiveController(PolicyController(policy), safety=safety)
+    control = ControlInterface(MINI_QUADRUPED, config.control)
+    readings = Readings.of_a_real_robot(MINI_QUADRUPED)
+    stance = np.array(MINI_QUADRUPED.stance)
+    upright, zeros = np.array([1.0, 0.0, 0.0, 0.0]), np.zeros(3)
+
+    def tick(i):
+        measured = Measurement(i * STEP, stance, np.zeros(8), upright, zeros)
+        return live.measured(measured, i * DT)
+
+    i, sent = 1, None
+    while live.mode is not Mode.WALKING:
+        sent = tick(i)
+        i += 1
+        assert i < 500
+    control.reset(np.array([0]))
+    control.set_command(np.array([0]), np.zeros((1, 2)))
+    last = sent.target
+    for command in ((0.0, 0.0), (0.45, 0.0), (0.2, 0.2), (0.6, 0.8)):
+        live.command(*command, now=i * DT)
+        control.set_command(np.array([0]), np.array([command]))
+        for _ in range(12):
+            observation = control.observe(readings)
+            control.advance()
+            expected = control.joint_target(policy.predict(observation).astype(float))[0]
+            expected = limited(MINI_QUADRUPED, expected, last, DT)
+            last = tick(i).target
+            i += 1
+            np.testing.assert_array_equal(last, expected)
+            assert live._control.phase[0] == control.phase[0]
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (0.0, r"clock_frequency must be positive \(Hz\), or a mapping with speeds and frequencies; found 0.0"),
+        ("fast", r"clock_frequency must be positive .* found 'fast'"),
+        ([2.2, 3.0], r"clock_frequency must be positive .* found \[2.2, 3.0\]"),
+        (
+            {"speeds": [0.0, 0.6]},
+            r"config.clock_frequency: field 'frequencies' is missing; give speeds and frequencies",
+        ),
+        ({**TABLE, "hertz": 1}, r"config.clock_frequency: unknown field 'hertz'; valid fields are speeds, frequencies"),
+        ({**TABLE, "speeds": [0.3, 0.1, 0.6]}, r"clock_frequency.speeds must be 0 or more, and increasing \(m/s\)"),
+        ({**TABLE, "speeds": [-0.1, 0.1, 0.6]}, r"clock_frequency.speeds must be 0 or more, and increasing"),
+        ({**TABLE, "speeds": [0.0, 0.6]}, r"clock_frequency.frequencies must be as many as the speeds, 2; found"),
+        ({**TABLE, "frequencies": [2.0, 0.0, 3.0]}, r"clock_frequency.frequencies must be positive \(Hz\)"),
+        (
+            {**TABLE, "frequencies": [2.0, math.nan, 3.0]},
+            r"clock_frequency.frequencies must be a list of two or more fin",
+        ),
+        ({**TABLE, "speeds": 0.3}, r"clock_frequency.speeds must be a list of two or more finite numbers; found 0.3"),
+        ({**TABLE, "turn_arm": -1.0}, r"clock_frequency.turn_arm must be a finite number, 0 or more \(m\); found -1.0"),
+    ],
+)
+def test_bad_frequency_is_refused(value, message):
+    for make in (frequency_of, lambda v: TaskConfig(clock_frequency=v), lambda v: TaskConfig.from_dict(as_field(v))):
+        with pytest.raises(QuadrupedError, match=message):
+            make(value)
+    with pytest.raises(QuadrupedError, match=message):
+        ControlConfig.of_task(as_field(value))
+
+
+def as_field(value):
+    return {"clock_frequency": value}

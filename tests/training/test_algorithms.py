@@ -1,0 +1,307 @@
+"""Other algorithms through the same program: their actors as policies, their settings, their runs."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import torch
+from trainings import assert_complete, learn, progress
+
+from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.graph import policy_graph
+from quadruped_env.policies import load_policy
+from quadruped_env.task import TaskConfig
+from quadruped_env.training import TrainConfig, models
+from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS, check_used
+from quadruped_env.training.models import export_policy, linear_layers, make_model, native
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run import CONFIG_FILE
+
+WIDTH = 34
+OFF_POLICY = [name for name, entry in ALGORITHMS.items() if not entry.on_policy]
+TINY = {
+    "num_envs": 4,
+    "n_steps": 8,
+    "batch_size": 16,
+    "hidden": (8, 6),
+    "buffer_size": 2000,
+    "learning_starts": 64,
+    "gradient_steps": 2,
+    "checkpoint_seconds": 1e6,
+}
+
+
+def config_of(name, **changes):
+    """A tiny training; without sb3-contrib the test is skipped."""
+    if ALGORITHMS[name].module.startswith("sb3_contrib"):
+        pytest.importorskip("sb3_contrib")
+    return TrainConfig(algo=name, **{**TINY, **changes})
+
+
+def model_of(name, **changes):
+    """A model with random parameters, also those of its batch renormalization, and its env."""
+    config = config_of(name, **changes)
+    torch.manual_seed(0)
+    env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic)
+    model = make_model(config, env)
+    with torch.no_grad():
+        for parameter in model.policy.parameters():
+            parameter.add_(0.2 * torch.randn_like(parameter))
+        for key, values in model.policy.named_buffers():
+            if key.endswith("ra_mean"):
+                values.copy_(torch.randn_like(values))
+            if key.endswith("ra_var"):
+                values.copy_(0.5 + torch.rand_like(values))
+    return model, env
+
+
+def observations(width, seed=0):
+    return np.random.default_rng(seed).uniform(-1.0, 1.0, (200, width)).astype(np.float32)
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+@pytest.mark.parametrize("activation", ["elu", "tanh"])
+@pytest.mark.parametrize("name", ALGORITHMS)
+def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tmp_path):
+    model, env = model_of(name, symmetric=symmetric, activation=activation)
+    export_policy(model, env.task.config, activation, {}).save(tmp_path)
+    policy = load_policy(tmp_path)
+    assert policy.output == ("clip" if ALGORITHMS[name].on_policy else "tanh")
+    seen = observations(WIDTH)
+    expected, _ = model.predict(seen, deterministic=True)
+    np.testing.assert_allclose(policy.predict(seen), expected, atol=2e-5)
+    assert np.ptp(expected, axis=0).min() > 0.05
+    mirror = MirrorMap.of(env.task.control.layout)
+    difference = np.abs(policy.predict(mirror.observation(seen)) - mirror.action(policy.predict(seen))).max()
+    assert (difference < 1e-4) == symmetric
+    assert np.abs(policy.predict(50.0 * seen)).max() <= 1.0
+
+
+@pytest.mark.parametrize("name", ["sac", "td3"])
+def test_exported_graph_squashes_as_the_policy_does(name):
+    model, env = model_of(name)
+    interface = PolicyInterface(export_policy(model, env.task.config, "elu", {}))
+    assert runtime.largest_difference(interface, policy_graph(interface, name), 2000) < 1e-5
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+@pytest.mark.parametrize("name", OFF_POLICY)
+def test_actor_of_an_asymmetric_training_does_not_see_the_privileged_readings(name, symmetric):
+    model, env = model_of(name, asymmetric_critic=True, symmetric=symmetric)
+    width = env.observation_space.shape[0]
+    assert width > WIDTH
+    policy = export_policy(model, env.task.config, "elu", {})
+    assert policy.weights[0].shape[0] == WIDTH
+    seen = torch.as_tensor(observations(width)).requires_grad_()
+    model.policy.set_training_mode(False)
+    model.policy.actor(seen).square().sum().backward()
+    assert (seen.grad[:, WIDTH:] == 0.0).all()
+    assert (seen.grad[:, :WIDTH] != 0.0).any(dim=0).all()
+    all_columns = seen.detach().numpy()
+    expected, _ = model.predict(all_columns, deterministic=True)
+    np.testing.assert_allclose(policy.predict(all_columns[:, :WIDTH]), expected, atol=2e-5)
+    other = observations(width)
+    other[:, WIDTH:] += 0.3
+    one, two = (values_of(model, x) for x in (seen.detach(), torch.as_tensor(other)))
+    assert (one - two).abs().max() > 1e-3
+
+
+def values_of(model, seen):
+    """Values of all critics at the action 0, in one column or several."""
+    with torch.no_grad():
+        found = model.critic(seen, torch.zeros(len(seen), 8))
+    return torch.cat(found, dim=-1) if isinstance(found, tuple) else found
+
+
+def test_batch_renormalization_is_folded_into_the_layer_behind_it():
+    """By hand: y = W (s x + t) + b with s = scale / sqrt(var + eps) and t = bias - mean s."""
+    renorm = type("BatchRenorm1d", (torch.nn.Module,), {})()
+    renorm.scale, renorm.bias = torch.tensor([2.0, 3.0]), torch.tensor([0.5, -1.0])
+    renorm.ra_mean, renorm.ra_var, renorm.eps = torch.tensor([1.0, 2.0]), torch.tensor([3.0, 0.0]), 1.0
+    linear = torch.nn.Linear(2, 1)
+    linear.weight.data, linear.bias.data = torch.tensor([[10.0, 100.0]]), torch.tensor([7.0])
+    ((weight, bias),) = linear_layers([renorm, linear], "elu")
+    # s = (1, 3), t = (-0.5, -7)
+    np.testing.assert_allclose(weight, [[10.0], [300.0]])
+    np.testing.assert_allclose(bias, [7.0 - 5.0 - 700.0])
+
+
+@pytest.mark.parametrize(
+    ("modules", "found"),
+    [
+        ([torch.nn.Linear(3, 4), torch.nn.Dropout(), torch.nn.Linear(4, 2)], "Dropout"),
+        ([torch.nn.Linear(3, 4), torch.nn.ReLU(), torch.nn.Linear(4, 2)], "ReLU"),
+        ([torch.nn.Linear(3, 4), torch.nn.Linear(4, 2)], "Linear"),
+        ([torch.nn.LayerNorm(3), torch.nn.Linear(3, 2)], "LayerNorm"),
+    ],
+)
+def test_actor_that_a_policy_cannot_express_is_refused(modules, found):
+    with pytest.raises(QuadrupedError, match=rf"actor has the module {found}, which a policy's file .*--algo"):
+        linear_layers(modules, "elu")
+
+
+def test_actor_that_is_no_perceptron_is_refused():
+    model, env = model_of("td3")
+    model.policy.actor.mu = torch.nn.Linear(WIDTH, 8)
+    with pytest.raises(QuadrupedError, match=r"the actor of SquashedPolicy is not a multilayer perceptron.*--algo"):
+        export_policy(model, env.task.config, "elu", {})
+
+
+# --- settings ---
+
+
+def test_settings_of_each_algorithm_are_arguments_of_its_class():
+    """Every algorithm is made with the values of its settings."""
+    values = {"gamma": 0.9, "learning_rate": 5e-4, "n_steps": 6, "batch_size": 12, "tau": 0.25, "learning_starts": 77}
+    for name, entry in ALGORITHMS.items():
+        try:
+            model, _ = model_of(name, **values)
+        except pytest.skip.Exception:
+            continue
+        assert isinstance(model, native(name))
+        assert model.gamma == 0.9
+        assert model.learning_rate(1.0) == pytest.approx(5e-4)
+        if entry.on_policy:
+            assert model.n_steps == 6
+        else:
+            assert model.train_freq.frequency == 6
+            assert (model.learning_starts, model.batch_size, model.gradient_steps) == (77, 12, 2)
+            assert model.buffer_size == 2000
+        if "tau" in entry.settings:
+            assert model.tau == 0.25
+        assert model.seed == 0
+
+
+def test_program_takes_the_defaults_of_the_algorithm(asked):
+    assert asked("--algo", "ppo") == TrainConfig()
+    config = asked("--algo", "sac", "--gamma", "0.9")
+    assert (config.algo, config.name, config.gamma) == ("sac", "sac", 0.9)
+    for field, value in ALGORITHMS["sac"].defaults.items():
+        assert getattr(config, field) == value
+    config = asked("--algo", "td3", "--batch-size", "64", "--recipe", "robust", "--name", "mine")
+    assert (config.batch_size, config.name, config.asymmetric_critic) == (64, "mine", True)
+
+
+@pytest.mark.parametrize(
+    ("algo", "options", "message"),
+    [
+        ("sac", ("--clip-range", "0.1"), r"--clip-range: sac does not use it; leave it out, or choose --algo ppo$"),
+        ("sac", ("--action-noise", "0.1"), r"--action-noise: sac does not use it; .* --algo td3 or ddpg$"),
+        ("ppo", ("--tau", "0.1"), r"--tau: ppo does not use it; .*sac or td3 or ddpg or tqc"),
+        ("a2c", ("--n-epochs", "2"), r"--n-epochs: a2c does not use it"),
+        ("crossq", ("--tau", "0.1"), r"--tau: crossq does not use it"),
+    ],
+)
+def test_option_that_the_algorithm_does_not_use_is_refused(algo, options, message, tmp_path):
+    from quadruped_env.cli.main import make_parser
+    from quadruped_env.cli.train import run
+
+    arguments = make_parser(only="train").parse_args(["train", "-o", str(tmp_path / "runs"), "--algo", algo, *options])
+    with pytest.raises(QuadrupedError, match=message):
+        run(arguments, None)
+    assert not (tmp_path / "runs").exists()
+
+
+def test_every_setting_that_not_all_algorithms_use_is_a_field():
+    import dataclasses
+
+    assert {field.name for field in dataclasses.fields(TrainConfig)} >= SETTINGS
+    check_used("ppo", ["seed", "hidden", "clip_range", "task"])
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"algo": "dqn"}, r"--algo: 'dqn' is unknown; valid algorithms are ppo, a2c, trpo, sac"),
+        ({"buffer_size": 0}, r"--buffer-size: expected 1 or more; found 0"),
+        ({"gradient_steps": 0}, r"--gradient-steps: expected 1 or more; found 0"),
+        ({"learning_starts": -1}, r"--learning-starts: expected 0 or more; found -1"),
+        ({"tau": 0.0}, r"--tau: expected more than 0, and at most 1; found 0.0"),
+        ({"action_noise": -0.1}, r"--action-noise: expected 0 or more, and finite; found -0.1"),
+    ],
+)
+def test_bad_setting_is_named_by_its_flag(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        TrainConfig(**values)
+
+
+def test_algorithm_without_its_library_names_the_extra(monkeypatch):
+    import sys
+
+    monkeypatch.setitem(sys.modules, "sb3_contrib", None)
+    monkeypatch.setitem(sys.modules, "sb3_contrib.tqc", None)
+    models.native.cache_clear()
+    with pytest.raises(MissingExtraError, match=r"--algo tqc needs the 'contrib' extra"):
+        native("tqc")
+
+
+# --- runs ---
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ALGORITHMS)
+def test_training_leaves_a_complete_run_that_can_be_resumed_and_walks_in_its_env(name, tmp_path):
+    config = config_of(name, timesteps=512, symmetric=name != "td3", asymmetric_critic=name in ("a2c", "crossq"))
+    run = learn(tmp_path, config)
+    policy = assert_complete(run)
+    assert (policy.card["algo"], policy.card["timesteps"]) == (name, 512)
+    assert json.loads((run / CONFIG_FILE).read_text())["training"]["algo"] == name
+    parent = Parent.load(run)
+    other = "sac" if name == "ppo" else "ppo"
+    with pytest.raises(QuadrupedError, match=rf"--algo: found '{other}'; .* has '{name}', .*leave the option out"):
+        parent.resumed({"algo": other})
+    # A learning rate so low that the network stays that of the first run.
+    again = learn(tmp_path, parent.resumed({"timesteps": 256, "learning_rate": 1e-12}), run)
+    resumed = assert_complete(again)
+    assert resumed.card["timesteps"] == 768
+    assert [int(row["timesteps"]) for row in progress(again)][: len(parent.curve)] == [
+        int(row["timesteps"]) for row in parent.curve
+    ]
+    # The statistics of CrossQ go on, and TRPO's step has another size.
+    if name not in ("crossq", "trpo"):
+        for one, other in zip(policy.weights, resumed.weights, strict=True):
+            np.testing.assert_allclose(one, other, atol=1e-6)
+    env = policy.make_env()
+    observation, _ = env.reset(seed=0)
+    for _ in range(20):
+        observation, *_ = env.step(policy.predict(observation))
+    assert observation in env.observation_space
+
+
+def test_off_policy_training_has_the_steps_and_schedules_of_its_budget(tmp_path):
+    """The learning rate falls linearly to a tenth with the budget, as PPO's does."""
+    rates = []
+    cls = native("sac")
+    update = cls.train
+
+    def watched(self, *args, **kwargs):
+        update(self, *args, **kwargs)
+        rates.append(self.actor.optimizer.param_groups[0]["lr"])
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(cls, "train", watched)
+        run = learn(tmp_path, config_of("sac", timesteps=320, learning_rate=1e-3))
+    # An update after each 32 steps, beginning after the 64 random ones.
+    np.testing.assert_allclose(rates, [1e-3 * (0.1 + 0.9 * (1 - step / 320)) for step in range(96, 321, 32)])
+    policy = assert_complete(run)
+    assert policy.card["budget_left"] == 0.0
+    with (run / "progress.csv").open() as file:
+        assert int(list(csv.DictReader(file))[-1]["timesteps"]) == 320
+    assert policy.config == TaskConfig.from_dict(json.loads((run / CONFIG_FILE).read_text())["task"])
+
+
+def test_resumed_training_takes_over_the_weight_of_the_entropy(tmp_path):
+    run = learn(tmp_path, config_of("sac", timesteps=320, learning_rate=1e-2))
+    parent = Parent.load(run)
+    model, _ = model_of("sac", learning_rate=1e-2)
+    assert model.log_ent_coef.item() == 0.0
+    model.go_on_from(parent)
+    assert model.log_ent_coef.item() < -0.02, "Adam moved it by the learning rate in each of 16 gradient steps"
+    assert model.num_timesteps == 320
+    exported = export_policy(model, TaskConfig.from_dict(parent.config.task), "elu", {})
+    for one, other in zip(exported.weights, load_policy(run).weights, strict=True):
+        np.testing.assert_array_equal(one, other)

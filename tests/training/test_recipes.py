@@ -1,0 +1,124 @@
+"""Recipes: what they set, what options change, and what a run keeps of them."""
+
+import json
+
+import pytest
+from trainings import SMALL, learn
+
+from quadruped_env import QuadrupedError
+from quadruped_env.cli.main import make_parser
+from quadruped_env.control import CommandedFrequency
+from quadruped_env.policies import load_policy
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
+from quadruped_env.training import TrainConfig, recipes
+from quadruped_env.training.recipes import RECIPES, Recipe, task_values
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run import CONFIG_FILE
+
+
+def task_of(config):
+    return TaskConfig.from_dict(config.task)
+
+
+def test_flat_is_the_default(asked):
+    assert asked() == asked("--recipe", "flat") == TrainConfig()
+
+
+@pytest.mark.parametrize("name", RECIPES)
+def test_recipes_give_valid_trainings_and_tasks(asked, name):
+    config = asked("--recipe", name)
+    assert config.recipe == name
+    task = task_of(config)
+    for field, value in RECIPES[name].training.items():
+        assert getattr(config, field) == value
+    assert json.loads(json.dumps(config.task)) == json.loads(json.dumps(task_values(name, MINI_QUADRUPED))), (
+        "plain values"
+    )
+    task.compiled_model()
+    assert (task == TaskConfig()) == (name == "flat")
+
+
+def test_recipes_are_what_their_names_say(asked):
+    robust, rough, fast = (task_of(asked("--recipe", name)) for name in ("robust", "rough", "fast"))
+    assert robust.randomization == RandomizationConfig(preset="hard")
+    assert robust.randomization.push_speed is not None
+    assert (rough.terrain.name, rough.terrain.curriculum) == ("tiles", True)
+    assert rough.randomization == RandomizationConfig(preset="moderate")
+    default = TaskConfig().command
+    assert fast.command.forward_velocity[1] > default.forward_velocity[1]
+    assert fast.command.yaw_rate[1] > default.yaw_rate[1]
+    assert isinstance(fast.clock_frequency, CommandedFrequency)
+    assert robust.clock_frequency == rough.clock_frequency == 2.2
+
+
+def test_options_change_the_recipe(asked):
+    change = '{"randomization": {"payload": null}, "decimation": 5}'
+    config = asked("--recipe", "robust", "--timesteps", "99", "--no-asymmetric-critic", "--task", change)
+    assert (config.timesteps, config.asymmetric_critic) == (99, False)
+    task = task_of(config)
+    assert task.randomization == RandomizationConfig(preset="hard", payload=None)
+    assert task.decimation == 5
+
+
+@pytest.mark.parametrize(
+    ("options", "randomization", "terrain"),
+    [
+        (("--randomization", "none"), RandomizationConfig(), "tiles"),
+        (("--task", '{"randomization": "hard"}'), RandomizationConfig(preset="hard"), "tiles"),
+        (("--task", '{"randomization": {"preset": "none"}}'), RandomizationConfig(), "tiles"),
+        (("--terrain", "stairs", "--level", "2"), RandomizationConfig(preset="moderate"), "stairs"),
+        (("--task", '{"terrain": {"name": "steps"}}'), RandomizationConfig(preset="moderate"), "steps"),
+        (("--task", '{"terrain": {"levels": 3}}'), RandomizationConfig(preset="moderate"), "tiles"),
+    ],
+)
+def test_preset_or_terrain_replaces_that_of_the_recipe(asked, options, randomization, terrain):
+    task = task_of(asked("--recipe", "rough", *options))
+    assert task.randomization == randomization
+    assert task.terrain.name == terrain
+    if "levels" in str(options):
+        assert (task.terrain.levels, task.terrain.curriculum) == (3, True)
+
+
+def test_recipe_for_another_robot_has_that_robots_values(asked, tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text(
+        "from quadruped_env.robot import QuadrupedDesign\nROBOT = QuadrupedDesign(name='heavy', base_mass=6.2)\n"
+    )
+    config = asked("--recipe", "robust", "--task", str(file))
+    heavy, built_in = config.task["randomization"]["payload"], preset_values("hard")["payload"]
+    assert heavy == pytest.approx([2.0 * end for end in built_in])
+
+
+def test_help_lists_the_recipes_with_their_descriptions():
+    program = make_parser(only="train")._subparsers._group_actions[0].choices["train"]
+    (text,) = (action.help for action in program._actions if action.dest == "recipe")
+    for name, entry in RECIPES.items():
+        assert f"{name}: {entry.description}" in text
+    assert text.endswith("(default: flat)")
+
+
+def test_run_keeps_the_recipes_values_whatever_becomes_of_it(tmp_path, monkeypatch):
+    """A recipe that is changed later does not change a run, and the card says which one it was."""
+    task = {"randomization": preset_values("moderate"), "decimation": 5}
+    run = learn(tmp_path, TrainConfig(recipe="robust", timesteps=64, task=task, checkpoint_seconds=1e6, **SMALL))
+    document = json.loads((run / CONFIG_FILE).read_text())
+    assert document["training"]["recipe"] == "robust"
+    policy = load_policy(run)
+    assert policy.card["recipe"] == "robust"
+    monkeypatch.setattr(recipes, "RECIPES", {"robust": Recipe("other", {}, {"decimation": 2}), "flat": Recipe("flat")})
+    parent = Parent.load(run)
+    again = parent.resumed({"recipe": "robust"})
+    assert TaskConfig.from_dict(again.task).randomization == RandomizationConfig(preset="moderate")
+    assert again.task["decimation"] == 5
+    with pytest.raises(QuadrupedError, match=r"--recipe: found 'flat'; .* has 'robust', .*leave the option out"):
+        parent.resumed({"recipe": "flat"})
+
+
+def test_unknown_recipe_is_refused(capsys):
+    with pytest.raises(QuadrupedError, match=r"--recipe: 'spicy' is unknown; valid recipes are flat, robust, rough"):
+        TrainConfig(recipe="spicy")
+    with pytest.raises(SystemExit):
+        make_parser(only="train").parse_args(["train", "--recipe", "spicy"])
+    assert "'flat', 'robust', 'rough', 'fast'" in capsys.readouterr().err
+    assert {entry.task.get("randomization", "none") for entry in RECIPES.values()} <= set(PRESETS)
