@@ -29,13 +29,20 @@ _MAX_TRUNK_FORCE: Final = 1.0
 
 
 def run(part: Recovery, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
-    """Recoveries of every release: name -> plain values."""
+    """Recoveries of every release: name -> plain values.
+
+    A controller that no real robot can run recovers nowhere; `refused` then holds the reason.
+    """
     robot = contender.robot
     starts = np.concatenate([start_poses(robot, release, part.seeds) for release in part.releases])
-    seconds = recover(part, contender, starts, progress).reshape(len(part.releases), part.num_seeds)
+    refused: dict[str, str] = {}
+    try:
+        times = recover(part, contender, starts, progress)
+    except QuadrupedError as error:
+        times, refused = np.full(len(starts), np.nan), {"refused": str(error)}
     return {
-        release.name: {"recovered": share(np.isfinite(times)), "time": mean(times)}
-        for release, times in zip(part.releases, seconds, strict=True)
+        release.name: {"recovered": share(np.isfinite(seconds)), "time": mean(seconds), **refused}
+        for release, seconds in zip(part.releases, times.reshape(-1, part.num_seeds), strict=True)
     }
 
 

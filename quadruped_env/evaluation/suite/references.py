@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.documents import read_json
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.suite.suite import COMPONENTS, check_results
 
 REFERENCE_FILE: Final = Path(__file__).with_name("references.json")
@@ -32,7 +33,11 @@ def read_references(path: Path = REFERENCE_FILE) -> list[dict[str, Any]]:
     """
     if not path.exists():
         return []
-    rows: list[dict[str, Any]] = read_json(path, "write it again with tools/suite_references.py")["rows"]
+    fix = "write it again with tools/suite_references.py"
+    document = read_json(path, fix)
+    rows = document.get("rows") if isinstance(document, dict) else None
+    if not isinstance(rows, list):
+        raise QuadrupedError(f"{path}: expected a list 'rows'; found {short(rows)}; {fix}")
     for i, row in enumerate(rows):
         check_results(row, f"{path.name}: row {i + 1}")
     return rows

@@ -129,6 +129,9 @@ def read_results(path: Path) -> dict[str, Any]:
     """
     document = read_json(path, "evaluate the policy with --suite to make it")
     check_results(document, str(path))
+    missing = [name for name in COMPONENTS if not isinstance(document.get(name), dict)]
+    if missing:
+        raise QuadrupedError(f"{path}: lacks the part {missing[0]!r} of the suite; evaluate the policy with --suite")
     result: dict[str, Any] = document
     return result
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from quadruped_env import rotations
+from quadruped_env import QuadrupedError, rotations
 from quadruped_env.evaluation.suite import recovery
 from quadruped_env.evaluation.suite.contender import Contender
 from quadruped_env.evaluation.suite.definition import Release, full_suite
@@ -73,3 +73,15 @@ def test_summary_counts_recoveries_and_averages_their_times(monkeypatch):
     assert result["drop_30cm"]["recovered"]["mean"] == 0.5
     assert (result["drop_30cm"]["time"]["mean"], result["drop_30cm"]["time"]["count"]) == (5.0, 1)
     assert recovery.score(result) == pytest.approx(0.75)
+
+
+def test_a_controller_that_no_robot_can_run_recovers_nowhere_for_a_reason(monkeypatch):
+    def refuse(*_, **__):
+        raise QuadrupedError("policy: it observes foot_force, which the robot does not measure")
+
+    monkeypatch.setattr(recovery, "LiveController", refuse)
+    result = recovery.run(replace(PART, num_seeds=2, releases=PART.releases[:2]), STANDING)
+    for release in result.values():
+        assert (release["recovered"]["mean"], release["time"]["mean"]) == (0.0, None)
+        assert release["refused"] == "policy: it observes foot_force, which the robot does not measure"
+    assert recovery.score(result) == 0.0

@@ -125,6 +125,9 @@ def test_files_of_results_are_read_and_damaged_ones_named(result, tmp_path):
         path.write_text(json.dumps(damage))
         with pytest.raises(QuadrupedError, match=r"suite.json: lacks the results of the suite .*--suite"):
             read_results(path)
+    path.write_text(json.dumps({**result[0], "terrain": 3}))
+    with pytest.raises(QuadrupedError, match=r"suite.json: lacks the part 'terrain'"):
+        read_results(path)
     broken = copy.deepcopy(result[0])
     broken["score"]["components"]["gait"] = None
     path.write_text(json.dumps(broken))
@@ -154,6 +157,10 @@ def test_reference_rows_count_only_where_they_are_comparable(result, tmp_path):
     path.write_text(json.dumps({"rows": [{"name": "x"}]}))
     with pytest.raises(QuadrupedError, match=r"references.json: row 1: lacks"):
         read_references(path)
+    for damage in ([], {"row": []}, {"rows": 3}):
+        path.write_text(json.dumps(damage))
+        with pytest.raises(QuadrupedError, match=r"references.json: expected a list 'rows'; .*suite_references.py"):
+            read_references(path)
 
 
 def test_shipped_reference_rows_belong_to_this_suite():
