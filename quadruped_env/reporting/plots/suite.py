@@ -57,6 +57,8 @@ def push_survival(result: Mapping[str, Any]) -> str:
         round_ax.plot(angle, mean, color=BLUE, marker="o", markersize=4)
         round_ax.set_theta_zero_location("N")
         round_ax.set_ylim(0.0, float(sizes.max()))
+        round_ax.set_yticks(np.linspace(0.0, float(sizes.max()), 5)[1:])
+        round_ax.set_rlabel_position(22.5)
         ends = zip((0, 90, 180, 270), ("forwards", "left", "backwards", "right"), strict=True)
         round_ax.set_xticks(np.radians([0, 90, 180, 270]), [name for _, name in ends])
         round_ax.set_title("50 % survive (m/s)")

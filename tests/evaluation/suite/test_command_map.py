@@ -71,7 +71,8 @@ def test_an_episode_that_falls_or_has_no_velocity_does_not_meet_its_command():
 def test_dead_zone_is_the_largest_command_of_which_less_than_half_is_reached():
     achieved = COMMANDS[:, :, 0].copy()
     achieved[3, 1, 0] = 0.049  # of 0.1 m/s
-    achieved[0, 1, 0] = 0.2  # 0.2 m/s backwards goes forwards
+    achieved[0, 1, 0] = 0.2  # 0.2 m/s backwards goes forwards, and 0.1 m/s stands
+    achieved[1, 1, 0] = 0.0
     achieved[2, 0, 1] = -0.26  # of 0.5 rad/s to the right: more than half
     achieved[2, 2, 1] = np.nan
     achieved[4, 0, 0] = 0.0  # a curve is not on the axis

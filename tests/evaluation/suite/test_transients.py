@@ -76,6 +76,13 @@ def test_oscillation_within_a_stride_is_no_overshoot_and_does_not_delay_settling
     assert answer.overshoot[0] < 0.02
 
 
+def test_a_velocity_that_leaves_the_band_again_settles_after_its_return():
+    late = first_order(0.2) + np.where((TIME > 2.0) & (TIME <= 2.5), 0.3, 0.0)[:, None]
+    # Within the mean over 0.5 s, 0.3 m/s is over 0.05 m/s until a sixth of the window is left.
+    settled = transients.step_response(late, 0.5, PART, DT).settling_time[0]
+    assert settled == pytest.approx(2.5 + 0.25 - 0.5 / 6.0, abs=2 * DT)
+
+
 def test_a_velocity_that_does_not_come_to_rest_has_not_settled():
     drifting = np.maximum(TIME, 0.0)[:, None]
     assert transients.step_response(drifting, 0.5, PART, DT).settling_time[0] == PART.after
