@@ -2,6 +2,7 @@
 
 mini-quadruped compare runs/<one> runs/<other>
 mini-quadruped compare flat runs/latest --video results/side.mp4
+mini-quadruped compare flat runs/latest --suite     rank them on the suite, after 'evaluate RUN --suite' of each
 """
 
 import argparse
@@ -26,6 +27,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policies and the options of a report."""
     parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat'")
     add_evaluation_options(parser, f"results/comparison, {NEXT_FREE}")
+    parser.add_argument(
+        "--suite",
+        action="store_true",
+        help="also rank the policies on their results of the suite, from 'evaluate RUN --suite' (docs/suite.md)",
+    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -34,10 +40,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.films.video import prepare_video, save_film
     from quadruped_env.reporting.pages.page import summary_table
     from quadruped_env.reporting.pages.run_comparison import films, find_subjects, headline, write_comparison
+    from quadruped_env.reporting.pages.suite_section import ranking, ranking_in_words
     from quadruped_env.reporting.results import prepare_output
 
     output = arguments.output or free_path(Path("results", "comparison"))
     subjects = find_subjects(arguments.runs, output, arguments.task)
+    ranked = ranking(subjects) if arguments.suite else None
     prepare_video(arguments.video, arguments.overwrite)
     prepare_output(output)
     policies = {name: subject.policy for name, subject in subjects.items()}
@@ -57,12 +65,15 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         output,
         f"{invocation.program} {sources} {task_option(arguments.task)}{terrain_option(arguments)}"
         f"{randomization_option(arguments.randomization)}"
-        f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
+        f"{'--suite ' if arguments.suite else ''}--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),
+        ranked=ranked,
     )
     if arguments.video:
         save_film(arguments.video, films(comparison, list(subjects)), ProgressLine("filming"))
     print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(subjects))}\n")
+    if ranked is not None:
+        print(f"{ranking_in_words(ranked)}\n")
     print_results(report, numbers, missing, arguments.video)
     return 0

@@ -3,12 +3,14 @@
 mini-quadruped evaluate                    the latest run in runs/, or the shipped policy
 mini-quadruped evaluate runs/<name>        a run; if it was interrupted, its last checkpoint
 mini-quadruped evaluate flat               the shipped policy
+mini-quadruped evaluate flat --suite       also run the suite mq-eval, whose results can be compared with others'
 """
 
 import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import (
@@ -19,12 +21,27 @@ from quadruped_env.cli.options import (
     terrain_option,
 )
 from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.errors import QuadrupedError
+
+if TYPE_CHECKING:
+    from quadruped_env.evaluation.subject import Subject
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the options of a report."""
     parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
+    parser.add_argument(
+        "--suite",
+        action="store_true",
+        help="also run the suite mq-eval, and write suite.json: fixed commands, seeds and disturbances, on its own "
+        "terrains, whatever --seeds, --seconds, --terrain and --randomization say (docs/suite.md)",
+    )
+    parser.add_argument(
+        "--quick",
+        action="store_true",
+        help="with --suite: few episodes, to see whether it works; never comparable with the full suite",
+    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -38,6 +55,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.pages.pictures import filmed
     from quadruped_env.reporting.results import prepare_output
 
+    if arguments.quick and not arguments.suite:
+        raise QuadrupedError("--quick: found without --suite; it makes the suite shorter, so give both")
     subject = find_subject(arguments.run, arguments.output, arguments.task)
     prepare_output(subject.output)
     prepare_video(arguments.video, arguments.overwrite)
@@ -51,20 +70,45 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         terrain=named_terrain(arguments),
         randomization=arguments.randomization or "none",
     )
+    suite = _suite(subject, arguments.quick) if arguments.suite else None
     report, numbers, missing = write_report(
         subject,
         comparison,
         f"{invocation.program} {subject.source} {task_option(arguments.task)}{terrain_option(arguments)}"
         f"{randomization_option(arguments.randomization)}"
+        f"{'--suite ' if arguments.suite else ''}{'--quick ' if arguments.quick else ''}"
         f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,
         progress=ProgressLine("filming"),
+        suite=suite,
     )
     if arguments.video:
         save_film(arguments.video, filmed(comparison), ProgressLine("filming"))
-    print(f"\n{summary_table(comparison)}\n\n{verdict(comparison).text()}\n")
+    print(f"\n{summary_table(comparison)}\n\n{verdict(comparison, suite).text()}\n")
+    if suite is not None:
+        _print_scores(suite)
     print_results(report, numbers, missing, arguments.video)
     return 0
+
+
+def _suite(subject: "Subject", quick: bool) -> dict[str, Any]:
+    """Run the suite."""
+    from quadruped_env.evaluation.suite.contender import Contender
+    from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
+    from quadruped_env.evaluation.suite.suite import episode_seconds, run_suite
+
+    suite = quick_suite() if quick else full_suite()
+    print(f"{suite.label}: up to {sum(episode_seconds(suite).values()) / 3600.0:.1f} hours of simulated time")
+    return run_suite(Contender.of_policy(subject.policy, subject.name), suite, ProgressLine(suite.label))
+
+
+def _print_scores(result: dict[str, Any]) -> None:
+    """Print the scores of the policy and of the reference rows, the best first."""
+    from quadruped_env.evaluation.suite.references import read_references, references_for, score_table
+    from quadruped_env.evaluation.suite.suite import ranked
+
+    rows = ranked((row["name"], row) for row in (result, *references_for(result, read_references())))
+    print(f"{score_table([row for _, row in rows])}\n")
 
 
 def print_results(report: Path, numbers: Path, missing: Sequence[str], video: Path | None) -> None:

@@ -18,7 +18,7 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.files import check_free, write_json
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
-from quadruped_env.progress import Progress
+from quadruped_env.progress import Progress, part_of
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.task import TaskConfig
@@ -182,14 +182,9 @@ def run_baseline(
     seeds = range(seed, seed + episodes)
     controller = TrajectoryController(commands, preset)
     config = TaskConfig().for_robot(robot).on_terrain(terrain or flat)
-    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, _part(progress, 0.0))
-    recording = play(commands, preset, progress=_part(progress, 0.5), robot=robot, terrain=terrain)
+    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, part_of(progress, 0.0, 0.5))
+    recording = play(commands, preset, progress=part_of(progress, 0.5, 1.0), robot=robot, terrain=terrain)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
-
-
-def _part(progress: Progress | None, begin: float) -> Progress | None:
-    """Progress callback for the half of the work that begins at this fraction of the whole."""
-    return None if progress is None else lambda share: progress(begin + 0.5 * share)
 
 
 def _number(value: float) -> float | None:

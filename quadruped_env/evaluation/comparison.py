@@ -24,7 +24,7 @@ from quadruped_env.policies import (
     PolicyController,
     ZeroController,
 )
-from quadruped_env.progress import Progress
+from quadruped_env.progress import Progress, part_of
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.task import TaskConfig
@@ -220,7 +220,7 @@ def compare_policies(
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
     configs = {
-        name: _evaluation_task(
+        name: evaluation_task(
             policy.config if terrain is None else policy.config.on_terrain(terrain), commands, randomization
         )
         for name, policy in policies.items()
@@ -241,15 +241,15 @@ def compare_policies(
     seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
     rollouts, values = {}, {}
     for i, controller in enumerate(controllers):
-        part = _part(progress, i, len(controllers))
+        part = part_of(progress, i / len(controllers), (i + 1) / len(controllers))
         task = configs.get(controller.name, config)
         rollout = rollouts[controller.name] = roll_out(controller, commands, seeds, seconds, task, part)
         values[controller.name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
 
 
-def _evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
-    """A policy's task with a preset of the randomization, and with command ranges that include the commands.
+def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
+    """A policy's task for an evaluation: with a preset of the randomization, and ranges that include the commands.
 
     There is no curriculum: on tiles, every episode starts on the tile that its seed gives.
     """
@@ -264,8 +264,3 @@ def _evaluation_task(config: TaskConfig, commands: Sequence[Command], randomizat
 def _covering(bounds: Range, values: Sequence[float]) -> Range:
     """The smallest range that includes `bounds` and the values."""
     return min(bounds[0], *values), max(bounds[1], *values)
-
-
-def _part(progress: Progress | None, index: int, parts: int) -> Progress | None:
-    """Progress callback for one of several equal parts of the work."""
-    return None if progress is None else lambda share: progress((index + share) / parts)

@@ -1,6 +1,6 @@
 """Run a controller on fixed commands, many episodes at once, and record the readings that the metrics need."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, Self
 
@@ -12,20 +12,24 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
 from quadruped_env.robot.motors import MotorConfig
+from quadruped_env.seeds import EVALUATION_SEEDS
 from quadruped_env.simulation import BatchSimulation
-from quadruped_env.task import Task, TaskConfig
+from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.task.quantities import sliding_squared
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trace import CommandedTrace, Flag, PerLeg, PerTerm, Recorder
 
 DEFAULT_SECONDS: Final = 20.0
-FIRST_SEED: Final = 1_000_000
-"""First seed of an evaluation, far from the small seeds of trainings: no evaluation episode was a training episode."""
+FIRST_SEED: Final = EVALUATION_SEEDS.start
+"""First seed of an evaluation: no evaluation episode was a training episode."""
+
+BeforeStep = Callable[[Task, int], None]
+"""Function (task, number of control steps done) that changes commands or pushes robots before a control step."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rollout(CommandedTrace):
-    """N episodes of T control steps of one controller, each with its command, which is the same in all samples.
+    """N episodes of T control steps of one controller, each with its command.
 
     Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
     `valid` masks them.
@@ -63,6 +67,45 @@ def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64]
     return np.repeat(commands, len(seeds), axis=0), np.tile(np.asarray(seeds, dtype=np.int64), len(commands))
 
 
+def run_episodes(
+    controller: Controller,
+    command: NDArray[np.float64],
+    seeds: NDArray[np.int64],
+    steps: int,
+    config: TaskConfig,
+    before_step: BeforeStep | None = None,
+    tiles: NDArray[np.intp] | None = None,
+) -> Iterator[tuple[Task, Transition]]:
+    """Run N episodes at the same time, without restarting any, and yield the task after every control step.
+
+    Args:
+        controller: controller to run.
+        command: forward velocity in m/s and yaw rate in rad/s of each episode (N, 2).
+        seeds: seed of each episode (N,).
+        steps: number of control steps.
+        config: task configuration with the controller's action mode.
+        before_step: called before every control step.
+        tiles: kind and level of the tile on which each episode starts (N, 2), as in `Task.reset`.
+    """
+    task = Task(BatchSimulation(config.compiled_model(), len(command), robot=config.robot), config)
+    # Consecutive episodes with the same command are reset at once.
+    changes = np.flatnonzero((np.diff(command, axis=0) != 0.0).any(axis=1)) + 1
+    for block in np.split(np.arange(len(command)), changes):
+        task.reset(
+            block,
+            seeds=[int(seed) for seed in seeds[block]],
+            command=command[block[0]],
+            tiles=None if tiles is None else tiles[block],
+        )
+    observation = task.observe()
+    for step in range(steps):
+        if before_step is not None:
+            before_step(task, step)
+        transition = task.act(controller, observation)
+        observation = transition.observation
+        yield task, transition
+
+
 def roll_out(
     controller: Controller,
     commands: ArrayLike,
@@ -70,6 +113,7 @@ def roll_out(
     seconds: float = DEFAULT_SECONDS,
     config: TaskConfig | None = None,
     progress: Progress | None = None,
+    before_step: BeforeStep | None = None,
 ) -> Rollout:
     """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
 
@@ -83,6 +127,7 @@ def roll_out(
         seconds: length of an episode, s.
         config: task configuration, with its robot; the action mode is the controller's. None takes the defaults.
         progress: called with the fraction done.
+        before_step: called before every control step; it may change commands or push robots.
 
     Returns:
         A rollout with K * S episodes, in the order of `grid`.
@@ -101,22 +146,19 @@ def roll_out(
     command, seed = grid(commands, seeds)
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
-    rows, robot = len(command), config.robot
-    model = config.compiled_model()
-    task = Task(BatchSimulation(model, rows, robot=robot), config)
-    for start in range(0, rows, len(seeds)):
-        block = np.arange(start, start + len(seeds))
-        task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])
-
+    robot = config.robot
     recorder = Recorder(Rollout, robot, steps, np.float32)
-    readings, sole = task.simulation.readings, np.array([-robot.foot_radius, robot.foot_radius])
-    alive = np.ones(rows, dtype=np.bool_)
-    observation = task.observe()
-    for t in range(steps):
-        transition = task.act(controller, observation)
-        observation = transition.observation
+    sole = np.array([-robot.foot_radius, robot.foot_radius])
+    alive = np.ones(len(command), dtype=np.bool_)
+    commanded = np.broadcast_to(command, (steps, *command.shape))
+    if before_step is not None:
+        commanded = commanded.copy()
+    term_names: tuple[str, ...] = ()
+    for task, transition in run_episodes(controller, command, seed, steps, config, before_step):
+        if before_step is not None:
+            commanded[recorder.written :] = task.command
         alive &= ~transition.terminated
-        contact = task.context.foot_contact
+        readings, contact = task.simulation.readings, task.context.foot_contact
         slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, sole)
         recorder.write(
             readings,
@@ -126,17 +168,18 @@ def roll_out(
             foot_height=task.context.sole_height,
             reward_terms=transition.terms,
         )
+        term_names = task.term_names
         if progress is not None:
-            progress((t + 1) / steps)
+            progress(recorder.written / steps)
         if not alive.any():
             break
     return recorder.trace(
         controller=controller.name,
         motors=config.motor,
         timestep=config.control_timestep,
-        command=np.broadcast_to(command, (steps, *command.shape)),
+        command=commanded,
         seeds=seed,
-        term_names=task.term_names,
+        term_names=term_names,
         terrain=config.ground,
         first_stamp=round(config.control_timestep * NS_PER_SECOND),
     )

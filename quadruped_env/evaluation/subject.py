@@ -1,14 +1,18 @@
 """The policy to evaluate, and the directory of its results."""
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.policy import SHIPPED, finished_directory, shipped_directory
+from quadruped_env.documents import read_json
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.training.run import PROGRESS_FILE, run_name
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, run_name
 
 LATEST_RUN: Final = Path("runs", "latest")
+_OF_THE_RUN: Final = ("seed", "name", "checkpoint_seconds")
+"""Settings of a training that do not belong to its recipe."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +31,25 @@ class Subject:
     def source(self) -> str:
         """Name of the policy on the command line; contains no path of this machine."""
         return self.name if self.name in SHIPPED else f"runs/{self.name}"
+
+    @property
+    def evaluation(self) -> Path:
+        """Default directory of the results."""
+        return Path("results", self.name) if self.name in SHIPPED else self.directory / "evaluation"
+
+    @property
+    def recipe(self) -> str:
+        """Text that is the same for runs that differ in the training seed only.
+
+        Raises:
+            QuadrupedError: if the run's config is damaged.
+        """
+        path = self.directory / CONFIG_FILE
+        config = read_json(path, "remove it to compare the run by itself") if path.is_file() else None
+        if not isinstance(config, dict) or not isinstance(config.get("training"), dict):
+            return self.name
+        training = {name: value for name, value in config["training"].items() if name not in _OF_THE_RUN}
+        return json.dumps([training, config.get("task")], sort_keys=True)
 
     @property
     def progress_file(self) -> Path | None:

@@ -2,14 +2,16 @@
 
 import math
 import textwrap
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.metrics import METRICS
+from quadruped_env.evaluation.suite.findings import suite_findings
 
 STABLE_FALL_RATE: Final = 0.05
 """Maximum fraction of falls for which the verdict says that the robot stays on its feet."""
@@ -46,8 +48,13 @@ class Verdict:
         return "\n".join([textwrap.fill(self.headline, 100), *findings])
 
 
-def verdict(comparison: Comparison) -> Verdict:
-    """Judge the policy of a comparison. Motions that its commands do not cover are left out."""
+def verdict(comparison: Comparison, suite: Mapping[str, Any] | None = None) -> Verdict:
+    """Judge the policy of a comparison. Motions that its commands do not cover are left out.
+
+    Args:
+        comparison: results of the policy and of the scripted controllers.
+        suite: the policy's results of the suite, which add its gait and its robustness; None: it was not run.
+    """
     findings = [("Falls", _falls(comparison))]
     for topic, words in (
         ("Forwards", _forwards),
@@ -62,6 +69,7 @@ def verdict(comparison: Comparison) -> Verdict:
         (topic, _against(comparison, other))
         for other, topic in (("tuned", "Tuned gait"), ("article", "Article's gait"))
     ]
+    findings += () if suite is None else suite_findings(suite)
     level, headline = _headline(comparison)
     return Verdict(level, headline, tuple(findings))
 

@@ -76,10 +76,18 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Any]
             f"config.randomization: there is no preset {short(name)}; choose one of {', '.join(PRESETS)}, or give "
             f"ranges such as {{'friction': [0.5, 1.0]}}"
         )
+    return scaled_to(PRESETS[name], robot)
+
+
+def scaled_to(values: Mapping[str, Any], robot: Robot) -> dict[str, Any]:
+    """Values of the section for the built-in robot as plain values for another one, whose mass and height they follow.
+
+    Masses and forces are in proportion to the robot's mass, lengths to the height of its stance.
+    """
     mass, length = robot.total_mass / MINI_QUADRUPED.total_mass, robot.stance_height / MINI_QUADRUPED.stance_height
     factors = {"kg": mass, "N": mass, "m": length, "N m": mass * length}
     units = {randomization.name: randomization.unit for randomization in RANDOMIZATIONS}
-    return {field: _scaled(value, factors.get(units.get(field, ""), 1.0)) for field, value in PRESETS[name].items()}
+    return {field: _scaled(value, factors.get(units.get(field, ""), 1.0)) for field, value in values.items()}
 
 
 def with_preset(values: Any, robot: Robot) -> Any:

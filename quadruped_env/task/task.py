@@ -151,6 +151,7 @@ class Task:
         env_ids: EnvIds,
         seeds: Sequence[int | None] | None = None,
         command: Sequence[float] | Floats | None = None,
+        tiles: NDArray[np.intp] | None = None,
     ) -> None:
         """Begin new episodes in some envs (R,); the others do not change.
 
@@ -158,12 +159,17 @@ class Task:
             env_ids: indices of the envs.
             seeds: seeds of their generators (R,); None: the generator is kept, and its next episode begins.
             command: command that stays fixed for the episode, such as (forward velocity, yaw rate); None: random.
+            tiles: index of the kind and level of the tile on which each episode starts (R, 2), on the terrain `tiles`;
+                None: as drawn, or as the curriculum says.
 
         Raises:
-            QuadrupedError: if the command is not valid for the task; in that case no env has changed.
+            QuadrupedError: if the command is not valid for the task, or there are no such tiles; in that case no env
+                has changed.
         """
         if command is not None:
             command = check_command(command, self.config.commands)
+        if tiles is not None:
+            self._check_tiles(tiles, len(env_ids))
         first = np.zeros(len(env_ids), dtype=np.bool_)
         for i, env_id in enumerate(env_ids):
             if seeds is not None and seeds[i] is not None:
@@ -175,7 +181,7 @@ class Task:
         self.draws.begin_episode(env_ids)
         self._memory.clear(env_ids)
         self.context.memory.clear(env_ids)
-        place = None if self.tiles is None else self.tiles.begin_episodes(env_ids, first, self.draws)
+        place = None if self.tiles is None else self.tiles.begin_episodes(env_ids, first, self.draws, tiles)
         sampled = self._randomizer.begin_episodes(env_ids, place)
         self._started[env_ids] = True
         self._fixed[env_ids] = command is not None
@@ -313,6 +319,11 @@ class Task:
                     f"step: call reset() first; env {np.argmin(self._started)} of {self.num_envs} has no episode yet"
                 )
             self._all_started = True
+
+    def _check_tiles(self, tiles: NDArray[np.intp], count: int) -> None:
+        if self.tiles is None:
+            raise QuadrupedError(f"reset: tiles need the terrain 'tiles'; found {self.config.terrain['name']!r}")
+        self.tiles.check(tiles, count)
 
     def _check_values(self, values: Floats, what: str) -> None:
         if values.shape != self.control.action.shape:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation.tiles import TILE, Tiles
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.draws import Draws, Purposes
@@ -61,19 +62,45 @@ class TileAssignment:
         self._fallen: NDArray[np.bool_] = self.memory.zeros("fallen", dtype=np.bool_)
         self._of_episode = (self._commanded, self._walked, self._seconds, self._speed, self._left, self._fallen)
 
-    def begin_episodes(self, env_ids: EnvIds, first: NDArray[np.bool_], draws: Draws) -> Floats:
+    def check(self, tiles: NDArray[np.intp], count: int) -> None:
+        """Check the tiles of `count` episodes, as `begin_episodes` takes them.
+
+        Raises:
+            QuadrupedError: if there are no such tiles, or not one per episode.
+        """
+        kinds, levels = self._centres.shape[:2]
+        if tiles.shape != (count, 2):
+            raise QuadrupedError(f"reset: tiles must have shape ({count}, 2), kind and level; found {tiles.shape}")
+        kind, level = tiles.T
+        wrong = np.flatnonzero((kind < 0) | (kind >= kinds) | (level < 1) | (level > levels))
+        if len(wrong):
+            raise QuadrupedError(
+                f"reset: tiles have kinds 0 to {kinds - 1} and levels 1 to {levels}; found "
+                f"{tiles[wrong[0]].tolist()} for episode {wrong[0]}"
+            )
+
+    def begin_episodes(
+        self,
+        env_ids: EnvIds,
+        first: NDArray[np.bool_],
+        draws: Draws,
+        tiles: NDArray[np.intp] | None = None,
+    ) -> Floats:
         """Choose the tiles of new episodes in some envs (R,), and return the middles of the tiles (R, 2), m.
 
         Args:
             env_ids: indices of the envs.
             first: mask (R,) of the envs whose episode is the first of their seed.
             draws: random numbers of the new episodes.
+            tiles: index of the kind and level of each (R, 2); None: as drawn, or as the curriculum says.
         """
         kind, level = draws.uniform(_PURPOSES, env_ids, np.zeros(len(env_ids), dtype=np.int64)).T
         levels, section = self._centres.shape[1], self._section
         random_kind = np.floor(kind * len(self.kinds)).astype(np.int64)
         random_level = 1 + np.floor(level * levels).astype(np.int64)
-        if section.curriculum:
+        if tiles is not None:
+            self.kind[env_ids], self.level[env_ids] = tiles.T
+        elif section.curriculum:
             start_level = 1 + np.floor(level * min(section.start_levels, levels)).astype(np.int64)
             next_level = np.maximum(self.level[env_ids] + self._change(env_ids), 1)
             next_level = np.where(next_level > levels, random_level, next_level)

@@ -6,6 +6,7 @@ from typing import Any, Final, Literal
 
 from quadruped_env.control.config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
 
@@ -29,7 +30,7 @@ class TrainConfig:
     seconds: float | None = None
     """Budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit"""
     seed: int = 0
-    """Seed of the envs, the network and the exploration"""
+    """Seed of the envs (each further env has the next one), the network and the exploration"""
     num_envs: int = 256
     """Number of parallel envs"""
     name: str = "ppo"
@@ -117,6 +118,7 @@ class TrainConfig:
         ):
             if not valid:
                 raise QuadrupedError(f"--{name.replace('_', '-')}: expected {rule}; found {getattr(self, name)}")
+        check_training_seeds("--seed", self.seed, self.num_envs)
         if "/" in self.name or self.name in {"", ".", ".."}:
             raise QuadrupedError(f"--name: {self.name!r} cannot be part of a directory's name")
         minibatches = entry.on_policy and "batch_size" in entry.settings

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.seeds import check_training_seeds
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.quantities import FootLift, clock_agreement, mechanical_power, sliding_squared
@@ -182,7 +183,11 @@ def search(
         spread: standard deviation of the first generation, as a share of each column's range.
         generations: number of generations.
         seed: of the search.
+
+    Raises:
+        QuadrupedError: if the seed is reserved for evaluation.
     """
+    check_training_seeds("seed", seed)
     rng = np.random.default_rng(seed)
     simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES, robot=ROBOT)
     mean, deviation = start.copy(), spread * (_HIGH - _LOW)

@@ -24,6 +24,7 @@ from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable, whole, write_whole
+from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.resume import Parent
@@ -74,6 +75,7 @@ def train(
         privileged=config.asymmetric_critic,
     )
     task = env.task.config
+    check_training_seeds("config.terrain.seed", task.terrain["seed"])
     model = make_model(config, env)
     if parent is not None:
         model.go_on_from(parent)

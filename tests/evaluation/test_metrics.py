@@ -286,6 +286,16 @@ def test_rollout_is_a_trace_of_float32_samples_after_each_step():
     np.testing.assert_array_equal(rollout.select([3, 0]).seeds, [2, 1])
 
 
+def test_commands_that_change_within_an_episode_are_recorded_from_the_step_that_follows_them():
+    def change(task, step):
+        if step == 3:
+            task.set_command(np.array([1]), (0.2, 0.1))
+
+    rollout = roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.0)], [1], seconds=0.2, before_step=change)
+    np.testing.assert_array_equal(rollout.command[:3], np.tile([[0.0, 0.0], [0.3, 0.0]], (3, 1, 1)))
+    np.testing.assert_array_equal(rollout.command[3:], np.tile([[0.0, 0.0], [0.2, 0.1]], (7, 1, 1)))
+
+
 class Collapse:
     """Swings every leg back until the base lies on the ground."""
 

@@ -1,6 +1,7 @@
 """The report of an evaluation: a self-contained HTML file, and the numbers as JSON."""
 
 import dataclasses
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -26,6 +27,7 @@ from quadruped_env.reporting.pages.page import (
     write_page,
 )
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
+from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.results import prepare_output
 
 _EPISODE: Final = "The episode is the first one without a fall, or else the longest."
@@ -37,6 +39,7 @@ def write_report(
     command_line: str,
     with_video: bool = True,
     progress: Progress | None = None,
+    suite: Mapping[str, Any] | None = None,
 ) -> tuple[Path, Path, list[str]]:
     """Write the report and the numbers into the subject's output directory; existing files are replaced.
 
@@ -46,6 +49,7 @@ def write_report(
         command_line: command that reproduces the report.
         with_video: True to render a film, if OpenGL is available.
         progress: called with the fraction of the film that is rendered.
+        suite: the policy's results of the suite, which are written to a file of their own, too; None: it was not run.
 
     Returns:
         The paths of the report and of the numbers, and a message for each part that could not be made.
@@ -64,12 +68,15 @@ def write_report(
     else:
         pictures = Pictures({"missing": "No video: it was switched off."})
     replay = scene(comparison)
-    judged = verdict(comparison)
+    judged = verdict(comparison, suite)
+    if suite is not None:
+        write_results(subject, suite, command_line)
     document = {
         **circumstances(command_line),
         "policy": {"name": subject.name, "card": without_nan(subject.policy.card)},
         "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
         "worst_episodes": [without_nan(dataclasses.asdict(failure)) for failure in failures],
+        "suite": None if suite is None else summary(suite),
         "config": comparison.config.to_dict(),
         **comparison.to_dict(),
     }
@@ -79,6 +86,7 @@ def write_report(
         "video": pictures.video,
         "scene": replay,
         "figures": _figures(subject, comparison),
+        "suite": None if suite is None else section(suite),
         "failures": [_failure(comparison, failure, pictures) for failure in failures],
         **tables(comparison),
     }

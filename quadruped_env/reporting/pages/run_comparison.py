@@ -7,12 +7,14 @@ from typing import Any
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.subject import Subject, find_subject
+from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
 from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages.page import circumstances, figure, leg_legend, tables, without_nan, words, write_page
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
+from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
 from quadruped_env.reporting.results import prepare_output
 
 
@@ -87,8 +89,11 @@ def write_comparison(
     command_line: str,
     with_video: bool = True,
     progress: Progress | None = None,
+    ranked: Mapping[str, Any] | None = None,
 ) -> tuple[Path, Path, list[str]]:
     """Write the page and its numbers into a directory; arguments and results as in `evaluation_report.write_report`.
+
+    `ranked` is the ranking on the suite, from `suite_section.ranking`; None: the page has no ranking.
 
     Raises:
         MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
@@ -105,6 +110,7 @@ def write_comparison(
     document = {
         **circumstances(command_line),
         "headline": head,
+        "suite": ranked,
         "policies": {
             name: {
                 "card": without_nan(subject.policy.card),
@@ -118,12 +124,34 @@ def write_comparison(
         "names": names,
         "headline": head,
         "verdicts": judged,
+        "ranking": None if ranked is None else _ranking(ranked),
         "video": video,
         "figures": _figures(subjects, comparison),
         **tables(comparison),
     }
     report, numbers = write_page(output, "comparison.html", document, context)
     return report, numbers, [video["missing"]] if with_video and "missing" in video else []
+
+
+def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Template variables of the ranking."""
+    return {
+        "words": ranking_in_words(found),
+        "components": COMPONENTS,
+        "scores": score_rows(
+            [(entry["name"], {"score": entry}) for entry in found["policies"]],
+        ),
+        "recipes": [
+            {
+                "names": listed([run["name"] for run in recipe["runs"]]),
+                "count": len(recipe["runs"]),
+                "score": interval(recipe["score"], 3),
+                "components": [interval(recipe["components"][name], 2) for name in COMPONENTS],
+                "terrain": ", ".join(f"{kind} {level}" for kind, level in recipe["terrain"].items()),
+            }
+            for recipe in found["recipes"]
+        ],
+    }
 
 
 def films(comparison: Comparison, names: Sequence[str]) -> list[Clip]:

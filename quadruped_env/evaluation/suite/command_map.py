@@ -1,0 +1,85 @@
+"""The map of achieved over commanded velocities on the whole rectangle of commands, with its dead zones."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.evaluation.suite.contender import Contender, mean_velocities
+from quadruped_env.evaluation.suite.definition import CommandMap
+from quadruped_env.evaluation.suite.results import mean_of, number, share
+from quadruped_env.progress import Progress
+
+Floats = NDArray[np.float64]
+
+
+def run(part: CommandMap, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+    """The map and its summary, as plain values. Arrays have the shape (forward velocities, yaw rates)."""
+    rollout = contender.run(part.commands, part.seeds, part.seconds, progress)
+    shape = len(part.forward_velocity), len(part.yaw_rate), part.num_seeds
+    achieved = mean_velocities(rollout).reshape(*shape, 2)
+    fallen = rollout.fallen.reshape(shape)
+    return {
+        "forward_velocity": list(part.forward_velocity),
+        "yaw_rate": list(part.yaw_rate),
+        "fall_share": fallen.mean(axis=-1).tolist(),
+        **summary(part, achieved, fallen),
+    }
+
+
+def summary(part: CommandMap, achieved: Floats, fallen: NDArray[np.bool_]) -> dict[str, Any]:
+    """Map, errors, share of met commands and dead zones of episodes.
+
+    Args:
+        part: commands V x W of the map.
+        achieved: mean forward velocity in m/s and yaw rate in rad/s of each episode (V, W, S, 2); NaN if unknown.
+        fallen: True for episodes that fell (V, W, S).
+    """
+    error = achieved - np.array(part.commands).reshape(len(part.forward_velocity), len(part.yaw_rate), 1, 2)
+    # A comparison with NaN is false: an episode without a mean velocity does not meet its command.
+    met = (np.abs(error) <= part.tolerance).all(axis=-1) & ~fallen
+    result: dict[str, Any] = {"met": share(met), "falls": share(fallen)}
+    for column, name in enumerate(("forward_velocity", "yaw_rate")):
+        signed = np.array([[mean_of(episodes) for episodes in line] for line in error[..., column]], dtype=np.float64)
+        known = np.abs(signed[np.isfinite(signed)])
+        result[f"{name}_error"] = {
+            "signed": [[number(value) for value in line] for line in signed.tolist()],
+            "mean": number(float(known.mean())) if known.size else None,
+            "largest": number(float(known.max())) if known.size else None,
+        }
+    means = np.array([[mean_of(episodes) for episodes in line] for line in achieved], dtype=np.float64)
+    return {**result, "dead_zone": dead_zones(part, means)}
+
+
+def dead_zones(part: CommandMap, achieved: Floats) -> dict[str, float | None]:
+    """Dead zone of each direction: forwards and backwards in m/s, left and right in rad/s.
+
+    The largest command on the half axis, with the other velocity 0, of which less than `dead_share` is reached; 0 if
+    there is none, None if the map has no command on the half axis.
+
+    Args:
+        part: commands V x W of the map.
+        achieved: mean velocities (V, W, 2), m/s and rad/s; NaN if unknown, which counts as not reached.
+    """
+    forward, turning = np.array(part.forward_velocity), np.array(part.yaw_rate)
+    along = achieved[:, np.flatnonzero(turning == 0.0), 0][:, :1]
+    across = achieved[np.flatnonzero(forward == 0.0), :, 1][:1]
+    zones: dict[str, float | None] = {}
+    for names, commands, reached in (
+        (("forwards", "backwards"), forward, along.ravel()),
+        (("left", "right"), turning, across.ravel()),
+    ):
+        for name, sign in zip(names, (1.0, -1.0), strict=True):
+            side = (sign * commands > 0.0) if len(reached) else np.zeros(len(commands), dtype=np.bool_)
+            if not side.any():
+                zones[name] = None
+                continue
+            size = sign * commands[side]
+            dead = size[~(sign * reached[side] >= part.dead_share * size)]
+            zones[name] = float(dead.max()) if len(dead) else 0.0
+    return zones
+
+
+def score(result: dict[str, Any]) -> float:
+    """Score in [0, 1] of the part: share of the episodes that meet their command."""
+    return float(result["met"]["mean"])

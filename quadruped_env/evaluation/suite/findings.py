@@ -1,0 +1,95 @@
+"""The suite's results in words: gait and robustness."""
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+CLEAN_CLEARANCE: Final = 0.008
+"""Clearance of the lowest foot from which the verdict calls a gait clean, m."""
+CLEAN_TOUCHDOWNS: Final = 1.3
+"""Touchdowns per stride up to which the verdict calls a gait clean."""
+STURDY: Final = (0.7, 0.9, 0.02)
+"""Least push that half of the robots survive in any direction, m/s, least share of episodes that hold their command
+with one disturbance, and largest share of falls with all disturbances, of a robust policy."""
+_SIDES: Final = {
+    0: "forwards",
+    45: "to the front left",
+    90: "to the left",
+    135: "to the rear left",
+    180: "backwards",
+    225: "to the rear right",
+    270: "to the right",
+    315: "to the front right",
+}
+
+
+def suite_findings(result: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Pairs of topic and sentence."""
+    return [
+        ("Gait", _gait(result["gait"])),
+        ("Robustness", _robustness(result)),
+        ("Terrain", _terrain(result)),
+        ("Score", _score(result)),
+    ]
+
+
+def direction_in_words(degrees: float) -> str:
+    """Direction of a push in words."""
+    return _SIDES.get(round(degrees), f"at {degrees:g} degrees")
+
+
+def _gait(gait: Mapping[str, Any]) -> str:
+    steps = [entry for entry in gait["commands"] if None not in entry["touchdowns_per_stride"] + entry["clearance"]]
+    missing = len(gait["commands"]) - len(steps)
+    if not steps:
+        return "it does not step at any command."
+    low = min(steps, key=lambda entry: min(entry["clearance"]))
+    worst = max(steps, key=lambda entry: max(entry["touchdowns_per_stride"]))
+    fast = max(steps, key=lambda entry: entry["speed_limit_share"])
+    clearance, touchdowns = min(low["clearance"]), max(worst["touchdowns_per_stride"])
+    clean = clearance >= CLEAN_CLEARANCE and touchdowns <= CLEAN_TOUCHDOWNS and not missing
+    words = (
+        f"{'clean' if clean else 'not clean'}: the lowest foot clears the ground by {1000.0 * clearance:.0f} mm "
+        f"({_command(low)}), and a foot touches down up to {touchdowns:.1f} times per stride ({_command(worst)})"
+    )
+    if fast["speed_limit_share"] >= 0.01:
+        words += f"; some joint is at its speed limit {100.0 * fast['speed_limit_share']:.0f} % of the time"
+        words += f" ({_command(fast)})"
+    return f"{words}{f'; it does not step at {missing} of the commands' if missing else ''}."
+
+
+def _command(entry: Mapping[str, Any]) -> str:
+    forward, yaw_rate = entry["command"]
+    parts = [f"{forward:g} m/s"] if forward or not yaw_rate else []
+    return " and ".join([*parts, *([f"{yaw_rate:g} rad/s"] if yaw_rate else [])])
+
+
+def _robustness(result: Mapping[str, Any]) -> str:
+    pushes, disturbances = result["pushes"], result["disturbances"]
+    halves = list(zip(pushes["directions"], pushes["half_survival"], strict=True))
+    direction, half = min(halves, key=lambda pair: pair[1]["mean"])
+    together = result["definition"]["disturbances"]["together"]["name"]
+    alone = [entry["held"]["mean"] for name, entry in disturbances.items() if name not in ("nominal", together)]
+    held, falls = sum(alone) / len(alone), disturbances[together]["falls"]["mean"]
+    least, most_held, most_falls = STURDY
+    robust = half["mean"] >= least and held >= most_held and falls <= most_falls
+    recovered = [release["recovered"]["mean"] for release in result["recovery"].values()]
+    over = "over " if half["censored"] else ""
+    return (
+        f"{'robust' if robust else 'not robust'}: half of the robots survive a push of {over}{half['mean']:.2f} m/s "
+        f"{direction_in_words(direction)}, the weakest direction; it holds its command in {100.0 * held:.0f} % of the "
+        f"episodes with one disturbance, and in {100.0 * disturbances[together]['held']['mean']:.0f} % with all of "
+        f"`{together}`, where it falls in {100.0 * falls:.0f} %; it recovers from "
+        f"{100.0 * sum(recovered) / len(recovered):.0f} % of drops and falls."
+    )
+
+
+def _terrain(result: Mapping[str, Any]) -> str:
+    levels = result["definition"]["terrain"]["levels"]
+    kinds = ", ".join(f"{kind} {entry['highest_level']}" for kind, entry in result["terrain"].items())
+    return f"highest level passed, of {levels}: {kinds}."
+
+
+def _score(result: Mapping[str, Any]) -> str:
+    suite = result["suite"]
+    quick = " (quick, not comparable)" if suite["quick"] else ""
+    return f"{result['score']['total']:.3f} of 1 in {suite['name']} {suite['version']}{quick}."

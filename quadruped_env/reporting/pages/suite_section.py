@@ -1,0 +1,239 @@
+"""The suite on a page: its file of results, its tables and figures, and the ranking of several policies."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.subject import Subject
+from quadruped_env.evaluation.suite.aggregate import aggregate
+from quadruped_env.evaluation.suite.findings import direction_in_words
+from quadruped_env.evaluation.suite.gait import PER_FOOT, UNITS
+from quadruped_env.evaluation.suite.references import read_references, references_for
+from quadruped_env.evaluation.suite.suite import COMPONENTS, RESULTS_FILE, check_comparable, ranked, read_results
+from quadruped_env.files import write_json
+from quadruped_env.reporting.pages.page import circumstances, figure, without_nan
+from quadruped_env.reporting.plots import suite as plots
+
+_GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
+    "clearance": ("Clearance of the lowest foot", 1000.0, 1, "mm"),
+    "touchdowns_per_stride": ("Touchdowns per stride, worst foot", 1.0, 2, ""),
+    "slip": ("Slip, worst foot", 1.0, 3, "m/s"),
+    "duty_factor": ("Duty factor, mean", 1.0, 2, ""),
+    "stride_frequency": ("Stride frequency", 1.0, 2, "Hz"),
+    "joint_limit_share": ("Time at a joint limit", 100.0, 1, "%"),
+    "speed_limit_share": ("Time at a speed limit", 100.0, 1, "%"),
+    "torque_rate": ("Change of torque", 1.0, 0, "N m/s"),
+    "roll": ("Roll", 57.29578, 1, "°"),
+    "pitch": ("Pitch", 57.29578, 1, "°"),
+    "electrical_cost_of_transport": ("Electrical cost of transport", 1.0, 2, ""),
+}
+"""Measure of the gait -> label, factor, digits and unit in the table."""
+_OF_FEET: Final[dict[str, Callable[[list[float]], float]]] = {
+    "clearance": min,
+    "duty_factor": lambda values: sum(values) / len(values),
+}
+"""Measure -> value of all feet; for the others it is the largest."""
+
+assert _GAIT_ROWS.keys() == UNITS.keys()
+
+
+def summary(result: Mapping[str, Any]) -> dict[str, Any]:
+    """The part of a result that is stored in metrics.json: suite, conditions and score."""
+    return {**result["suite"], "conditions": result["conditions"], "score": result["score"], "file": RESULTS_FILE}
+
+
+def write_results(subject: Subject, result: Mapping[str, Any], command_line: str) -> Path:
+    """Write a policy's results of the suite into the subject's output directory.
+
+    Raises:
+        QuadrupedError: if the file cannot be written.
+    """
+    path = subject.output / RESULTS_FILE
+    policy = {"name": subject.name, "card": without_nan(subject.policy.card)}
+    write_json(path, {**circumstances(command_line), "policy": policy, **result})
+    return path
+
+
+def results_of(subject: Subject) -> dict[str, Any]:
+    """A policy's results of the suite, from the default directory of its evaluation.
+
+    Raises:
+        QuadrupedError: if there are no results, or they are those of another policy.
+    """
+    path = subject.evaluation / RESULTS_FILE
+    fix = f"evaluate it first: mini-quadruped evaluate {subject.source} --suite"
+    if not path.is_file():
+        raise QuadrupedError(f"{path}: there are no results of the suite for {subject.name}; {fix}")
+    result = read_results(path)
+    if result.get("policy", {}).get("card") != without_nan(subject.policy.card):
+        raise QuadrupedError(f"{path}: holds the results of another policy than {subject.name}; {fix}")
+    return result
+
+
+def section(result: Mapping[str, Any]) -> dict[str, Any]:
+    """Template variables of the suite's sections in the report of one policy."""
+    compared = ranked([(row["name"], row) for row in (result, *references_for(result, read_references()))])
+    return {
+        "label": _label(result),
+        "quick": result["suite"]["quick"],
+        "sha256": result["suite"]["sha256"],
+        "meaning": COMPONENTS,
+        "scores": score_rows(compared),
+        "components": list(COMPONENTS),
+        "own": result["name"],
+        "figures": _figures(result),
+        "gait": _gait_table(result),
+        "transients": _transients(result),
+        "dead_zone": _dead_zones(result),
+        "recovery": [
+            {"label": name.replace("_", " "), "cells": [percent(entry["recovered"]), interval(entry["time"], 1)]}
+            for name, entry in result["recovery"].items()
+        ],
+    }
+
+
+def ranking(subjects: Mapping[str, Subject]) -> dict[str, Any]:
+    """Ranking of several policies on the suite, as plain values.
+
+    Returns:
+        `suite`, `policies` (name, score and components, the best first), and `recipes`, the aggregate of each group of
+        runs that differ in their training seed only.
+
+    Raises:
+        QuadrupedError: if a policy has no results, or they cannot be compared.
+    """
+    results = {name: results_of(subject) for name, subject in subjects.items()}
+    check_comparable(results)
+    groups: dict[str, list[str]] = {}
+    for name, subject in subjects.items():
+        groups.setdefault(subject.recipe, []).append(name)
+    order = ranked(list(results.items()))
+    return {
+        "suite": order[0][1]["suite"],
+        "policies": [{"name": name, **result["score"]} for name, result in order],
+        "recipes": [
+            aggregate([{**results[name], "name": name} for name in names])
+            for names in groups.values()
+            if len(names) > 1
+        ],
+    }
+
+
+def ranking_in_words(found: Mapping[str, Any]) -> str:
+    """A sentence that names the policies in the order of their scores."""
+    suite = found["suite"]
+    order = ", ".join(f"{entry['name']} {entry['total']:.3f}" for entry in found["policies"])
+    quick = " (quick)" if suite["quick"] else ""
+    return f"Score in {suite['name']} {suite['version']}{quick}, the best first: {order}."
+
+
+def score_rows(entries: Sequence[tuple[str, Mapping[str, Any]]]) -> list[dict[str, Any]]:
+    """Rows of a table of scores: label, total and components as text."""
+    return [
+        {
+            "label": name,
+            "cells": [
+                f"{entry['score']['total']:.3f}",
+                *(f"{entry['score']['components'][component]:.2f}" for component in COMPONENTS),
+            ],
+        }
+        for name, entry in entries
+    ]
+
+
+def percent(share: Mapping[str, Any]) -> str:
+    """A share with its interval as text."""
+    mean, low, high = (100.0 * share[end] for end in ("mean", "low", "high"))
+    return f"{mean:z.0f} % [{low:z.0f}, {high:z.0f}]"
+
+
+def _label(result: Mapping[str, Any]) -> str:
+    suite = result["suite"]
+    return f"{suite['name']} {suite['version']}{' (quick)' if suite['quick'] else ''}"
+
+
+def interval(entry: Mapping[str, Any], digits: int, factor: float = 1.0) -> str:
+    """A mean with its interval as text; a dash for what is not known."""
+    if entry["mean"] is None:
+        return "-"
+    mean, low, high = (f"{factor * entry[end]:z.{digits}f}" for end in ("mean", "low", "high"))
+    return f"{mean} [{low}, {high}]"
+
+
+def _gait_table(result: Mapping[str, Any]) -> dict[str, Any]:
+    rows = []
+    for name, (label, factor, digits, unit) in _GAIT_ROWS.items():
+        cells = []
+        for entry in result["gait"]["commands"]:
+            value = entry[name]
+            if name in PER_FOOT:
+                value = None if None in value else _OF_FEET.get(name, max)(value)
+            cells.append("-" if value is None else f"{factor * value:z.{digits}f}")
+        rows.append({"label": label, "unit": unit, "cells": cells})
+    commands = (entry["command"] for entry in result["gait"]["commands"])
+    return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
+
+
+def _transients(result: Mapping[str, Any]) -> list[dict[str, Any]]:
+    return [
+        {
+            "label": name.replace("_", " "),
+            "note": " to ".join(f"{v:g} m/s, {w:g} rad/s" for v, w in (entry["first"], entry["then"])),
+            "cells": [
+                percent(entry["followed"]),
+                interval(entry["settling_time"], 2),
+                interval(entry["overshoot"], 0, 100.0),
+                interval(entry["stopping_distance"], 2) if "stopping_distance" in entry else "-",
+            ],
+        }
+        for name, entry in result["transients"].items()
+    ]
+
+
+def _dead_zones(result: Mapping[str, Any]) -> str:
+    units = {"forwards": "m/s", "backwards": "m/s", "left": "rad/s", "right": "rad/s"}
+    zones = result["commands"]["dead_zone"]
+    sizes = {name: f"{zone:g} {units[name]}" for name, zone in zones.items() if zone is not None}
+    return ", ".join(f"{name} {sizes.get(name, 'unknown')}" for name in units)
+
+
+def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
+    commands, pushes = result["commands"], result["pushes"]
+    met = percent(commands["met"])
+    weakest = min(
+        zip(pushes["directions"], pushes["half_survival"], strict=True), key=lambda pair: float(pair[1]["mean"])
+    )
+    return {
+        "commands": figure(
+            "Every command",
+            plots.command_map(result),
+            f"Achieved minus commanded velocity: red is too much, blue too little. Crosses mark commands with falls. "
+            f"{met} of the episodes meet their command.",
+        ),
+        "gait": figure(
+            "Gait at every speed",
+            plots.gait_measures(result),
+            "Above: clearance, the height that 95 % of a foot's swings reach. Below: how often a foot touches down in "
+            "a stride; 1 is a clean gait.",
+        ),
+        "pushes": figure(
+            "Pushes",
+            plots.push_survival(result),
+            f"Share of the robots that survive a push while they walk, with 95 % intervals, and the push that half of "
+            f"them survive by its direction. The weakest direction is {direction_in_words(weakest[0])}: "
+            f"{interval(weakest[1], 2)} m/s.",
+        ),
+        "disturbances": figure(
+            "Disturbances",
+            plots.disturbances(result),
+            "Share of the episodes without a fall and with mean velocities close to the command: undisturbed, with one "
+            "disturbance, and with all of them.",
+        ),
+        "terrain": figure(
+            "Terrain",
+            plots.crossings(result),
+            "Share of the tiles that the robot crosses, up to the first level that it does not pass. The dashed line "
+            "is what passes a level.",
+        ),
+    }

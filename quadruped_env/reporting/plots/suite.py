@@ -1,0 +1,138 @@
+"""Figures of the suite's results."""
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+import numpy as np
+
+from quadruped_env.reporting.palette import BLUE, GREY, SERIES
+from quadruped_env.reporting.plots.canvas import REFERENCE, draw_figure
+
+_RANGES: Final = (0.3, 0.6)
+"""Errors at the ends of the colour scales, m/s and rad/s."""
+_MILLI: Final = 1000.0
+
+
+def command_map(result: Mapping[str, Any]) -> str:
+    """Signed errors of forward velocity and yaw rate over all commands; crosses mark commands with falls."""
+    commands = result["commands"]
+    forward, turning = np.array(commands["forward_velocity"]), np.array(commands["yaw_rate"])
+    fallen = np.argwhere(np.array(commands["fall_share"]) > 0.0)
+
+    def draw(axes: Any) -> None:
+        panels = (("forward_velocity", "forward velocity (m/s)"), ("yaw_rate", "yaw rate (rad/s)"))
+        for ax, (name, title), reach in zip(axes[0], panels, _RANGES, strict=True):
+            error = np.array(commands[f"{name}_error"]["signed"], dtype=np.float64)
+            mesh = ax.pcolormesh(turning, forward, error, cmap="RdBu_r", vmin=-reach, vmax=reach, rasterized=True)
+            if len(fallen):
+                ax.plot(turning[fallen[:, 1]], forward[fallen[:, 0]], "x", color="#333333", markersize=4)
+            ax.set(title=f"error of {title}", xlabel="commanded yaw rate (rad/s)")
+            ax.grid(visible=False)
+            ax.figure.colorbar(mesh, ax=ax, pad=0.02, aspect=18, extend="both")
+        axes[0, 0].set_ylabel("commanded\nforward velocity (m/s)")
+
+    return draw_figure(1, 2, 2.9, draw)
+
+
+def push_survival(result: Mapping[str, Any]) -> str:
+    """Survival over the size of a push with its interval, and the size that half survive in each direction."""
+    pushes = result["pushes"]
+    sizes = np.array(pushes["sizes"])
+
+    def draw(axes: Any) -> None:
+        left, right = axes[0]
+        mean, low, high = (np.array([share[end] for share in pushes["by_size"]]) for end in ("mean", "low", "high"))
+        left.fill_between(sizes, 100.0 * low, 100.0 * high, color=BLUE, alpha=0.2, linewidth=0.0)
+        left.plot(sizes, 100.0 * mean, color=BLUE, marker="o", markersize=4)
+        left.axhline(50.0, **REFERENCE)
+        left.set(xlabel="push (m/s)", ylabel="survived (%)", title="all directions")
+        left.set_ylim(-3.0, 103.0)
+        place, figure = right.get_subplotspec(), right.figure
+        right.remove()
+        round_ax = figure.add_subplot(place, projection="polar")
+        angle = np.radians([*pushes["directions"], pushes["directions"][0]])
+        half = [*pushes["half_survival"], pushes["half_survival"][0]]
+        low, high, mean = (np.array([entry[end] for entry in half]) for end in ("low", "high", "mean"))
+        round_ax.fill_between(angle, low, high, color=BLUE, alpha=0.2, linewidth=0.0)
+        round_ax.plot(angle, mean, color=BLUE, marker="o", markersize=4)
+        round_ax.set_theta_zero_location("N")
+        round_ax.set_ylim(0.0, float(sizes.max()))
+        round_ax.set_yticks(np.linspace(0.0, float(sizes.max()), 5)[1:])
+        round_ax.set_rlabel_position(22.5)
+        ends = zip((0, 90, 180, 270), ("forwards", "left", "backwards", "right"), strict=True)
+        round_ax.set_xticks(np.radians([0, 90, 180, 270]), [name for _, name in ends])
+        round_ax.set_title("50 % survive (m/s)")
+
+    return draw_figure(1, 2, 3.2, draw)
+
+
+def gait_measures(result: Mapping[str, Any]) -> str:
+    """Clearance and touchdowns per stride of each foot over the commands."""
+    gait = result["gait"]
+    labels = [f"{v:g}\n{w:g}" for v, w in (entry["command"] for entry in gait["commands"])]
+    place = np.arange(len(labels))
+
+    def draw(axes: Any) -> None:
+        panels = (("clearance", _MILLI, "clearance (mm)"), ("touchdowns_per_stride", 1.0, "touchdowns\nper stride"))
+        for ax, (name, factor, title) in zip(axes[:, 0], panels, strict=True):
+            for foot, leg in enumerate(gait["feet"]):
+                values = [entry[name][foot] for entry in gait["commands"]]
+                offset = 0.14 * (foot - 0.5 * (len(gait["feet"]) - 1))
+                ax.plot(
+                    place + offset,
+                    factor * np.array(values, dtype=np.float64),
+                    linestyle="none",
+                    marker="o",
+                    markersize=5,
+                    color=SERIES[foot % len(SERIES)],
+                    label=leg,
+                )
+            ax.set_ylabel(title)
+            ax.set_ylim(bottom=0.0)
+            ax.set_xticks(place, labels)
+        axes[1, 0].axhline(1.0, **REFERENCE)
+        axes[1, 0].set_xlabel("command: forward velocity (m/s), yaw rate (rad/s)")
+        handles, names = axes[0, 0].get_legend_handles_labels()
+        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=len(gait["feet"]))
+
+    return draw_figure(2, 1, 4.0, draw, sharex=True)
+
+
+def disturbances(result: Mapping[str, Any]) -> str:
+    """Share of the episodes that hold their command, with each disturbance and with all together."""
+    entries = result["disturbances"]
+    names, place = list(entries), np.arange(len(entries))
+    held = [[entry["held"][end] for entry in entries.values()] for end in ("mean", "low", "high")]
+    mean, low, high = (100.0 * np.array(values) for values in held)
+
+    def draw(axes: Any) -> None:
+        ax = axes[0, 0]
+        # Numerically, an end of a Wilson interval may be 1e-17 beyond the mean.
+        reach = np.maximum([mean - low, high - mean], 0.0)
+        ax.barh(place, mean, xerr=reach, color=BLUE, height=0.62, error_kw={"elinewidth": 1.0, "ecolor": GREY})
+        ax.set_yticks(place, [name.replace("_", " ") for name in names])
+        ax.invert_yaxis()
+        ax.set_xlim(0.0, 100.0)
+        ax.set_xlabel("episodes that hold their command (%)")
+        ax.grid(visible=False, axis="y")
+
+    return draw_figure(1, 1, 0.8 + 0.2 * len(names), draw)
+
+
+def crossings(result: Mapping[str, Any]) -> str:
+    """Share of the tiles that are crossed over the level, for each kind of terrain."""
+    needed = 100.0 * result["definition"]["terrain"]["pass_share"]
+
+    def draw(axes: Any) -> None:
+        ax = axes[0, 0]
+        for i, (kind, entry) in enumerate(result["terrain"].items()):
+            share = [100.0 * level["mean"] for level in entry["crossed"]]
+            colour = SERIES[i % len(SERIES)]
+            ax.plot(np.arange(1, len(share) + 1), share, color=colour, marker="o", markersize=4, label=kind)
+        ax.axhline(needed, **REFERENCE)
+        ax.set(xlabel="level", ylabel="crossed (%)")
+        ax.set_ylim(-3.0, 103.0)
+        ax.set_xticks(range(1, result["definition"]["terrain"]["levels"] + 1))
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+    return draw_figure(1, 1, 2.6, draw)

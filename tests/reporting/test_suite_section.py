@@ -1,0 +1,231 @@
+"""The suite in the reports: sections, files, ranking, and the programs' options."""
+
+import copy
+import json
+import re
+from xml.etree import ElementTree
+
+import pytest
+from comparisons import random_policy
+from report_page import Page
+
+from quadruped_env import QuadrupedError
+from quadruped_env.cli.main import main
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.suite.contender import Contender
+from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.findings import suite_findings
+from quadruped_env.evaluation.suite.references import reference_row
+from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
+from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.reporting.pages import run_comparison, suite_section
+from quadruped_env.reporting.pages.evaluation_report import write_report
+from quadruped_env.reporting.plots import suite as plots
+
+
+@pytest.fixture(scope="module")
+def suite_result(run_directory):
+    """Quick results of the policy of `run_directory`."""
+    subject = find_subject(str(run_directory))
+    return run_suite(Contender.of_policy(subject.policy, subject.name), quick_suite())
+
+
+def text_of(path):
+    return " ".join(" ".join(Page(path.read_text()).text).replace("\N{NO-BREAK SPACE}", " ").split())
+
+
+def test_report_holds_the_suite_and_its_numbers(run_directory, comparison, suite_result, tmp_path, monkeypatch):
+    row = copy.deepcopy(reference_row(suite_result))
+    row["name"], row["score"]["total"] = "reference", 0.987
+    monkeypatch.setattr(suite_section, "read_references", lambda: [row])
+    subject = find_subject(str(run_directory), tmp_path)
+    page, numbers, _ = write_report(subject, comparison, "the command", with_video=False, suite=suite_result)
+    text = text_of(page)
+    for words in (
+        "mq-eval 1 (quick)",
+        "never comparable with those of the full suite",
+        "Every command",
+        "Gait at every speed",
+        "Changes of the command",
+        "emergency stop",
+        "Pushes",
+        "Disturbances",
+        "Terrain",
+        "Recovery",
+        "drop 10cm",
+        "reference 0.987",
+    ):
+        assert words in text
+    # The reference has the better score and comes first.
+    assert text.index("reference 0.987") < text.index(f"{subject.name} {suite_result['score']['total']:.3f}")
+    for topic, words in suite_findings(suite_result):
+        assert f"{topic} {words[0].upper()}" in text
+    stored = json.loads((tmp_path / "suite.json").read_text())
+    assert {name: stored[name] for name in suite_result} == suite_result
+    assert stored["policy"]["name"] == subject.name
+    assert stored["command_line"] == "the command"
+    document = json.loads(numbers.read_text())
+    assert {name: document["suite"][name] for name in suite_result["suite"]} == suite_result["suite"]
+    assert document["suite"]["score"] == suite_result["score"]
+    assert document["verdict"]["findings"]["Robustness"] == dict(suite_findings(suite_result))["Robustness"]
+
+
+def test_report_without_the_suite_does_not_mention_it(run_directory, comparison, tmp_path):
+    page, numbers, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", with_video=False)
+    assert "mq-eval" not in text_of(page)
+    assert json.loads(numbers.read_text())["suite"] is None
+    assert not (tmp_path / "suite.json").exists()
+    assert "Robustness" not in dict(verdict(comparison).findings)
+
+
+def test_figures_are_svg_and_survive_unknown_values(suite_result):
+    unknown = copy.deepcopy(suite_result)
+    for name in ("forward_velocity_error", "yaw_rate_error"):
+        unknown["commands"][name]["signed"][0][0] = None
+    unknown["commands"]["fall_share"][0][0] = 1.0
+    for entry in unknown["gait"]["commands"]:
+        entry["touchdowns_per_stride"] = [None] * 4
+        entry["clearance"] = [None] * 4
+    for draw in (
+        plots.command_map,
+        plots.gait_measures,
+        plots.push_survival,
+        plots.disturbances,
+        plots.crossings,
+    ):
+        for result in (suite_result, unknown):
+            assert ElementTree.fromstring(draw(result)).tag.endswith("svg")  # noqa: S314
+    assert suite_section.section(unknown)["gait"]["rows"][0]["cells"] == ["-", "-"]
+    assert dict(suite_findings(unknown))["Gait"] == "it does not step at any command."
+
+
+def gait_entry(command, clearance, touchdowns, speed_limit_share=0.0):
+    return {
+        "command": command,
+        "clearance": clearance,
+        "touchdowns_per_stride": touchdowns,
+        "speed_limit_share": speed_limit_share,
+    }
+
+
+def test_findings_name_the_worst_of_everything(suite_result):
+    result = copy.deepcopy(suite_result)
+    result["gait"]["commands"] = [
+        gait_entry([0.3, 0.0], [0.02, 0.009, 0.02, 0.02], [1.0, 1.0, 1.0, 1.0]),
+        gait_entry([0.0, 0.5], [0.02, 0.02, 0.02, 0.02], [1.0, 1.25, 1.0, 1.0], 0.5),
+    ]
+    words = dict(suite_findings(result))["Gait"]
+    assert words == (
+        "clean: the lowest foot clears the ground by 9 mm (0.3 m/s), and a foot touches down up to 1.2 times per "
+        "stride (0.5 rad/s); some joint is at its speed limit 50 % of the time (0.5 rad/s)."
+    )
+    result["gait"]["commands"][0]["clearance"][1] = 0.002
+    assert dict(suite_findings(result))["Gait"].startswith("not clean: the lowest foot clears the ground by 2 mm")
+    halves = [{"mean": mean, "low": mean, "high": mean, "censored": False} for mean in (1.1, 0.75, 1.2, 0.8)]
+    result["pushes"]["half_survival"] = halves
+    held = {"held": {"mean": 0.95}, "falls": {"mean": 0.0}}
+    result["disturbances"] = {"nominal": {"held": {"mean": 0.0}}, "a": held, "b": held, "hard": held}
+    words = dict(suite_findings(result))["Robustness"]
+    assert words.startswith("robust: half of the robots survive a push of 0.75 m/s to the left, the weakest direction;")
+    assert "in 95 % of the episodes with one disturbance" in words
+    halves[1]["mean"] = 0.5
+    assert dict(suite_findings(result))["Robustness"].startswith("not robust")
+    assert dict(suite_findings(result))["Score"].endswith("in mq-eval 1 (quick, not comparable).")
+
+
+@pytest.fixture
+def two_runs(run_directory, suite_result, tmp_path, monkeypatch):
+    """Two runs that differ in their seed, and their results."""
+    monkeypatch.chdir(tmp_path)
+    for i, name in enumerate(("one", "two")):
+        policy = random_policy("residual")
+        policy.with_card({**policy.card, "seed": i}).save(tmp_path / name)
+        training = {"action_mode": "residual", "seed": i, "name": "ppo", "learning_rate": 0.002}
+        (tmp_path / name / "config.json").write_text(json.dumps({"training": training, "task": {"a": 1}}))
+        result = copy.deepcopy(suite_result)
+        for component in COMPONENTS:
+            result["score"]["components"][component] = 0.25 * (i + 1)
+        result["score"]["total"] = 0.25 * (i + 1)
+        result["name"] = name
+        subject = find_subject(name, tmp_path / name / "evaluation")
+        suite_section.write_results(subject, result, "")
+    return tmp_path
+
+
+def subjects(*names):
+    return {name: find_subject(name, None) for name in names}
+
+
+def test_policies_are_ranked_by_their_score_and_training_seeds_aggregated(two_runs):
+    found = suite_section.ranking(subjects("one", "two"))
+    assert [(entry["name"], entry["total"]) for entry in found["policies"]] == [("two", 0.5), ("one", 0.25)]
+    (recipe,) = found["recipes"]
+    assert [run["name"] for run in recipe["runs"]] == ["one", "two"]
+    assert recipe["score"]["mean"] == pytest.approx(0.375)
+    assert suite_section.ranking_in_words(found) == (
+        "Score in mq-eval 1 (quick), the best first: two 0.500, one 0.250."
+    )
+
+
+def test_runs_with_other_settings_are_not_aggregated(two_runs):
+    path = two_runs / "two" / "config.json"
+    config = json.loads(path.read_text())
+    config["training"]["learning_rate"] = 0.1
+    path.write_text(json.dumps(config))
+    assert suite_section.ranking(subjects("one", "two"))["recipes"] == []
+
+
+def test_ranking_needs_comparable_results_of_these_policies(two_runs):
+    path = two_runs / "two" / "evaluation" / "suite.json"
+    stored = json.loads(path.read_text())
+    path.write_text(json.dumps({**stored, "suite": full_suite().identity}))
+    with pytest.raises(QuadrupedError, match=r"one and two cannot be compared: suite\.quick"):
+        suite_section.ranking(subjects("one", "two"))
+    path.write_text(json.dumps({**stored, "policy": {"name": "two", "card": {"seed": 7}}}))
+    with pytest.raises(QuadrupedError, match=r"results of another policy than two; evaluate it first: .*runs/two"):
+        suite_section.ranking(subjects("one", "two"))
+    path.unlink()
+    with pytest.raises(QuadrupedError, match=r"no results of the suite for two; evaluate it first"):
+        suite_section.ranking(subjects("one", "two"))
+
+
+def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
+    names = ["one", "two"]
+    found = {**subjects(*names)}
+    several = comparison.seen_as("policy")
+    for name in names:
+        several.rollouts[name], several.values[name] = several.rollouts["policy"], several.values["policy"]
+    page, numbers, _ = run_comparison.write_comparison(
+        found, several, tmp_path / "out", "", with_video=False, ranked=suite_section.ranking(found)
+    )
+    text = text_of(page)
+    assert "Score in mq-eval 1 (quick), the best first: two 0.500, one 0.250." in text
+    assert "2 training seeds of one recipe (one and two): interquartile mean 0.375" in text
+    assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
+
+
+def test_quick_needs_the_suite(capsys):
+    assert main(["evaluate", "flat", "--quick"]) == 2
+    assert "--quick: found without --suite" in capsys.readouterr().err
+
+
+def test_evaluate_prints_scores_and_writes_results(
+    run_directory, suite_result, comparison, tmp_path, monkeypatch, capsys
+):
+    """The program with the comparison and the suite that were made before."""
+    asked = []
+
+    def run(contender, suite, progress):
+        asked.append((contender.name, suite.quick))
+        return suite_result
+
+    monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
+    monkeypatch.setattr("quadruped_env.evaluation.comparison.compare", lambda *_, **__: comparison)
+    arguments = ["evaluate", str(run_directory), "--suite", "--quick", "--no-video", "-o", str(tmp_path / "out")]
+    assert main(arguments) == 0
+    assert asked == [("20260101-000000-ppo", True)]
+    out = capsys.readouterr().out
+    assert re.search(r"score +commands +gait +transients", out)
+    assert f"{suite_result['score']['total']:.3f}" in out
+    stored = json.loads((tmp_path / "out" / "suite.json").read_text())
+    assert "--suite --quick" in stored["command_line"]
