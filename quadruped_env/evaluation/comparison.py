@@ -220,7 +220,7 @@ def compare_policies(
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
     configs = {
-        name: _evaluation_task(
+        name: evaluation_task(
             policy.config if terrain is None else policy.config.on_terrain(terrain), commands, randomization
         )
         for name, policy in policies.items()
@@ -248,7 +248,7 @@ def compare_policies(
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
 
 
-def _evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
+def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
     """A policy's task with a preset of the randomization, and with command ranges that include the commands.
 
     There is no curriculum: on tiles, every episode starts on the tile that its seed gives.

@@ -1,6 +1,6 @@
 """Run a controller on fixed commands, many episodes at once, and record the readings that the metrics need."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, Self
 
@@ -12,7 +12,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
 from quadruped_env.robot.motors import MotorConfig
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.simulation import BatchSimulation, Simulation
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import sliding_squared
 from quadruped_env.timestamps import NS_PER_SECOND
@@ -21,6 +21,10 @@ from quadruped_env.trace import CommandedTrace, Flag, PerLeg, PerTerm, Recorder
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = 1_000_000
 """First seed of an evaluation, far from the small seeds of trainings: no evaluation episode was a training episode."""
+
+
+Engine = Callable[[TaskConfig, int], Simulation]
+"""Makes N simulated robots for a task."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -63,6 +67,11 @@ def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64]
     return np.repeat(commands, len(seeds), axis=0), np.tile(np.asarray(seeds, dtype=np.int64), len(commands))
 
 
+def in_mujoco(config: TaskConfig, num_envs: int) -> Simulation:
+    """N robots of a task in MuJoCo, with the task's own model."""
+    return BatchSimulation(config.compiled_model(), num_envs, robot=config.robot)
+
+
 def roll_out(
     controller: Controller,
     commands: ArrayLike,
@@ -70,6 +79,7 @@ def roll_out(
     seconds: float = DEFAULT_SECONDS,
     config: TaskConfig | None = None,
     progress: Progress | None = None,
+    engine: Engine = in_mujoco,
 ) -> Rollout:
     """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
 
@@ -83,6 +93,7 @@ def roll_out(
         seconds: length of an episode, s.
         config: task configuration, with its robot; the action mode is the controller's. None takes the defaults.
         progress: called with the fraction done.
+        engine: simulates the robots.
 
     Returns:
         A rollout with K * S episodes, in the order of `grid`.
@@ -102,8 +113,7 @@ def roll_out(
     if command.ndim != 2 or command.shape[1] != 2 or not len(command):
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     rows, robot = len(command), config.robot
-    model = config.compiled_model()
-    task = Task(BatchSimulation(model, rows, robot=robot), config)
+    task = Task(engine(config, rows), config)
     for start in range(0, rows, len(seeds)):
         block = np.arange(start, start + len(seeds))
         task.reset(block, seeds=[int(s) for s in seed[block]], command=command[start])
