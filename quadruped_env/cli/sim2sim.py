@@ -15,7 +15,8 @@ from typing import get_args
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import add_output, add_task_file, task_option
 from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.sim2sim.engines import Approximation, Drake
+from quadruped_env.sim2sim.contact import Approximation
+from quadruped_env.sim2sim.engines import Drake
 from quadruped_env.sim2sim.transfer import NUM_SEEDS, SECONDS
 
 

@@ -17,6 +17,7 @@ from pydrake.systems.framework import DiagramBuilder
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import GEAR_RATIO, MotorConfig
 from quadruped_env.robot.robot import Robot
+from quadruped_env.sim2sim.contact import Contact
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class DrakeModel:
     """Place of each joint (J,) in the plant's actuation"""
 
     @classmethod
-    def build(cls, robot: Robot, motors: MotorConfig, timestep: float, approximation: str, friction: float) -> Self:
+    def build(cls, robot: Robot, motors: MotorConfig, timestep: float, contact: Contact) -> Self:
         """Build a robot from its URDF, on a half space.
 
         Args:
@@ -48,8 +49,7 @@ class DrakeModel:
             motors: motors that move it; those that differ from the robot's replace the URDF's passive joint torques
                 and rotors.
             timestep: s.
-            approximation: Drake's discrete contact approximation.
-            friction: coefficient of static and dynamic friction.
+            contact: contact model of all links and of the ground.
 
         Raises:
             QuadrupedError: if Drake cannot read the URDF, or it lacks a link, a joint or an actuator of the robot.
@@ -57,7 +57,7 @@ class DrakeModel:
         builder = DiagramBuilder()
         plant, scene = AddMultibodyPlant(
             MultibodyPlantConfig(
-                time_step=timestep, contact_model="point", discrete_contact_approximation=approximation
+                time_step=timestep, contact_model="point", discrete_contact_approximation=contact.approximation
             ),
             builder,
         )
@@ -69,10 +69,10 @@ class DrakeModel:
                     f"robot {robot.name!r}: Drake cannot read its URDF ({short(str(error))}); give one that a ROS "
                     f"program can read, too"
                 ) from error
-            coefficients = CoulombFriction(friction, friction)
-            plant.RegisterCollisionGeometry(plant.world_body(), RigidTransform(), HalfSpace(), "ground", coefficients)
             _check_names(plant, robot)
-            _set_friction(plant, scene, robot, coefficients)
+            ground = _with_contact(ProximityProperties(), contact)
+            plant.RegisterCollisionGeometry(plant.world_body(), RigidTransform(), HalfSpace(), "ground", ground)
+            _set_contact(plant, scene, robot, contact)
             if motors != robot.motors:
                 _write(plant, motors)
             plant.Finalize()
@@ -113,15 +113,20 @@ def _check_names(plant: Any, robot: Robot) -> None:
                 )
 
 
-def _set_friction(plant: Any, scene: Any, robot: Robot, coefficients: Any) -> None:
-    """Set the friction of every link; Drake's parser has given 1 to those whose URDF states none, as ROS's do."""
-    inspector = scene.model_inspector()
-    source = plant.get_source_id()
+def _set_contact(plant: Any, scene: Any, robot: Robot, contact: Contact) -> None:
+    """Set the contact model of every link. Drake's parser has given links without a friction of their own that of 1."""
+    inspector, source = scene.model_inspector(), plant.get_source_id()
     for link in robot.link_names:
         for geometry in plant.GetCollisionGeometriesForBody(plant.GetBodyByName(link)):
-            properties = ProximityProperties(inspector.GetProximityProperties(geometry))
-            properties.UpdateProperty("material", "coulomb_friction", coefficients)
+            properties = _with_contact(ProximityProperties(inspector.GetProximityProperties(geometry)), contact)
             scene.AssignRole(source, geometry, properties, RoleAssign.kReplace)
+
+
+def _with_contact(properties: Any, contact: Contact) -> Any:
+    coefficients = CoulombFriction(contact.friction, contact.friction)
+    properties.UpdateProperty("material", "coulomb_friction", coefficients)
+    properties.UpdateProperty("material", "relaxation_time", contact.relaxation_time)
+    return properties
 
 
 def _write(plant: Any, motors: MotorConfig) -> None:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env import rotations
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.readings import Readings, sensor_columns
+from quadruped_env.sim2sim.contact import Contact
 from quadruped_env.sim2sim.drake_model import DrakeModel
 from quadruped_env.sim2sim.drake_robot import DrakeRobot
 from quadruped_env.sim2sim.servos import Servos
@@ -33,8 +34,7 @@ class DrakeSimulation:
         config: task, for its robot, motors and time steps.
         num_envs: number of robots, N.
         timestep: time step of Drake, s.
-        approximation: Drake's discrete contact approximation.
-        friction: coefficient of static and dynamic friction of all contacts.
+        contact: contact model.
 
     Raises:
         QuadrupedError: if the task's ground is not level, or the URDF is not that of the task's robot.
@@ -42,7 +42,7 @@ class DrakeSimulation:
 
     height_field: HeightField | None = None
 
-    def __init__(self, config: TaskConfig, num_envs: int, timestep: float, approximation: str, friction: float) -> None:
+    def __init__(self, config: TaskConfig, num_envs: int, timestep: float, contact: Contact) -> None:
         if config.ground.heights().any():
             raise QuadrupedError(
                 f"sim2sim: the ground is level in Drake; found a task on the terrain {config.terrain['name']!r}: "
@@ -53,7 +53,7 @@ class DrakeSimulation:
         self.num_envs = num_envs
         self.timestep = timestep
         self._substep = config.physics_timestep
-        self._drake = DrakeModel.build(robot, config.motor, timestep, approximation, friction)
+        self._drake = DrakeModel.build(robot, config.motor, timestep, contact)
         self.robots = [DrakeRobot(self._drake) for _ in range(num_envs)]
         self._servos = Servos(config.motor, robot.joint_names, timestep, num_envs)
         self._joint_position = np.zeros((num_envs, robot.num_joints))

@@ -9,11 +9,11 @@ from typing import Any, ClassVar, Final, Literal, get_args
 import mujoco
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
+from quadruped_env.sim2sim.contact import Approximation, Contact
 from quadruped_env.simulation import BatchSimulation, Simulation
 from quadruped_env.task import TaskConfig
 
 Cone = Literal["pyramidal", "elliptic"]
-Approximation = Literal["sap", "lagged", "similar"]
 
 _CONES: Final = {"pyramidal": mujoco.mjtCone.mjCONE_PYRAMIDAL, "elliptic": mujoco.mjtCone.mjCONE_ELLIPTIC}
 
@@ -78,23 +78,33 @@ class MuJoCo:
 class Drake:
     """Drake, which builds the robot from its URDF alone.
 
-    Contacts are points with Drake's default stiffness and dissipation; the ground is a half space.
+    Contacts are points with Drake's default stiffness; the ground is a half space.
     """
 
     name: ClassVar[str] = "Drake"
 
     approximation: Approximation = "sap"
-    """Discrete contact approximation: the convex one of the SAP solver, or one that it iterates only once (`lagged`) or
-    that has the convex one's limit (`similar`)."""
+    """Discrete contact approximation, as named in Drake.
+
+    With `sap` and `similar` a sliding foot glides just above the ground; `lagged` limits friction by the normal force
+    of the step before, which is inexact in impacts. Sources: Castro et al. 2022, arXiv:2110.10107, and 2023,
+    arXiv:2312.03908.
+    """
     max_timestep: float = 0.002
     """Maximum time step, s; a control step has a whole number of steps."""
     friction: float | None = None
     """Coefficient of friction, static and dynamic, of all contacts; None: that of the feet in the MJCF."""
+    relaxation_time: float = 0.001
+    """Time constant of the dissipation with `sap`, s; the other approximations have Drake's default dissipation.
+
+    The height at which a foot glides grows with it: Drake's default of 0.1 s lifts a sliding foot by centimetres.
+    """
 
     def __post_init__(self) -> None:
         valid = get_args(Approximation)
         _check("approximation", self.approximation, self.approximation in valid, " or ".join(valid))
         _check("max_timestep", self.max_timestep, 0.0 < self.max_timestep < math.inf, "positive (s)")
+        _check("relaxation_time", self.relaxation_time, 0.0 <= self.relaxation_time < math.inf, "0 or more (s)")
         _check_friction(self.friction)
 
     def __call__(self, config: TaskConfig, num_envs: int) -> Simulation:
@@ -107,16 +117,16 @@ class Drake:
         check_drake()
         from quadruped_env.sim2sim.drake_simulation import DrakeSimulation
 
-        return DrakeSimulation(config, num_envs, self.timestep(config), self.approximation, self.friction_of(config))
+        return DrakeSimulation(config, num_envs, self.timestep(config), self._contact(config))
 
     def timestep(self, config: TaskConfig) -> float:
         """Time step for a task, s."""
         # Rounding must not add a step.
         return config.control_timestep / math.ceil(config.control_timestep / self.max_timestep - 1e-9)
 
-    def friction_of(self, config: TaskConfig) -> float:
-        """Coefficient of friction for a task."""
-        return friction_of(config) if self.friction is None else self.friction
+    def _contact(self, config: TaskConfig) -> Contact:
+        friction = friction_of(config) if self.friction is None else self.friction
+        return Contact(self.approximation, friction, self.relaxation_time)
 
     def settings(self, config: TaskConfig) -> dict[str, Any]:
         """Version, time step and contact model for a task, as plain values.
@@ -129,8 +139,7 @@ class Drake:
             "version": metadata.version("drake"),
             "timestep": self.timestep(config),
             "contact": "point",
-            "approximation": self.approximation,
-            "friction": self.friction_of(config),
+            **self._contact(config)._asdict(),
         }
 
 

@@ -6,7 +6,7 @@ import math
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from quadruped_env.control.policy import TENSORS_FILE
 from quadruped_env.documents import read_json
@@ -133,8 +133,8 @@ def save(transfer: Transfer, subject: Subject, command_line: str) -> Path:
     return path
 
 
-def load(subject: Subject) -> tuple[Transfer, dict[str, Any]] | None:
-    """The results in the subject's output directory and their document; None if there are none of this policy.
+def load(subject: Subject) -> tuple[Transfer, str] | None:
+    """The results in the subject's output directory and the command that made them; None if this policy has none.
 
     Raises:
         QuadrupedError: if the file is not JSON.
@@ -152,7 +152,7 @@ def load(subject: Subject) -> tuple[Transfer, dict[str, Any]] | None:
         elif document["policy"]["weights_sha256"] != _weights(subject):
             problem = "is of another policy"
         else:
-            return Transfer.from_dict(document), document
+            return Transfer.from_dict(document), str(document["command_line"])
     except (KeyError, TypeError, ValueError):
         problem = "lacks fields of such results"
     warnings.warn(f"{path}: {problem}, so it is left out; run sim2sim again", QuadrupedWarning, stacklevel=2)

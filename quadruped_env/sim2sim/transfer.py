@@ -37,6 +37,8 @@ SECONDS: Final = 10.0
 MAX_SECONDS: Final = 120.0
 """Maximum length of an episode, s: Drake simulates one robot after the other."""
 
+CONTROLLERS: Final = ("policy", "tuned", "zero")
+"""Names of the controllers: the policy, the tuned gait and the zero action."""
 QUANTITIES: Final = ("forward_velocity", "yaw_rate", "base_height", "fallen")
 """Quantities of an episode: means in m/s, rad/s and m after the start-up and before a fall; 1 for a fall, else 0."""
 TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2}
@@ -136,7 +138,9 @@ class Transfer:
                 for engine in part["engines"]
             )
             values[controller] = first, second
-        return cls(commands, seeds, float(document["seconds"]), (dict(here), dict(there)), values)
+        if "policy" not in values or not values.keys() <= set(CONTROLLERS):
+            raise ValueError(f"controllers: expected policy, and no others than {CONTROLLERS}; found {list(values)}")
+        return cls(commands, seeds, float(document["seconds"]), (_engine(here), _engine(there)), values)
 
 
 def run_transfer(
@@ -230,6 +234,10 @@ def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
 def _part(progress: Progress | None, start: float, share: float) -> Progress | None:
     """Progress callback for a part of the work."""
     return None if progress is None else lambda done: progress(start + share * done)
+
+
+def _engine(values: Mapping[str, Any]) -> dict[str, Any]:
+    return {**values, "name": str(values["name"]), "version": str(values["version"])}
 
 
 def _number(value: float) -> float | None:

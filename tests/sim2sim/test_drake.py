@@ -144,8 +144,8 @@ def test_standing_robot_presses_with_its_weight_on_its_feet_and_measures_gravity
     assert not readings.trunk_force.any()
     np.testing.assert_allclose(readings.linear_acceleration_b[0], [0.0, 0.0, 9.81], atol=0.02)
     assert readings.base_position[0, 2] == pytest.approx(robot.stance_height, abs=1e-3)
-    knee = readings.joint_torque[0, 1::2]
-    np.testing.assert_allclose(np.abs(knee), 0.15, atol=0.02), "as on the robot's page"
+    # As on the robot's page.
+    np.testing.assert_allclose(np.abs(readings.joint_torque[0, 1::2]), 0.15, atol=0.02)
 
 
 def on_its_belly():

@@ -212,8 +212,15 @@ def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer,
     changed = type(other)(weights, other.biases, other.activation, other.config, other.card)
     with pytest.warns(UserWarning, match=r"sim2sim\.json: is of another policy.*again"):
         assert results.load(dataclasses.replace(subject, policy=changed)) is None
-    for name, value in (("format_version", 0), ("seeds", [0]), ("controllers", {"policy": {}}), ("engines", [{}])):
-        path.write_text(json.dumps({**json.loads(path.read_text()), name: value}))
+    for name, value in (
+        ("format_version", 0),
+        ("seeds", [0]),
+        ("controllers", {"policy": {}}),
+        ("engines", [{}, {}]),
+        ("command_line", None),
+    ):
+        document = {**json.loads(path.read_text()), name: value}
+        path.write_text(json.dumps({key: entry for key, entry in document.items() if entry is not None}))
         with pytest.warns(UserWarning, match=r"sim2sim\.json: .*left out"):
             assert results.load(subject) is None
         results.save(transfer, subject, "mini-quadruped sim2sim flat")

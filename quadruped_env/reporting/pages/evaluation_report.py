@@ -94,7 +94,7 @@ def _second_engine(subject: Subject) -> dict[str, Any] | None:
     found = sim2sim.load(subject)
     if found is None:
         return None
-    transfer, document = found
+    transfer, command_line = found
     conclusion, *findings = sim2sim.verdict(transfer)
     return {
         "engine": transfer.engines[1]["name"],
@@ -104,7 +104,7 @@ def _second_engine(subject: Subject) -> dict[str, Any] | None:
         "conditions": sim2sim.conditions(transfer),
         "seeds": len(transfer.seeds),
         "seconds": transfer.seconds,
-        "command_line": document["command_line"],
+        "command_line": command_line,
     }
 
 
