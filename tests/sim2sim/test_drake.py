@@ -183,6 +183,22 @@ def test_sliding_body_decelerates_by_friction():
     assert linear[0] == pytest.approx(mass * (3.0 - mu * 9.81 * 0.5), rel=0.05)
 
 
+@pytest.mark.parametrize("approximation", ["sap", "lagged", "similar"])
+def test_sliding_feet_brake_the_robot_by_friction(approximation):
+    config = TaskConfig()
+    robot, mu = config.robot, 0.1
+    simulation = Drake(approximation, friction=mu)(config, 1)
+    qpos = np.concatenate([[0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0], robot.stance])[None]
+    simulation.reset(ENV, qpos, np.zeros((1, robot.num_velocities)))
+    for _ in range(25):
+        simulation.step(robot.stance[None], config.decimation)
+    simulation.push(ENV, np.array([[1.0, 0.0, 0.0]]))
+    for _ in range(20):
+        simulation.step(robot.stance[None], config.decimation)
+    lost = robot.total_mass * 1.0 - momentum(simulation.robots[0])[1][0]
+    assert lost == pytest.approx(mu * robot.total_mass * 9.81 * 20 * config.control_timestep, rel=0.05)
+
+
 def test_push_adds_its_velocity_and_a_force_accelerates_the_robot():
     config = TaskConfig()
     simulation = Drake()(config, 2)

@@ -215,6 +215,7 @@ def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer,
     for name, value in (
         ("format_version", 0),
         ("seeds", [0]),
+        ("controllers", {}),
         ("controllers", {"policy": {}}),
         ("engines", [{}, {}]),
         ("command_line", None),
