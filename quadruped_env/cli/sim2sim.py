@@ -28,9 +28,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs=2,
         type=float,
         action="append",
-        metavar=("V", "W"),
-        help="a command, forward velocity in m/s and yaw rate in rad/s; may be repeated (default: eight commands, "
-        "docs/sim2sim.md)",
+        metavar=("M/S", "RAD/S"),
+        help="forward velocity and yaw rate of the episodes; may be repeated (default: eight commands, docs/sim2sim.md)",
     )
     parser.add_argument(
         "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
