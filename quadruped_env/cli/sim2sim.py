@@ -29,7 +29,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         action="append",
         metavar=("M/S", "RAD/S"),
-        help="forward velocity and yaw rate of the episodes; may be repeated (default: eight commands, docs/sim2sim.md)",
+        dest="velocities",
+        help="forward velocity and yaw rate of episodes; may be repeated (default: eight commands, docs/sim2sim.md)",
     )
     parser.add_argument(
         "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
@@ -62,7 +63,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     subject = find_subject(arguments.run, arguments.output, arguments.task)
     check_drake()
-    commands = COMMANDS if arguments.command is None else [(v, w) for v, w in arguments.command]
+    commands = COMMANDS if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
     transfer = run_transfer(
         subject.policy,
         commands,
@@ -80,7 +81,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 def _options(arguments: argparse.Namespace) -> str:
     """The options as a user types them again."""
-    commands = "".join(f"--command {v:g} {w:g} " for v, w in arguments.command or ())
+    commands = "".join(f"--command {v:g} {w:g} " for v, w in arguments.velocities or ())
     friction = "" if arguments.friction is None else f"--friction {arguments.friction:g} "
     return (
         f"{task_option(arguments.task)}{commands}--seeds {arguments.seeds} --seconds {arguments.seconds:g} "
