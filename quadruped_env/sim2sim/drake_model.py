@@ -15,7 +15,7 @@ from pydrake.multibody.plant import AddMultibodyPlant, CoulombFriction, Multibod
 from pydrake.systems.framework import DiagramBuilder
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot.motors import GEAR_RATIO, MotorConfig
+from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot
 from quadruped_env.sim2sim.contact import Contact
 
@@ -134,8 +134,7 @@ def _write(plant: Any, motors: MotorConfig) -> None:
     for actuator in _actuators(plant):
         motor = motors.of_joint(actuator.joint().name())
         actuator.joint().set_default_damping(motor.damping)
-        actuator.set_default_gear_ratio(GEAR_RATIO)
-        actuator.set_default_rotor_inertia(motor.rotor_inertia)
+        actuator.set_default_rotor_inertia(motor.armature / actuator.default_gear_ratio() ** 2)
 
 
 @contextmanager

@@ -1,6 +1,6 @@
 """One robot in Drake: its state, its motors' torques, and what can be measured on it."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ class BodyState(NamedTuple):
     rotation: Floats
     """Rotation matrix (3, 3) from the link's frame to the world's."""
     angular_velocity: Floats
-    """rad/s (3,)."""
+    """Angular velocity (3,), rad/s."""
     linear_velocity: Floats
     """Velocity of the origin (3,), m/s."""
 
@@ -31,9 +31,9 @@ class Touch(NamedTuple):
 
     link: str
     point: Floats
-    """In the world frame (3,), m."""
+    """Point of contact in the world frame (3,), m."""
     normal_force: float
-    """N."""
+    """Normal force, N."""
 
 
 class DrakeRobot:
@@ -144,5 +144,7 @@ class DrakeRobot:
         base = self._model.bodies[self._model.base_name]
         applied.body_index = base.index()
         applied.p_BoBq_B = base.CalcCenterOfMassInBodyFrame(self.context)
-        applied.F_Bq_W = SpatialForce(np.zeros(3), np.asarray(force, dtype=np.float64))
+        torque: Any = np.zeros(3)
+        linear: Any = np.asarray(force, dtype=np.float64)
+        applied.F_Bq_W = SpatialForce(torque, linear)
         self.plant.get_applied_spatial_force_input_port().FixValue(self.context, [applied])

@@ -86,8 +86,8 @@ class Drake:
     approximation: Approximation = "sap"
     """Discrete contact approximation, as named in Drake.
 
-    With `sap` and `similar` a sliding foot glides just above the ground; `lagged` limits friction by the normal force
-    of the step before, which is inexact in impacts. Sources: Castro et al. 2022, arXiv:2110.10107, and 2023,
+    With `sap` and `similar` a sliding foot glides by tenths of a millimetre above the ground and touches it at some
+    steps only; `lagged` limits friction by the normal force of the step before, which is inexact in impacts. Sources: Castro et al. 2022, arXiv:2110.10107, and 2023,
     arXiv:2312.03908.
     """
     max_timestep: float = 0.002
@@ -97,7 +97,8 @@ class Drake:
     relaxation_time: float = 0.001
     """Time constant of the dissipation with `sap`, s; the other approximations have Drake's default dissipation.
 
-    The height at which a foot glides grows with it: Drake's default of 0.1 s lifts a sliding foot by centimetres.
+    About critical damping, as in MuJoCo: 2 sqrt(m / k) is 2 ms for a quarter of the built-in robot's mass on Drake's
+    default stiffness of 1e6 N/m. Drake's default is 0.1 s.
     """
 
     def __post_init__(self) -> None:

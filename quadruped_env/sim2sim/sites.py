@@ -18,14 +18,14 @@ _BOX: Final = int(mujoco.mjtGeom.mjGEOM_BOX)
 
 
 class Motion(NamedTuple):
-    """Position and velocity of a site in the world frame, (3,) each."""
+    """Position and velocity of a site in the world frame."""
 
     position: Floats
-    """m."""
+    """Position (3,), m."""
     linear_velocity: Floats
-    """m/s."""
+    """Velocity of the site (3,), m/s."""
     angular_velocity: Floats
-    """rad/s."""
+    """Angular velocity (3,), rad/s."""
 
 
 @dataclass(frozen=True)

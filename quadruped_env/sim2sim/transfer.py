@@ -226,7 +226,7 @@ def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
         "forward_velocity": metrics["forward_velocity"],
         "yaw_rate": metrics["yaw_rate"],
         "base_height": masked_mean(rollout.base_position[..., 2], counted_samples(rollout)),
-        "fallen": rollout.fallen * 1.0,
+        "fallen": rollout.fallen.astype(np.float64),
     }
     return {name: np.reshape(values[name], (-1, num_seeds)) for name in QUANTITIES}
 

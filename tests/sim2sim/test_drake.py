@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +10,6 @@ from second_robot import DESIGN
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.control.controllers import ZeroController
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
 from quadruped_env.sim2sim import Drake, MuJoCo
 from quadruped_env.task import Task, TaskConfig
@@ -166,8 +166,9 @@ def test_robot_on_its_belly_presses_with_its_trunk_and_is_terminated():
     assert 0.5 * 39.2 < np.mean(forces, axis=0)[0] < 1.5 * 39.2, "the base carries the weight"
     assert not np.any(forces, axis=0)[1:].any(), "the hips do not touch"
     assert not task.simulation.readings.foot_force.any()
-    terminated = [task.act(ZeroController(), task.observe()).terminated[0] for _ in range(3)]
-    assert any(terminated)
+    # The box rocks on its corners, so that it does not touch the ground at every step.
+    holding = SimpleNamespace(act=lambda observation, control: qpos[:, 7:])
+    assert any(task.act(holding, task.observe()).terminated[0] for _ in range(25))
 
 
 def test_sliding_body_decelerates_by_friction():
