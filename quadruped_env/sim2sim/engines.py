@@ -87,8 +87,8 @@ class Drake:
     """Discrete contact approximation, as named in Drake.
 
     With `sap` and `similar` a sliding foot glides by tenths of a millimetre above the ground and touches it at some
-    steps only; `lagged` limits friction by the normal force of the step before, which is inexact in impacts. Sources: Castro et al. 2022, arXiv:2110.10107, and 2023,
-    arXiv:2312.03908.
+    steps only; `lagged` limits friction by the normal force of the step before, which is inexact in impacts. Sources:
+    Castro et al. 2022, arXiv:2110.10107, and 2023, arXiv:2312.03908.
     """
     max_timestep: float = 0.002
     """Maximum time step, s; a control step has a whole number of steps."""
