@@ -23,6 +23,7 @@ SCRIPTS = {
     "evaluate": "evaluate/policy.py",
     "compare": "evaluate/compare.py",
     "baseline": "evaluate/baseline.py",
+    "sim2sim": "evaluate/sim2sim.py",
     "export": "evaluate/export.py",
     "view": "evaluate/view.py",
     "replay": "evaluate/replay.py",

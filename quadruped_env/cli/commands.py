@@ -16,6 +16,7 @@ SUMMARIES: Final = {
     "train": "train a walking policy with PPO",
     "evaluate": "evaluate a policy against the scripted gaits, and write a report",
     "compare": "compare several policies on the same episodes",
+    "sim2sim": "run a policy in a second physics engine, and measure what it loses there",
     "export": "write a policy as ONNX with a manifest, for a robot or a model hub",
     "view": "watch and steer the robot in a browser",
     "live": "run the robot on live ROS 2 topics, without a ROS installation",

@@ -13,7 +13,7 @@ from quadruped_env.policies import Controller
 from quadruped_env.progress import Progress
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.seeds import EVALUATION_SEEDS
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.simulation import BatchSimulation, Simulation
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.task.quantities import sliding_squared
 from quadruped_env.timestamps import NS_PER_SECOND
@@ -25,6 +25,10 @@ FIRST_SEED: Final = EVALUATION_SEEDS.start
 
 BeforeStep = Callable[[Task, int], None]
 """Function (task, number of control steps done) that changes commands or pushes robots before a control step."""
+
+
+Engine = Callable[[TaskConfig, int], Simulation]
+"""Makes N simulated robots for a task."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,6 +71,11 @@ def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64]
     return np.repeat(commands, len(seeds), axis=0), np.tile(np.asarray(seeds, dtype=np.int64), len(commands))
 
 
+def in_mujoco(config: TaskConfig, num_envs: int) -> Simulation:
+    """N robots of a task in MuJoCo, with the task's own model."""
+    return BatchSimulation(config.compiled_model(), num_envs, robot=config.robot)
+
+
 def run_episodes(
     controller: Controller,
     command: NDArray[np.float64],
@@ -75,6 +84,7 @@ def run_episodes(
     config: TaskConfig,
     before_step: BeforeStep | None = None,
     tiles: NDArray[np.intp] | None = None,
+    engine: Engine = in_mujoco,
 ) -> Iterator[tuple[Task, Transition]]:
     """Run N episodes at the same time, without restarting any, and yield the task after every control step.
 
@@ -86,8 +96,9 @@ def run_episodes(
         config: task configuration with the controller's action mode.
         before_step: called before every control step.
         tiles: kind and level of the tile on which each episode starts (N, 2), as in `Task.reset`.
+        engine: simulates the robots.
     """
-    task = Task(BatchSimulation(config.compiled_model(), len(command), robot=config.robot), config)
+    task = Task(engine(config, len(command)), config)
     # Consecutive episodes with the same command are reset at once.
     changes = np.flatnonzero((np.diff(command, axis=0) != 0.0).any(axis=1)) + 1
     for block in np.split(np.arange(len(command)), changes):
@@ -114,6 +125,7 @@ def roll_out(
     config: TaskConfig | None = None,
     progress: Progress | None = None,
     before_step: BeforeStep | None = None,
+    engine: Engine = in_mujoco,
 ) -> Rollout:
     """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
 
@@ -128,6 +140,7 @@ def roll_out(
         config: task configuration, with its robot; the action mode is the controller's. None takes the defaults.
         progress: called with the fraction done.
         before_step: called before every control step; it may change commands or push robots.
+        engine: simulates the robots.
 
     Returns:
         A rollout with K * S episodes, in the order of `grid`.
@@ -154,7 +167,7 @@ def roll_out(
     if before_step is not None:
         commanded = commanded.copy()
     term_names: tuple[str, ...] = ()
-    for task, transition in run_episodes(controller, command, seed, steps, config, before_step):
+    for task, transition in run_episodes(controller, command, seed, steps, config, before_step, engine=engine):
         if before_step is not None:
             commanded[recorder.written :] = task.command
         alive &= ~transition.terminated

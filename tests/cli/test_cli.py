@@ -15,7 +15,19 @@ from quadruped_env._python import SCRIPTS
 from quadruped_env.cli.commands import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
 
-HEAVY = {"torch", "stable_baselines3", "matplotlib", "viser", "av", "jinja2", "rosbags", "cyclonedds", "scipy", "onnx"}
+HEAVY = {
+    "torch",
+    "stable_baselines3",
+    "matplotlib",
+    "viser",
+    "av",
+    "jinja2",
+    "rosbags",
+    "cyclonedds",
+    "scipy",
+    "onnx",
+    "pydrake",
+}
 BAD = {
     "train": ("--resume", "nowhere"),
     "evaluate": ("nowhere",),
@@ -27,6 +39,7 @@ BAD = {
     "identify": ("nowhere.csv",),
     "baseline": ("--output", "out.txt"),
     "export": ("nowhere",),
+    "sim2sim": ("nowhere",),
 }
 """Command -> arguments that this package refuses, not argparse."""
 

@@ -325,7 +325,9 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     graph = flat.manifest["graph"]
     first_cells = re.findall(r"^\| (`.*?`) \|", text, re.MULTILINE)
     named = {name for cell in first_cells for name in re.findall(r"`(.*?)`", cell)}
-    assert named == {entry["name"] for entry in graph["inputs"] + graph["outputs"]} | set(flat.files) | {"film.webp"}
+    of_history = {"observation_history", "next_observation_history"}
+    of_graph = {entry["name"] for entry in graph["inputs"] + graph["outputs"]}
+    assert named == of_graph | of_history | set(flat.files) | {"film.webp"}
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
 

@@ -195,7 +195,7 @@ def test_a_close_up_shows_the_feet_larger(camera):
         picture = camera.picture(trace, 0, feet)
         return (picture.max(axis=-1) < 35).sum(axis=1).max()
 
-    assert leg_width(feet=True) > 1.5 * leg_width(feet=False)
+    assert leg_width(feet=True) > 1.25 * leg_width(feet=False)
 
 
 def test_video_without_pictures_is_refused(tmp_path):

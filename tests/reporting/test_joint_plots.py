@@ -42,7 +42,7 @@ def test_joint_panels_with_a_peak_of_one_row_in_a_long_log_draws_it(peak):
 def test_joint_panels_of_a_long_log_draws_few_points():
     values = np.random.default_rng(0).normal(size=(ROWS, 8))
     line, _ = drawn_line(values)
-    assert 700 < len(line) <= 1500
+    assert 400 < len(line) <= 1500
 
 
 def test_joint_panels_with_a_hole_in_a_long_log_leaves_it_open():

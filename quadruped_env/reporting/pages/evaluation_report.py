@@ -29,6 +29,7 @@ from quadruped_env.reporting.pages.page import (
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.results import prepare_output
+from quadruped_env.sim2sim import results as sim2sim
 
 _EPISODE: Final = "The episode is the first one without a fall, or else the longest."
 
@@ -87,12 +88,32 @@ def write_report(
         "scene": replay,
         "figures": _figures(subject, comparison),
         "suite": None if suite is None else section(suite),
+        "second_engine": _second_engine(subject),
         "failures": [_failure(comparison, failure, pictures) for failure in failures],
         **tables(comparison),
     }
     report, numbers = write_page(subject.output, "report.html", document, context)
     missing = [part["missing"] for part in (pictures.video, replay) if "missing" in part]
     return report, numbers, missing if with_video else missing[1:]
+
+
+def _second_engine(subject: Subject) -> dict[str, Any] | None:
+    """Template variables of the results in a second engine; None if there are none of this policy."""
+    found = sim2sim.load(subject)
+    if found is None:
+        return None
+    transfer, command_line = found
+    conclusion, *findings = sim2sim.verdict(transfer)
+    return {
+        "engine": transfer.engines[1]["name"],
+        "conclusion": conclusion,
+        "findings": findings,
+        "tables": sim2sim.tables(transfer),
+        "conditions": sim2sim.conditions(transfer),
+        "seeds": len(transfer.seeds),
+        "seconds": transfer.seconds,
+        "command_line": command_line,
+    }
 
 
 def _span(limits: NDArray[np.float64]) -> str:

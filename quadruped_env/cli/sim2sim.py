@@ -1,0 +1,89 @@
+"""Run a policy in a second physics engine, Drake, and measure what it loses there.
+
+The robot in Drake is built from its URDF alone. The policy and the tuned gait run on the same commands and random
+starts in MuJoCo and in Drake, and the zero action where standing is commanded. The results go into sim2sim.json; the
+next report of 'evaluate' shows them, too.
+
+    mini-quadruped sim2sim                      the latest run in runs/, or the shipped policy
+    mini-quadruped sim2sim flat --seeds 1       the shipped policy, one episode per command
+    mini-quadruped sim2sim flat --command 0.3 0.5 --command 0 0.5
+"""
+
+import argparse
+from typing import get_args
+
+from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.options import add_output, add_task_file, task_option
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.sim2sim.contact import Approximation
+from quadruped_env.sim2sim.engines import Drake
+from quadruped_env.sim2sim.transfer import NUM_SEEDS, SECONDS
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the policy, the episodes and Drake's contact model."""
+    parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
+    parser.add_argument(
+        "--command",
+        nargs=2,
+        type=float,
+        action="append",
+        metavar=("M/S", "RAD/S"),
+        dest="velocities",
+        help="forward velocity and yaw rate of episodes; may be repeated (default: eight commands, docs/sim2sim.md)",
+    )
+    parser.add_argument(
+        "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=SECONDS, metavar="S", help="length of an episode, s (default: %(default)g)"
+    )
+    parser.add_argument(
+        "--contact",
+        choices=get_args(Approximation),
+        default=Drake().approximation,
+        help="Drake's discrete contact approximation (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--friction",
+        type=float,
+        metavar="MU",
+        help="coefficient of friction in Drake (default: that of the feet in MuJoCo)",
+    )
+    add_task_file(parser)
+    add_output(parser, "DIR", "directory of sim2sim.json (default: RUN/evaluation, or results/flat)")
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Run both engines, write the results, and print them."""
+    from quadruped_env.evaluation.subject import find_subject
+    from quadruped_env.sim2sim import results
+    from quadruped_env.sim2sim.engines import check_drake
+    from quadruped_env.sim2sim.transfer import COMMANDS, run_transfer
+
+    subject = find_subject(arguments.run, arguments.output, arguments.task)
+    check_drake()
+    commands = COMMANDS if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
+    transfer = run_transfer(
+        subject.policy,
+        commands,
+        arguments.seeds,
+        arguments.seconds,
+        there=Drake(arguments.contact, friction=arguments.friction),
+        progress=ProgressLine("running"),
+    )
+    path = results.save(transfer, subject, f"{invocation.program} {subject.source} {_options(arguments)}")
+    print("\n\n".join(table.text() for table in results.tables(transfer)))
+    print("\n" + "\n".join([*results.conditions(transfer), "", *results.verdict(transfer)]))
+    print(f"\nnumbers: {path}")
+    return 0
+
+
+def _options(arguments: argparse.Namespace) -> str:
+    """The options as a user types them again."""
+    commands = "".join(f"--command {v:g} {w:g} " for v, w in arguments.velocities or ())
+    friction = "" if arguments.friction is None else f"--friction {arguments.friction:g} "
+    return (
+        f"{task_option(arguments.task)}{commands}--seeds {arguments.seeds} --seconds {arguments.seconds:g} "
+        f"{friction}--contact {arguments.contact}"
+    )

@@ -1,0 +1,244 @@
+"""A policy on the same episodes in two engines, and what it loses in the second one."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.evaluation.comparison import Command, evaluation_task
+from quadruped_env.evaluation.confidence import bootstrap_mean
+from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
+from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
+from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
+from quadruped_env.progress import Progress
+from quadruped_env.sim2sim.engines import Drake, MuJoCo
+
+Floats = NDArray[np.float64]
+Engine = MuJoCo | Drake
+
+COMMANDS: Final[tuple[Command, ...]] = (
+    (0.1, 0.0),
+    (0.2, 0.0),
+    (0.3, 0.0),
+    (0.5, 0.0),
+    (-0.2, 0.0),
+    (0.0, 0.5),
+    (0.3, 0.5),
+    (0.0, 0.0),
+)
+"""Forward velocity in m/s and yaw rate in rad/s of the default episodes."""
+NUM_SEEDS: Final = 3
+SECONDS: Final = 10.0
+MAX_SECONDS: Final = 120.0
+"""Maximum length of an episode, s: Drake simulates one robot after the other."""
+
+CONTROLLERS: Final = ("policy", "tuned", "zero")
+"""Names of the controllers: the policy, the tuned gait and the zero action."""
+QUANTITIES: Final = ("forward_velocity", "yaw_rate", "base_height", "fallen")
+"""Quantities of an episode: means in m/s, rad/s and m after the start-up and before a fall; 1 for a fall, else 0."""
+TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2}
+"""Velocity -> maximum loss of a policy that carries over, as a share of the velocity here."""
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """Results of controllers on commands and seeds in two engines: the one here and the second one, in this order."""
+
+    commands: dict[str, tuple[Command, ...]]
+    """Controller -> its K commands"""
+    seeds: tuple[int, ...]
+    seconds: float
+    engines: tuple[dict[str, Any], dict[str, Any]]
+    """Name, version, time step and contact model of each engine"""
+    values: dict[str, tuple[dict[str, Floats], dict[str, Floats]]]
+    """Controller -> engine -> quantity -> (K, S)"""
+
+    def means(self, controller: str, quantity: str, command: int) -> tuple[float, float]:
+        """Mean over the seeds in both engines for one of the controller's commands (its index); NaN without data."""
+        here, there = (bootstrap_mean(engine[quantity][command]).mean for engine in self.values[controller])
+        return here, there
+
+    def loss(self, controller: str, velocity: str, command: int) -> float:
+        """Share of a velocity here that the second engine does not reach; negative if it is faster there.
+
+        1 if every robot falls there during the start-up. NaN if the command does not ask for the velocity, or the robot
+        does not follow it here.
+
+        Args:
+            controller: name.
+            velocity: one of `TARGETS`.
+            command: index of one of the controller's commands.
+        """
+        wanted = self.commands[controller][command][tuple(TARGETS).index(velocity)]
+        here, there = self.means(controller, velocity, command)
+        if abs(wanted) <= MOVING_THRESHOLD or not here * wanted > 0.0:
+            return math.nan
+        return 1.0 if math.isnan(there) else 1.0 - there / here
+
+    def largest_loss(self, controller: str, velocity: str) -> tuple[float, Command] | None:
+        """The largest loss of a velocity, and its command; None if no command asks for the velocity."""
+        commands = self.commands[controller]
+        losses = [(self.loss(controller, velocity, i), command) for i, command in enumerate(commands)]
+        return max((entry for entry in losses if not math.isnan(entry[0])), default=None)
+
+    def falls(self, controller: str) -> tuple[int, int]:
+        """Number of falls in both engines."""
+        here, there = (int(engine["fallen"].sum()) for engine in self.values[controller])
+        return here, there
+
+    def carries_over(self) -> bool:
+        """True if the policy loses no more than `TARGETS`, and falls no more often in the second engine."""
+        largest = [(self.largest_loss("policy", name), limit) for name, limit in TARGETS.items()]
+        here, there = self.falls("policy")
+        return there <= here and all(found is None or found[0] <= limit for found, limit in largest)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All numbers as JSON-serializable values; NaN becomes None."""
+        return {
+            "seeds": list(self.seeds),
+            "seconds": self.seconds,
+            "engines": list(self.engines),
+            "targets": TARGETS,
+            "carries_over": self.carries_over(),
+            "controllers": {
+                controller: {
+                    "commands": [list(command) for command in self.commands[controller]],
+                    "engines": [
+                        {
+                            name: [[_number(value) for value in row] for row in engine[name].tolist()]
+                            for name in QUANTITIES
+                        }
+                        for engine in engines
+                    ],
+                }
+                for controller, engines in self.values.items()
+            },
+        }
+
+    @classmethod
+    def from_dict(cls, document: Mapping[str, Any]) -> Self:
+        """Results from the values of `to_dict`.
+
+        Raises:
+            KeyError, TypeError, ValueError: if a field is missing or has another form.
+        """
+        here, there = document["engines"]
+        seeds = tuple(int(seed) for seed in document["seeds"])
+        commands, values = {}, {}
+        for controller, part in document["controllers"].items():
+            commands[controller] = tuple((float(v), float(w)) for v, w in part["commands"])
+            shape = len(commands[controller]), len(seeds)
+            first, second = (
+                {name: np.array(engine[name], dtype=np.float64).reshape(shape) for name in QUANTITIES}
+                for engine in part["engines"]
+            )
+            values[controller] = first, second
+        if "policy" not in values or not values.keys() <= set(CONTROLLERS):
+            raise ValueError(f"controllers: expected policy, and no others than {CONTROLLERS}; found {list(values)}")
+        return cls(commands, seeds, float(document["seconds"]), (_engine(here), _engine(there)), values)
+
+
+def run_transfer(
+    policy: Policy,
+    commands: Sequence[Command] = COMMANDS,
+    num_seeds: int = NUM_SEEDS,
+    seconds: float = SECONDS,
+    here: Engine | None = None,
+    there: Engine | None = None,
+    progress: Progress | None = None,
+) -> Transfer:
+    """Run a policy and the tuned gait on every command, and the zero action on those that stand, in two engines.
+
+    The task is the policy's own, on level ground; of its randomization only the start of an episode remains. A seed
+    gives the same start in both engines.
+
+    Args:
+        policy: the trained policy.
+        commands: forward velocity in m/s and yaw rate in rad/s; they may lie outside the training ranges.
+        num_seeds: episodes per command.
+        seconds: length of an episode, s.
+        here: the engine to compare with. None: MuJoCo, with the task's contact model.
+        there: the second engine. None: Drake.
+        progress: called with the fraction done.
+
+    Raises:
+        MissingExtraError: if Drake is needed and not installed.
+        QuadrupedError: if there is no command or seed, a command is not finite, the episodes are too short or too long,
+            or Drake cannot simulate the robot.
+    """
+    checked = _checked(commands, num_seeds, seconds)
+    engines = here or MuJoCo(), there or Drake()
+    config = evaluation_task(policy.config.on_terrain("flat"), checked, "none")
+    settings = [{"name": engine.name, **engine.settings(config)} for engine in engines]
+    standing = [command for command in checked if max(map(abs, command)) <= MOVING_THRESHOLD]
+    runs: list[tuple[Controller, Sequence[Command]]] = [
+        (PolicyController(policy), checked),
+        (CommandedGaitController(), checked),
+        (ZeroController(), standing),
+    ]
+    runs = [(controller, chosen) for controller, chosen in runs if chosen]
+    seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
+    total, done = sum(len(chosen) for _, chosen in runs), 0
+    values = {}
+    for controller, chosen in runs:
+        first, second = (
+            _measured(roll_out(controller, chosen, seeds, seconds, config, part, engine=engine), len(seeds))
+            for engine, part in zip(engines, (None, _part(progress, done / total, len(chosen) / total)), strict=True)
+        )
+        values[controller.name] = first, second
+        done += len(chosen)
+    return Transfer(
+        {controller.name: tuple(chosen) for controller, chosen in runs},
+        tuple(seeds),
+        seconds,
+        (settings[0], settings[1]),
+        values,
+    )
+
+
+def _checked(commands: Sequence[Command], num_seeds: int, seconds: float) -> list[Command]:
+    """The commands as pairs of numbers."""
+    values = np.asarray(commands, dtype=np.float64)
+    if values.ndim != 2 or values.shape[1] != 2 or not len(values) or not np.isfinite(values).all():
+        raise QuadrupedError(
+            f"command: expected one or more pairs of finite numbers, forward velocity in m/s and yaw rate in rad/s; "
+            f"found {short(list(commands))}"
+        )
+    if num_seeds < 1:
+        raise QuadrupedError(f"seeds: expected 1 or more; found {num_seeds}")
+    if not START_UP < seconds <= MAX_SECONDS:
+        raise QuadrupedError(
+            f"seconds: expected more than {START_UP:g}, which do not count, and at most {MAX_SECONDS:g}; found "
+            f"{seconds:g}"
+        )
+    return [(float(forward), float(yaw_rate)) for forward, yaw_rate in values]
+
+
+def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
+    """The quantities of a rollout: name -> (K, S)."""
+    metrics = measure(rollout)
+    values: dict[str, Floats] = {
+        "forward_velocity": metrics["forward_velocity"],
+        "yaw_rate": metrics["yaw_rate"],
+        "base_height": masked_mean(rollout.base_position[..., 2], counted_samples(rollout)),
+        "fallen": rollout.fallen.astype(np.float64),
+    }
+    return {name: np.reshape(values[name], (-1, num_seeds)) for name in QUANTITIES}
+
+
+def _part(progress: Progress | None, start: float, share: float) -> Progress | None:
+    """Progress callback for a part of the work."""
+    return None if progress is None else lambda done: progress(start + share * done)
+
+
+def _engine(values: Mapping[str, Any]) -> dict[str, Any]:
+    return {**values, "name": str(values["name"]), "version": str(values["version"])}
+
+
+def _number(value: float) -> float | None:
+    return value if math.isfinite(value) else None
