@@ -46,7 +46,7 @@ def mjcf(design: QuadrupedDimensions) -> str:
   <compiler angle="radian" autolimits="true"/>
 
   <!-- README.md, "Time step and solver", measures this choice against a five times finer step. -->
-  <option timestep="0.005" integrator="implicitfast" cone="pyramidal" iterations="10" ls_iterations="20">
+  <option timestep="0.005" integrator="implicitfast" cone="elliptic" iterations="10" ls_iterations="20">
     <!-- One robot of few shapes is one island: looking for islands and bounding volumes costs 8 %, for nothing. -->
     <flag island="disable" midphase="disable"/>
   </option>
@@ -60,7 +60,7 @@ def mjcf(design: QuadrupedDimensions) -> str:
       <!-- Robot geoms meet the ground only; the two leg pairs that can reach each other are named in <contact>. -->
       <default class="collision">
         <geom contype="1" conaffinity="0" group="3" condim="3" friction="{numbers(design.friction, 0.005, 0.0001)}" \
-mass="0" rgba="0.9 0.4 0.1 0.4"/>
+solref="0.01 1" mass="0" rgba="0.9 0.4 0.1 0.4"/>
       </default>
       <!-- nominal: supply voltage, stall torque, no-load speed. The controller's last number limits its voltage to the
            supply's: that limit is what makes the torque-speed line, saturation limits the braking side. -->

@@ -123,13 +123,11 @@ def _lay(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float,
         conaffinity=ground.conaffinity,
         condim=ground.condim,
         friction=ground.friction,
+        solref=ground.solref,
     )
     ground.type = mujoco.mjtGeom.mjGEOM_HFIELD
     ground.hfieldname = GROUND
     ground.pos = [0.0, 0.0, lowest]
-    # On a plane MuJoCo turns the axes of the friction pyramid with the leg, on a height field they are those of the
-    # world. A cone has no axes, so that friction does not depend on the robot's heading.
-    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.tolerance = _TOLERANCE
     for light in spec.lights:
         # From the side, so that slopes differ in brightness. A height field's shadow map is slow, and leaves specks.
