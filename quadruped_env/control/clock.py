@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from quadruped_env._plain import PlainFields, is_finite_number, plain
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.gait.presets import TUNED
 
 Floats = NDArray[np.float64]
 
@@ -28,8 +27,8 @@ class CommandedFrequency(PlainFields):
     """Commanded speeds (K,), 0 or more and increasing, m/s."""
     frequencies: tuple[float, ...]
     """Frequency at each of them (K,), cycles per second."""
-    turn_arm: float = TUNED["half_track"]
-    """Speed per yaw rate, m. Default: that of the tuned gait, whose outer legs then walk at the commanded speed."""
+    turn_arm: float = 0.4
+    """Speed per yaw rate, m."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -69,7 +68,7 @@ def frequency_of(value: Any) -> Frequency:
             if name not in value:
                 raise QuadrupedError(
                     f"config.{FIELD}: field {name!r} is missing; give speeds and frequencies, such as "
-                    f"{{'speeds': [0.0, 0.6], 'frequencies': [2.2, 3.0]}}, or one number (Hz)"
+                    f"{{'speeds': [0.0, 0.6], 'frequencies': [2.6, 3.2]}}, or one number (Hz)"
                 )
         return CommandedFrequency(**value)
     if not is_finite_number(value) or not value > 0:

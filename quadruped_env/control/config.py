@@ -91,7 +91,7 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: Frequency = 2.2
+    clock_frequency: Frequency = 2.6
     """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
     observation_history: int = 1
     """Control steps whose observations a policy gets at once."""

@@ -4,7 +4,7 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
@@ -22,6 +22,7 @@ from quadruped_env.export.interface import (
     Input,
     PolicyInterface,
 )
+from quadruped_env.gait.gaits import WHOLE_STEPS
 
 OPSET: Final = 26
 """Version of ONNX's operators: the newest that ONNX Runtime 1.31 runs."""
@@ -141,23 +142,31 @@ def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phas
 
 
 def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
-    """Joint positions (N, J) of the scripted gait, whose table is interpolated at the ground speed of each leg."""
+    """Joint positions (N, J) of the scripted gait; see `CommandedGait.waves`."""
     gait = interface.gait
     assert gait is not None
     knots = np.array(gait.speeds)
     widths = np.diff(knots)
-    # One column per joint: forward velocity plus the yaw rate times its arm.
-    arms = interface.turn_arms
-    speed = graph.add("MatMul", COMMAND, graph.constant(np.stack([np.ones_like(arms), arms])))
-    # Part of the speed within each interval of the table (N, J, K - 1).
-    beyond = graph.add("Sub", graph.add("Unsqueeze", speed, graph.integers([2])), graph.constant(knots[:-1]))
-    parts = graph.clipped(beyond, 0.0, widths)
+    speed, yaw_rate = (graph.add("MatMul", COMMAND, graph.constant(column)) for column in np.eye(2)[:, :, None])
+    shares = (
+        graph.add("Div", graph.add("Abs", value), graph.constant(whole))
+        for value, whole in zip((speed, yaw_rate), WHOLE_STEPS, strict=True)
+    )
+    fade = graph.add("Min", graph.add("Max", *shares), graph.constant(1.0))
+    yaw_rate = graph.clipped(yaw_rate, -gait.largest_yaw_rate, gait.largest_yaw_rate)
+    # Part of the speed within each interval of the table (N, K - 1).
+    parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
+
+    def interpolated(table: NDArray[np.float64]) -> str:
+        change = graph.add("MatMul", parts, graph.constant(np.diff(table, axis=0) / widths[:, None]))
+        return graph.add("Add", change, graph.constant(table[0]))
+
     waves = []
-    for table in interface.gait_table:
-        slopes = (np.diff(table, axis=0) / widths[:, None]).T
-        changes = graph.add("Mul", parts, graph.constant(slopes))
-        change = graph.add("ReduceSum", changes, graph.integers([2]), keepdims=0)
-        waves.append(graph.add("Add", change, graph.constant(table[0])))
+    at_rest = (np.zeros(1), np.zeros(1), interface.policy.robot.stance)
+    for resting, straight, turning in zip(at_rest, gait.straight, gait.turning, strict=True):
+        whole = graph.add("Add", interpolated(straight), graph.add("Mul", yaw_rate, interpolated(turning)))
+        rest = graph.constant(resting)
+        waves.append(graph.add("Add", rest, graph.add("Mul", fade, graph.add("Sub", whole, rest))))
     sine, cosine, offset = waves
     angle = graph.add("Add", phase, graph.constant(interface.joint_phases))
     swing = graph.add(

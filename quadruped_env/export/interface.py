@@ -151,20 +151,6 @@ class PolicyInterface:
         return math.tau * frequency * self.policy.control.timestep
 
     @cached_property
-    def gait_table(self) -> tuple[Floats, Floats, Floats]:
-        """Sine part, cosine part and offset of every joint at the gait's ground speeds, three arrays (K, J), rad."""
-        assert self.gait is not None
-        return self.gait.waves([(speed, 0.0) for speed in self.gait.speeds])
-
-    @cached_property
-    def turn_arms(self) -> Floats:
-        """Ground speed of each joint's leg per yaw rate (J,), m: the gait's half track, positive on the right."""
-        assert self.gait is not None
-        robot = self.policy.robot
-        per_leg = np.where(robot.left_legs, -self.gait.half_track, self.gait.half_track)
-        return np.repeat(per_leg, robot.num_joints // robot.num_legs)
-
-    @cached_property
     def joint_phases(self) -> Floats:
         """Phase of each joint's leg relative to the gait clock (J,), rad."""
         return joint_phases(self.policy.robot)

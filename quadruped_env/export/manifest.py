@@ -12,6 +12,7 @@ from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
 from quadruped_env.export.graph import OPSET
 from quadruped_env.export.interface import HISTORY, LAST_ACTION, Input, PolicyInterface
+from quadruped_env.gait.gaits import WHOLE_STEPS
 from quadruped_env.policies import Policy
 
 MANIFEST_FILE: Final = "manifest.json"
@@ -187,20 +188,27 @@ def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
     """The scripted gait, joint by joint, so that joint targets can be computed from actions without the graph."""
     if interface.gait is None:
         return None
-    sine, cosine, offset = interface.gait_table
+    waves = ("sine", "cosine", "offset")
+    gait = interface.gait
+    columns = [
+        (f"{wave}{suffix}", table)
+        for suffix, tables in (("_rad", gait.straight), ("_turn_rad_per_rad_s", gait.turning))
+        for wave, table in zip(waves, tables, strict=True)
+    ]
     return {
-        "formula": "sine * sin(next_gait_phase + phase) + cosine * cos(next_gait_phase + phase) + offset, each "
-        "interpolated linearly at the joint's ground speed, forward_velocity + arm * yaw_rate, and constant beyond the "
-        "ends of the table; the graph computes it",
-        "ground_speeds_m_s": list(interface.gait.speeds),
+        "formula": "stance + fade * (sine * sin(next_gait_phase + phase) + cosine * cos(next_gait_phase + phase) + "
+        "offset - stance). fade is |forward_velocity| or |yaw_rate|, each divided by its value in whole_steps, the "
+        "larger of the two, but at most 1. sine, cosine and offset are interpolated linearly at the forward velocity, "
+        "constant beyond the ends of the table; added is the same of their _turn columns, times the yaw rate, which "
+        "counts up to largest_yaw_rate. The graph computes it",
+        "forward_velocities_m_s": list(gait.speeds),
+        "largest_yaw_rate_rad_s": gait.largest_yaw_rate,
+        "whole_steps": {"forward_velocity_m_s": WHOLE_STEPS[0], "yaw_rate_rad_s": WHOLE_STEPS[1]},
         "joints": [
             {
                 "name": name,
                 "phase_rad": float(interface.joint_phases[i]),
-                "arm_m": float(interface.turn_arms[i]),
-                "sine_rad": plain(sine[:, i]),
-                "cosine_rad": plain(cosine[:, i]),
-                "offset_rad": plain(offset[:, i]),
+                **{column: plain(table[:, i]) for column, table in columns},
             }
             for i, name in enumerate(interface.policy.robot.joint_names)
         ],

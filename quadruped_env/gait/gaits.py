@@ -31,6 +31,9 @@ from quadruped_env.robot.robot import Robot
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
 
+WHOLE_STEPS: Final = (0.05, 0.15)
+"""Forward velocity (m/s) and yaw rate (rad/s) from which on a command is followed with whole steps."""
+
 
 @dataclass(frozen=True)
 class SinusoidalGait:
@@ -218,33 +221,49 @@ def _sinusoids(
 class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
-    Each side of the robot has a ground speed, v - w * half_track on the left and v + w * half_track on the right. The
-    parameters of its legs are interpolated in a table over that speed. Fore and hind legs have separate tables: with a
-    common one, either the fore or the hind feet hardly leave the ground.
+    The parameters of a leg are interpolated in a table over forward velocity, one for the fore and one for the hind
+    legs. A yaw rate adds to those on the right, and subtracts from those on the left, what the tables' turning columns
+    say. Towards a command of zero the gait fades into the stance.
 
     Args:
         angular_frequency: angular frequency, rad/s.
-        half_track: effective half of the track width, tuned to compensate for slip, m.
-        speeds: ground speeds of the tables (K,), increasing, m/s.
+        speeds: forward velocities of the tables (K,), increasing, m/s.
+        largest_yaw_rate: yaw rate up to which the turning columns hold, rad/s; for a larger one it is used.
         fore: table for the fore legs.
         hind: table for the hind legs.
         robot: robot that walks. The tables are joint angles of the robot on which they were tuned.
     """
 
     angular_frequency: float
-    half_track: float
     speeds: tuple[float, ...]
+    largest_yaw_rate: float
     fore: LegTable
     hind: LegTable
     robot: Robot = MINI_QUADRUPED
-    _corners: tuple[int, ...] = field(init=False, repr=False, compare=False)
     _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
-    _maps: NDArray[np.float64] | None = field(init=False, repr=False, compare=False)
+    straight: Waves = field(init=False, repr=False, compare=False)
+    """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
+    turning: Waves = field(init=False, repr=False, compare=False)
+    """What a yaw rate of 1 rad/s adds to `straight`, (K, J) each."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "_corners", corners(self.robot))
+        maps, legs = leg_maps(self.robot), corners(self.robot)
+        tables = [(self.fore, self.fore, self.hind, self.hind)[corner] for corner in legs]
+        sides = [(-1.0, 1.0)[corner % 2] for corner in legs]
+        straight, turning = (np.zeros((3, len(self.speeds), self.robot.num_joints)) for _ in range(2))
+        for leg, (table, side) in enumerate(zip(tables, sides, strict=True)):
+            hip, knee = 2 * leg, 2 * leg + 1
+            straight[:, :, hip] = table.hip_amplitude, np.zeros(len(self.speeds)), table.hip_offset
+            straight[:, :, knee] = table.knee_sine, table.knee_cosine, table.knee_offset
+            turning[0, :, hip] = side * np.array(table.hip_turn)
+            turning[:2, :, knee] = side * np.array([table.knee_sine_turn, table.knee_cosine_turn])
+        # A wider robot's feet are moved farther by the same yaw rate.
+        turning *= 1.0 if self.robot == TUNED_ON else half_track(self.robot) / half_track(TUNED_ON)
+        mapped = map_waves(self.robot, maps, *straight)
+        both = map_waves(self.robot, maps, *(straight + turning))
+        object.__setattr__(self, "straight", mapped)
+        object.__setattr__(self, "turning", tuple(a - b for a, b in zip(both, mapped, strict=True)))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
-        object.__setattr__(self, "_maps", leg_maps(self.robot))
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
@@ -259,8 +278,8 @@ class CommandedGait:
         """The numbers of the gait as plain values for JSON."""
         return {
             "angular_frequency": self.angular_frequency,
-            "half_track": self.half_track,
             "speeds": plain(self.speeds),
+            "largest_yaw_rate": self.largest_yaw_rate,
             "fore": plain(self.fore),
             "hind": plain(self.hind),
         }
@@ -268,22 +287,27 @@ class CommandedGait:
     def waves(self, command: ArrayLike) -> Waves:
         """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
         command = np.asarray(command, dtype=np.float64)
-        turn = command[:, 1] * self.half_track
-        sine, cosine, offset = (np.zeros((len(command), self.robot.num_joints)) for _ in range(3))
-        left, right = command[:, 0] - turn, command[:, 0] + turn
-        by_corner = ((left, self.fore), (right, self.fore), (left, self.hind), (right, self.hind))
-        for leg, corner in enumerate(self._corners):
-            speed, table = by_corner[corner]
-            hip, knee = 2 * leg, 2 * leg + 1
-            for target, joint, values in (
-                (sine, hip, table.hip_amplitude),
-                (offset, hip, table.hip_offset),
-                (cosine, knee, table.knee_cosine),
-                (sine, knee, table.knee_sine),
-                (offset, knee, table.knee_offset),
-            ):
-                target[:, joint] = np.interp(speed, self.speeds, values)
-        return map_waves(self.robot, self._maps, sine, cosine, offset)
+        speed, yaw_rate = command[:, 0], np.clip(command[:, 1], -self.largest_yaw_rate, self.largest_yaw_rate)
+        row = np.interp(speed, self.speeds, np.arange(len(self.speeds)))
+        below = np.minimum(row.astype(np.intp), len(self.speeds) - 2)
+        share, yaw_rate, fade = (row - below)[:, None], yaw_rate[:, None], self.fade(command)[:, None]
+
+        def interpolated(table: NDArray[np.float64]) -> NDArray[np.float64]:
+            return table[below] + share * (table[below + 1] - table[below])
+
+        sine, cosine, offset = (
+            interpolated(straight) + yaw_rate * interpolated(turning)
+            for straight, turning in zip(self.straight, self.turning, strict=True)
+        )
+        stance = self.robot.stance
+        return fade * sine, fade * cosine, stance + fade * (offset - stance)
+
+    @staticmethod
+    def fade(command: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Size of the steps (N,), 0 for a command of zero and 1 for one that is worth whole steps."""
+        return np.minimum(
+            1.0, np.maximum(np.abs(command[:, 0]) / WHOLE_STEPS[0], np.abs(command[:, 1]) / WHOLE_STEPS[1])
+        )
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
@@ -297,7 +321,4 @@ class CommandedGait:
 
 @functools.cache
 def _tuned(robot: Robot) -> CommandedGait:
-    track = TUNED["half_track"]
-    if robot != TUNED_ON:
-        track *= half_track(robot) / half_track(TUNED_ON)
-    return CommandedGait(**{**TUNED, "half_track": track}, robot=robot)
+    return CommandedGait(**TUNED, robot=robot)

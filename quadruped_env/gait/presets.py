@@ -32,11 +32,10 @@ class LegSinusoids(NamedTuple):
 
 @dataclass(frozen=True)
 class LegTable:
-    """Parameters of a leg's sinusoids as functions of ground speed, one value per entry of `CommandedGait.speeds`, rad.
+    """Parameters of a leg's sinusoids as functions of forward velocity, one value per entry of `CommandedGait.speeds`.
 
-    The knee has a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p). Walking backward is
-    walking forward with time reversed and a shift of half a cycle, so only the cosine part changes its sign, and the
-    table is smooth at zero speed.
+    The knee has a cosine and a sine part, knee_cosine * cos(w t + p) + knee_sine * sin(w t + p). The columns that end
+    in `_turn` are what a yaw rate adds on the right and subtracts on the left, rad per rad/s; the others are in rad.
     """
 
     hip_amplitude: tuple[float, ...]
@@ -44,6 +43,9 @@ class LegTable:
     knee_cosine: tuple[float, ...]
     knee_sine: tuple[float, ...]
     knee_offset: tuple[float, ...]
+    hip_turn: tuple[float, ...]
+    knee_cosine_turn: tuple[float, ...]
+    knee_sine_turn: tuple[float, ...]
 
 
 ARTICLE: Final[dict[str, Any]] = {
@@ -69,22 +71,28 @@ TUNED_FOR_ONE_SPEED: Final = {
 """Preset -> angular frequency in rad/s, fore legs, hind legs; the phases are those of `LEG_PHASES`."""
 
 TUNED: Final[dict[str, Any]] = {
-    "angular_frequency": math.tau * 2.2,
-    "half_track": 0.58,
-    "speeds": (-0.4, -0.3, -0.2, -0.095, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.554),
+    "angular_frequency": math.tau * 2.6,
+    "speeds": (-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5),
+    "largest_yaw_rate": 0.8,
     "fore": LegTable(
-        hip_amplitude=(0.2065, 0.141, 0.0773, 0.1105, 0.0, 0.1785, 0.229, 0.2136, 0.2631, 0.1936, 0.1062),
-        hip_offset=(0.6676, 0.5615, 0.5786, 0.5725, 0.6, 0.6453, 0.7038, 0.732, 0.7608, 0.7624, 0.7956),
-        knee_cosine=(0.0254, -0.0136, -0.0958, -0.0828, 0.0, 0.0713, 0.1218, 0.1785, 0.2408, 0.2592, 0.2805),
-        knee_sine=(0.1049, 0.0852, -0.0411, -0.1391, 0.0, -0.2624, -0.3303, -0.3007, -0.2647, -0.245, -0.2233),
-        knee_offset=(-0.4281, -0.5645, -0.6097, -0.6678, -0.72, -0.7735, -0.7434, -0.7744, -0.774, -0.7576, -0.7605),
+        hip_amplitude=(0.2181, 0.22, 0.2247, -0.1282, -0.1664, -0.193, -0.1703, -0.2531, -0.2524),
+        hip_offset=(0.7564, 0.7879, 0.7813, 0.2787, 0.218, 0.1904, 0.3173, 0.4438, 0.424),
+        knee_cosine=(0.0268, 0.0566, 0.1391, -0.1461, -0.1003, -0.0814, -0.1191, -0.1277, -0.188),
+        knee_sine=(0.0765, 0.0282, 0.0027, -0.1361, -0.0808, -0.0777, -0.1317, -0.0377, -0.1505),
+        knee_offset=(-0.4522, -0.4745, -0.4499, -1.0825, -1.187, -1.1891, -1.1874, -1.119, -1.0612),
+        hip_turn=(-0.0742, -0.0413, 0.0465, -0.1956, -0.1644, -0.1241, -0.124, -0.0154, -0.047),
+        knee_cosine_turn=(0.2034, 0.1864, 0.1782, 0.1749, 0.0837, 0.1121, 0.1902, 0.1948, 0.1154),
+        knee_sine_turn=(0.0256, -0.016, -0.1036, -0.1919, -0.2519, -0.2731, -0.16, -0.0906, -0.1487),
     ),
     "hind": LegTable(
-        hip_amplitude=(0.2648, 0.3007, 0.3298, 0.2866, 0.0, 0.1483, 0.113, 0.0339, -0.0365, -0.0792, -0.1308),
-        hip_offset=(0.5823, 0.6718, 0.6396, 0.5963, 0.6, 0.6881, 0.6114, 0.5865, 0.521, 0.4716, 0.4174),
-        knee_cosine=(-0.2504, -0.2074, -0.1332, -0.0749, 0.0, 0.062, 0.1341, 0.1849, 0.2592, 0.3225, 0.2872),
-        knee_sine=(-0.251, -0.2753, -0.2939, -0.2838, 0.0, -0.0945, -0.0838, -0.0594, -0.0935, -0.1443, -0.2049),
-        knee_offset=(-0.7179, -0.7268, -0.7337, -0.748, -0.72, -0.568, -0.5828, -0.5954, -0.5819, -0.602, -0.5927),
+        hip_amplitude=(0.2447, 0.2467, 0.1048, 0.1683, 0.0411, -0.1056, -0.1581, -0.2079, -0.2597),
+        hip_offset=(0.7798, 0.6415, 0.5885, 0.3252, 0.287, 0.4966, 0.533, 0.558, 0.5805),
+        knee_cosine=(-0.0669, 0.007, -0.0034, 0.0232, 0.0988, 0.0426, 0.105, 0.0585, 0.0949),
+        knee_sine=(-0.1237, -0.1568, -0.1893, -0.2749, -0.2154, -0.1281, -0.141, -0.1852, -0.2024),
+        knee_offset=(-0.694, -0.7665, -0.8134, -1.1196, -1.2372, -1.0949, -1.12, -1.1185, -1.1224),
+        hip_turn=(-0.0232, -0.0376, -0.0859, 0.0496, 0.0525, -0.0865, -0.1022, -0.0239, -0.0453),
+        knee_cosine_turn=(0.165, 0.1339, 0.1445, 0.0228, 0.0845, -0.0926, -0.0944, -0.1118, -0.1639),
+        knee_sine_turn=(-0.0166, -0.0666, 0.0607, 0.0338, 0.0272, -0.1169, -0.1085, -0.1225, -0.0862),
     ),
 }
 """Parameters of the tuned `CommandedGait`."""

@@ -1,13 +1,14 @@
 """Search for the parameters of the scripted gaits, with many candidates in parallel (cross-entropy method).
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
-parts and its offset. It is scored on flat ground from rest: difference from the target speed, feet that clear the
-ground in their swing, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard
-bounds of the search. Method: Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
+parts and its offset, and what a yaw rate changes on the two sides. It is scored on flat ground from rest, at several
+yaw rates at once: difference from the command, feet that clear the ground in their swing, sideways drift, tilt, motor
+power and sliding feet; joint limits and the 5 rad/s limit are hard bounds of the search. Method: Rubinstein 1999,
+https://doi.org/10.1023/A:1010091220143.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -24,11 +25,13 @@ ROBOT: Final = MINI_QUADRUPED
 """Robot whose gaits are searched."""
 CONTROL_TIMESTEP: Final = TaskConfig().control_timestep
 SUBSTEPS: Final = TaskConfig().decimation
-CANDIDATES: Final = 192
-ELITE: Final = 20
+CANDIDATES: Final = 80
+ELITE: Final = 12
 WARM_UP: Final = 1.0
 """Time before measurement starts, s."""
-SECONDS: Final = 4.0
+SECONDS: Final = 3.0
+CLEARANCE: Final = 0.015
+"""Height that every sole must have in the middle of its swing, m."""
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
 """Time over which a candidate's amplitude grows from the stance, s."""
@@ -111,25 +114,50 @@ def measure(
     return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, clearance, fallen)
 
 
-# Columns of a leg: hip amplitude, hip offset, knee cosine, knee sine, knee offset. A candidate has those of a fore leg
-# and then those of a hind leg.
-_LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3] * 2)
-_HIGH: Final = np.array([0.5, 1.1, 0.5, 0.5, -0.4] * 2)
+# Columns of a leg: hip amplitude, hip offset, knee cosine, knee sine, knee offset. A candidate has those of a fore leg,
+# those of a hind leg, and for each of the two what a yaw rate of 1 rad/s adds on the right to hip amplitude, knee
+# cosine and knee sine.
 _LEG: Final = 5
-_STANDING: Final = np.array([0.0, ROBOT.stance[0], 0.0, 0.0, ROBOT.stance[1]] * 2)
-_STEPPING: Final = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2)
+_STRAIGHT: Final = 2 * _LEG
+_LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3] * 2 + [-0.6] * 6)
+_HIGH: Final = np.array([0.5, 1.1, 0.5, 0.5, -0.4] * 2 + [0.6] * 6)
+_STANDING: Final = np.array([0.0, ROBOT.stance[0], 0.0, 0.0, ROBOT.stance[1]] * 2 + [0.0] * 6)
+_STEPPING: Final = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2 + [0.0] * 6)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
+_FORWARD: Final = np.array(
+    [-0.05, 0.33, -0.15, -0.22, -0.95, 0.1, 0.42, 0.08, -0.25, -0.85, 0.1, 0.1, 0.0, 0.1, 0.05, 0.0]
+)
+_BACKWARD: Final = np.array(
+    [0.24, 0.82, 0.13, -0.05, -0.58, 0.23, 0.62, -0.13, -0.265, -0.835, -0.19, 0.17, -0.19, 0.05, 0.02, 0.03]
+)
+"""Where the search of the commanded gait starts: with bent knees, the shank lifts the foot when it folds"""
+_FASTER: Final = np.array([-0.5, 0.0, -0.6, 0.0, 0.0, -0.5, 0.0, 0.5, 0.0, 0.0] + [0.0] * 6)
+"""About what 1 m/s more changes in a gait with bent knees"""
+_SIDES: Final = np.array([-1.0, 1.0, -1.0, 1.0])
+_AMPLITUDES: Final = np.array([0, 2, 3])
+"""Columns of a leg that a yaw rate changes"""
+
+
+def _leg_columns(candidates: NDArray[np.float64], yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Columns of all legs (N, 4, 5) of candidates (N, 16) at yaw rates (N,) in rad/s."""
+    legs = np.repeat(candidates[:, :_STRAIGHT].reshape(-1, 2, _LEG), 2, axis=1)
+    turning = np.repeat(candidates[:, _STRAIGHT:].reshape(-1, 2, 3), 2, axis=1)
+    legs[:, :, _AMPLITUDES] += yaw_rate[:, None, None] * _SIDES[:, None] * turning
+    return legs
 
 
 def gait_targets(
-    candidates: NDArray[np.float64], angular_frequency: float, turns: tuple[float, ...]
+    candidates: NDArray[np.float64],
+    yaw_rate: NDArray[np.float64],
+    angular_frequency: float,
+    turns: tuple[float, ...],
 ) -> Callable[[float], NDArray[np.float64]]:
-    """Joint targets over time for candidates (N, 10), whose fore legs differ only in phase, as do the hind legs."""
+    """Joint targets over time for candidates (N, 16) at yaw rates (N,) in rad/s.
+
+    The fore legs of one side differ from those of the other only in phase and by the yaw rate, as do the hind legs.
+    """
     phases = np.array(turns) * 2.0 * np.pi
-    # (N, 4) each: the fore leg's value twice, then the hind leg's.
-    hip, hip_offset, knee_cosine, knee_sine, knee_offset = np.repeat(
-        candidates.reshape(-1, 2, _LEG), 2, axis=1
-    ).transpose(2, 0, 1)
+    hip, hip_offset, knee_cosine, knee_sine, knee_offset = _leg_columns(candidates, yaw_rate).transpose(2, 0, 1)
 
     def targets(t: float) -> NDArray[np.float64]:
         angle = angular_frequency * t + phases
@@ -142,14 +170,23 @@ def gait_targets(
     return targets
 
 
-def _within_limits(candidates: NDArray[np.float64], angular_frequency: float) -> NDArray[np.float64]:
+def _within_limits(
+    candidates: NDArray[np.float64], angular_frequency: float, largest_yaw_rate: float
+) -> NDArray[np.float64]:
     """Candidates shrunk until no joint asks for more than its speed limit; the offsets' bounds keep the ranges."""
     candidates = np.clip(candidates, _LOW, _HIGH)
     largest = 0.999 * ROBOT.velocity_limit.min() / angular_frequency
-    for leg in (candidates[:, :_LEG], candidates[:, _LEG:]):
-        leg[:, 0] = np.clip(leg[:, 0], -largest, largest)
-        knee = np.hypot(leg[:, 2], leg[:, 3])
-        leg[:, 2:4] *= np.minimum(1.0, largest / np.maximum(knee, 1e-9))[:, None]
+    for leg in range(2):
+        straight = candidates[:, _LEG * leg : _LEG * (leg + 1)]
+        turning = candidates[:, _STRAIGHT + 3 * leg : _STRAIGHT + 3 * (leg + 1)]
+        sides = [straight[:, _AMPLITUDES] + side * largest_yaw_rate * turning for side in (-1.0, 1.0)]
+        for part, size in (
+            (slice(0, 1), np.max([np.abs(side[:, 0]) for side in sides], axis=0)),
+            (slice(1, 3), np.max([np.hypot(side[:, 1], side[:, 2]) for side in sides], axis=0)),
+        ):
+            shrunk = np.minimum(1.0, largest / np.maximum(size, 1e-9))[:, None]
+            straight[:, _AMPLITUDES[part]] *= shrunk
+            turning[:, part] *= shrunk
     return candidates
 
 
@@ -157,11 +194,13 @@ class Found(NamedTuple):
     """The best candidate of a search."""
 
     columns: NDArray[np.float64]
-    """(10,)"""
+    """(16,)"""
     speed: float
-    """Achieved speed, m/s."""
+    """Achieved speed straight ahead, m/s."""
+    yaw_rate: NDArray[np.float64]
+    """Achieved yaw rate at each yaw rate of the search (K,), rad/s."""
     clearance: float
-    """See `Achieved`, m."""
+    """See `Achieved`; the least at any yaw rate, m."""
 
 
 def search(
@@ -172,100 +211,114 @@ def search(
     spread: float,
     generations: int,
     seed: int = 0,
+    yaw_rates: tuple[float, ...] = (0.0,),
 ) -> Found:
-    """The best candidate for a forward speed (m/s).
+    """The best candidate for a forward speed (m/s), at all of the given yaw rates.
 
     Args:
         speed: target, m/s.
         angular_frequency: rad/s.
         turns: phase of each leg in cycles.
-        start: initial candidate (10,).
+        start: initial candidate (16,).
         spread: standard deviation of the first generation, as a share of each column's range.
         generations: number of generations.
         seed: of the search.
+        yaw_rates: targets, 0 or more and increasing, rad/s; turns to the right are their mirror images.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
     """
     check_training_seeds("seed", seed)
     rng = np.random.default_rng(seed)
-    simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES, robot=ROBOT)
-    mean, deviation = start.copy(), spread * (_HIGH - _LOW)
-    best, best_score = Found(start, 0.0, 0.0), -np.inf
+    simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES * len(yaw_rates), robot=ROBOT)
+    # All candidates at the first yaw rate, then all at the second.
+    wanted = np.repeat(yaw_rates, CANDIDATES)
+    varied = np.arange(len(start)) < (_STRAIGHT if max(yaw_rates) == 0.0 else len(start))
+    mean, deviation = start.copy(), spread * (_HIGH - _LOW) * varied
+    best, best_score = Found(start, 0.0, np.zeros(len(yaw_rates)), 0.0), -np.inf
     for _ in range(generations):
         candidates = mean + deviation * rng.standard_normal((CANDIDATES, len(start)))
         candidates[0] = mean
-        candidates = np.round(_within_limits(candidates, angular_frequency), 4)
-        got = measure(gait_targets(candidates, angular_frequency, turns), simulation, angular_frequency, turns)
+        candidates = np.round(_within_limits(candidates, angular_frequency, max(yaw_rates)), 4)
+        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1)), wanted, angular_frequency, turns)
+        got = measure(targets, simulation, angular_frequency, turns)
+        # Turns are about as important as speed: 0.1 rad/s moves a foot as fast as 0.02 m/s.
         score = (
-            -10.0 * np.abs(got.forward_velocity - speed)
-            - 2.0 * np.abs(got.lateral_velocity)
-            - 1.0 * np.abs(got.yaw_rate)
-            - 5.0 * got.tilt
-            - 0.01 * got.power
-            - 2.0 * got.slip
-            # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
-            + 2.0 * got.clock
-            + 3.0 * got.lift
-            - 10.0 * got.fallen
+            (
+                -20.0 * np.abs(got.forward_velocity - speed)
+                - 6.0 * np.abs(got.yaw_rate - wanted)
+                - 4.0 * np.abs(got.lateral_velocity)
+                - 5.0 * got.tilt
+                - 0.01 * got.power
+                - 2.0 * got.slip
+                # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
+                + 2.0 * got.clock
+                + 2.0 * got.lift
+                - 300.0 * np.maximum(0.0, CLEARANCE - got.clearance)
+                - 10.0 * got.fallen
+            )
+            .reshape(len(yaw_rates), CANDIDATES)
+            .mean(axis=0)
         )
         order = np.argsort(-score)
         elite = candidates[order[:ELITE]]
-        mean, deviation = elite.mean(axis=0), elite.std(axis=0) + 0.002
+        # The old deviation keeps the search from settling before it has found the speed.
+        mean, deviation = elite.mean(axis=0), 0.4 * deviation + 0.6 * elite.std(axis=0) + 0.001 * varied
         # Use the elite mean: the best sample's score may not survive rounding.
         if score[0] > best_score:
             best_score = float(score[0])
-            best = Found(candidates[0], float(got.forward_velocity[0]), float(got.clearance[0]))
+            best = Found(
+                candidates[0],
+                float(got.forward_velocity[0]),
+                got.yaw_rate[::CANDIDATES],
+                float(got.clearance[::CANDIDATES].min()),
+            )
     return best
 
 
 def tune_commanded_gait(
-    angular_frequency: float, forward: tuple[float, ...], backward: tuple[float, ...], generations: int, say: Log
+    angular_frequency: float,
+    forward: tuple[float, ...],
+    backward: tuple[float, ...],
+    yaw_rates: tuple[float, ...],
+    generations: int,
+    say: Log,
 ) -> CommandedGait:
-    """The table of `CommandedGait` for the given speeds, m/s, each tuple from slow to fast.
+    """The table of `CommandedGait` for the given speeds, m/s, each tuple ending with the fastest, and yaw rates, rad/s.
 
-    Each speed's search starts from its slower neighbour's result, so that the table is smooth.
+    Each speed's search starts from the result of its nearest neighbour, so that the table is smooth.
     """
-    table = {0.0: _STANDING}
-    for speeds, direction in ((forward, 1.0), (backward, -1.0)):
-        # Backwards the shank swings the other way.
-        start = _STANDING + _STEPPING * np.array([1.0, 1.0, direction, 1.0, 1.0] * 2)
-        spread = 0.15
+    table: dict[float, NDArray[np.float64]] = {}
+    for speeds, first in ((forward, _FORWARD), (backward, _BACKWARD)):
+        found_at: dict[float, NDArray[np.float64]] = {}
         for speed in speeds:
-            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, spread, generations)
+            near = min(found_at, key=lambda other, speed=speed: abs(other - speed), default=speed)
+            start = found_at.get(near, first) + (speed - near) * _FASTER
+            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations, yaw_rates=yaw_rates)
             say(_line(f"{speed:+.2f} m/s", found))
-            # Where the wanted speed is out of reach the table ends with the speed that was reached.
-            short = abs(found.speed) < 0.97 * abs(speed)
+            found_at[speed] = found.columns
+            # Where the fastest speeds are out of reach the table ends with the speed that was reached.
+            short = speed in (forward[-1], backward[-1]) and abs(found.speed) < 0.97 * abs(speed)
             table[round(found.speed, 3) if short else speed] = found.columns
-            start, spread = found.columns, 0.08
     speeds = tuple(sorted(table))
     columns = [tuple(column.tolist()) for column in np.array([table[speed] for speed in speeds]).T]
-    gait = CommandedGait(angular_frequency, 0.1, speeds, LegTable(*columns[:_LEG]), LegTable(*columns[_LEG:]))
-    return _with_tuned_track(gait, say)
+    fore, hind = (
+        LegTable(
+            *columns[_LEG * leg : _LEG * (leg + 1)],
+            *columns[_STRAIGHT + 3 * leg : _STRAIGHT + 3 * (leg + 1)],
+        )
+        for leg in range(2)
+    )
+    return CommandedGait(angular_frequency, speeds, max(yaw_rates), fore, hind)
 
 
 def _line(what: str, found: Found) -> str:
     columns = np.round(found.columns, 3).tolist()
     return (
         f"{what}: reached {found.speed:+.3f} m/s, every foot lifted by {1e3 * found.clearance:.0f} mm, with "
-        f"{columns[:_LEG]}, {columns[_LEG:]}"
+        f"{columns[:_LEG]}, {columns[_LEG:_STRAIGHT]}, {columns[_STRAIGHT:]}; yaw rates "
+        f"{np.round(found.yaw_rate, 2).tolist()} rad/s"
     )
-
-
-def _with_tuned_track(gait: CommandedGait, say: Log) -> CommandedGait:
-    """The gait with the half track that turns closest to the commanded yaw rates."""
-    commands = np.array([(v, w) for v in (0.0, 0.2, 0.3) for w in (-0.6, -0.3, 0.3, 0.6)])
-    best, best_error = gait, np.inf
-    for half_track in np.arange(0.10, 0.62, 0.04):
-        candidate = replace(gait, half_track=round(float(half_track), 3))
-        got = measure_commands(candidate, commands)
-        error = float(
-            np.abs(got.yaw_rate - commands[:, 1]).mean() + np.abs(got.forward_velocity - commands[:, 0]).mean()
-        )
-        if error < best_error:
-            best, best_error = candidate, error
-    say(f"half track {best.half_track} m: mean error {best_error:.3f} (rad/s + m/s)")
-    return best
 
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
@@ -300,12 +353,12 @@ def achieved_table(gait: CommandedGait) -> str:
 
 
 def tune_presets(generations: int, say: Log) -> dict[str, list[float]]:
-    """The candidate (10,) of each tuned preset, at the highest speed that it holds steadily."""
+    """The columns (10,) of each tuned preset, at the highest speed that it holds steadily."""
     tuned = {}
     for name, angular_frequency, speed in PRESET_SPEEDS:
         found = search(speed, angular_frequency, LEG_PHASES[name], _STANDING + _STEPPING, 0.15, generations)
         say(_line(f"{name} at {angular_frequency} rad/s", found))
-        tuned[name] = np.round(found.columns, 3).tolist()
+        tuned[name] = np.round(found.columns[:_STRAIGHT], 3).tolist()
     return tuned
 
 

@@ -88,8 +88,8 @@ def test_reset_leaves_the_clock_and_the_gait_of_the_zero_command():
 
 
 def test_constant_frequency_is_a_table_with_one_value():
-    constant = make_task(4, clock_frequency=2.2)
-    table = make_task(4, clock_frequency=CommandedFrequency((0.0, 0.6), (2.2, 2.2)))
+    constant = make_task(4, clock_frequency=2.6)
+    table = make_task(4, clock_frequency=CommandedFrequency((0.0, 0.6), (2.6, 2.6)))
     rng = np.random.default_rng(0)
     for _ in range(40):
         action = rng.uniform(-1, 1, (4, 8))

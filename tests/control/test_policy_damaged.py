@@ -97,7 +97,7 @@ DAMAGES = {
     "layers too many": (lambda d: edit_card(d, layers=4), r"policy.safetensors: layer3.weight must have shape \(8, "),
     "other layout": (lambda d: edit_card(d, observation_layout=[]), r"policy.json: observation_layout differs"),
     "other gait": (
-        lambda d: edit_card(d, config={"action": {"mode": "residual"}}, scripted_gait={"half_track": 0.5}),
+        lambda d: edit_card(d, config={"action": {"mode": "residual"}}, scripted_gait={"largest_yaw_rate": 0.5}),
         r"policy.json: scripted_gait differs from this version's.*train again",
     ),
     "residual without its gait": (

@@ -201,14 +201,24 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
     later = (phase + document["gait_clock"]["step_rad"]) % (2.0 * np.pi)
     np.testing.assert_allclose(np.cos(found["next_gait_phase"][:, 0] - later), 1.0, atol=1e-6)
     gait = document["residual_gait"]
+    whole = gait["whole_steps"]
+    fade = np.clip(
+        np.maximum(abs(command[:, 0]) / whole["forward_velocity_m_s"], abs(command[:, 1]) / whole["yaw_rate_rad_s"]),
+        0.0,
+        1.0,
+    )
     for i, (joint, own) in enumerate(zip(document["joints"], gait["joints"], strict=True)):
         assert joint["name"] == own["name"]
-        speed = command[:, 0] + own["arm_m"] * command[:, 1]
+        yaw_rate = np.clip(command[:, 1], -gait["largest_yaw_rate_rad_s"], gait["largest_yaw_rate_rad_s"])
         sine, cosine, offset = (
-            np.interp(speed, gait["ground_speeds_m_s"], own[f"{part}_rad"]) for part in ("sine", "cosine", "offset")
+            np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_rad"])
+            + yaw_rate * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_turn_rad_per_rad_s"])
+            for part in ("sine", "cosine", "offset")
         )
         angle = later + own["phase_rad"]
-        nominal = sine * np.sin(angle) + cosine * np.cos(angle) + offset
+        nominal = joint["stance_rad"] + fade * (
+            sine * np.sin(angle) + cosine * np.cos(angle) + offset - joint["stance_rad"]
+        )
         change = document["control"]["action_scale_rad"] * found["action"][:, i]
         expected = np.clip(nominal + change, joint["lower_rad"], joint["upper_rad"])
         np.testing.assert_allclose(found["joint_target"][:, i], expected, rtol=0, atol=1e-5)

@@ -27,7 +27,7 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import CommandedGaitController, PolicyController, ZeroController, load_policy
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
-from quadruped_env.robot.corners import corners
+from quadruped_env.robot.corners import corners, leg_jacobians
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, load_task_file
 
@@ -229,7 +229,17 @@ class TestGait:
             gait.positions(gait.angular_frequency * t, np.tile(command, (30, 1))),
             atol=1e-12,
         )
-        assert gait.half_track == pytest.approx(0.58 * 1.2)
+
+    def test_feet_of_a_wider_robot_move_farther_in_a_turn(self):
+        moves = []
+        for robot in (MINI_QUADRUPED, ROBOT):
+            waves = CommandedGait.tuned(robot).waves([(0.2, 0.5), (0.2, 0.0)])
+            changes = np.array([part[0] - part[1] for part in waves[:2]]).reshape(2, -1, 2)
+            feet = np.einsum("lij,wlj->lwi", leg_jacobians(robot), changes)
+            moves.append(dict(zip(robot.leg_names, feet, strict=True)))
+        for name in MINI_QUADRUPED.leg_names:
+            np.testing.assert_allclose(moves[1][name], 1.2 * moves[0][name], rtol=0, atol=1e-9)
+            assert np.abs(moves[0][name]).max() > 0.005
 
     def test_tuned_gait_walks_and_turns_as_commanded(self):
         found = walk(CommandedGaitController(), [(0.3, 0.0), (-0.2, 0.0), (0.2, 0.4), (0.2, -0.4), (0.0, 0.0)])

@@ -23,7 +23,7 @@ STANCE = np.array([0.6, -0.72] * 4)
 LOW, HIGH = np.array([-1.5, -2.0] * 4), np.array([1.5, 0.0] * 4)
 RADIUS = 0.02
 DT = 4 * PHYSICS_TIMESTEP
-CLOCK_RATE = math.tau * 2.2
+CLOCK_RATE = math.tau * 2.6
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 

@@ -1,5 +1,7 @@
 """The scripted gaits on simulated robots, and the search that found their parameters."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from built_in import STANCE, VELOCITY_LIMIT
@@ -10,7 +12,11 @@ from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.training import gait_tuning
 
 TUNED = CommandedGait.tuned()
-TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds])
+TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds if speed != 0.0])
+"""At zero the commanded gait stands"""
+TURNS = np.array(
+    [(speed, side * yaw_rate) for speed in (0.0, 0.2, -0.2) for yaw_rate in (0.4, 0.7) for side in (1, -1)]
+)
 
 
 @pytest.fixture(scope="module")
@@ -26,20 +32,25 @@ def test_the_tuned_gait_walks_at_the_speeds_of_its_table(walked):
 
 
 def test_the_tuned_gait_lifts_every_foot(walked):
-    moving = TABLE[:, 0] != 0.0
-    assert walked.clearance[moving].min() > 0.0005
-    assert np.median(walked.clearance[moving]) > 0.002
-    assert walked.clock[moving].min() > 0.2
-    # The stance holds all feet on the ground, against the clock as often as with it.
-    assert walked.clearance[~moving] == pytest.approx(0.0, abs=0.001)
-    assert walked.clock[~moving] == pytest.approx(0.0, abs=0.05)
+    assert walked.clearance.min() > 0.012
+    assert walked.clock.min() > 0.2
 
 
-def test_the_tuned_gait_turns_the_right_way():
-    commands = np.array([(0.0, 0.6), (0.0, -0.6), (0.3, 0.6), (0.3, -0.6)])
-    got = gait_tuning.measure_commands(TUNED, commands)
-    assert (np.sign(got.yaw_rate) == np.sign(commands[:, 1])).all()
-    assert (abs(got.yaw_rate) > 0.3).all()
+def test_a_standing_robot_has_its_feet_on_the_ground():
+    standing = gait_tuning.measure_commands(TUNED, np.zeros((1, 2)))
+    assert standing.clearance[0] == pytest.approx(0.0, abs=0.001)
+    # Against the clock as often as with it.
+    assert standing.clock[0] == pytest.approx(0.0, abs=0.05)
+
+
+def test_the_tuned_gait_turns_at_the_commanded_rate_on_lifted_feet():
+    got = gait_tuning.measure_commands(TUNED, TURNS)
+    np.testing.assert_allclose(got.yaw_rate, TURNS[:, 1], atol=0.25)
+    assert (np.abs(got.yaw_rate) > 0.6 * np.abs(TURNS[:, 1])).all()
+    np.testing.assert_allclose(got.forward_velocity, TURNS[:, 0], atol=0.06)
+    assert got.clearance.min() > 0.008
+    left, right = got.yaw_rate[::2], got.yaw_rate[1::2]
+    np.testing.assert_allclose(left, -right, atol=0.02)
 
 
 @pytest.mark.parametrize(("name", "angular_frequency", "speed"), gait_tuning.PRESET_SPEEDS)
@@ -58,7 +69,7 @@ def test_presets_walk_as_fast_as_they_were_tuned_for(name, angular_frequency, sp
 
 def test_candidates_give_the_joint_targets_of_their_gait():
     """The search's own targets, against the gait's formula."""
-    column = [0.1, 0.6, 0.2, -0.15, -0.7, 0.05, 0.5, 0.1, -0.3, -0.8]
+    column = [0.1, 0.6, 0.2, -0.15, -0.7, 0.05, 0.5, 0.1, -0.3, -0.8, *[0.0] * 6]
     preset = SinusoidalGait(
         hip_amplitude=(0.1, 0.1, 0.05, 0.05),
         hip_offset=(0.6, 0.6, 0.5, 0.5),
@@ -73,22 +84,50 @@ def test_candidates_give_the_joint_targets_of_their_gait():
             for lag in (0.0, knee)
         ),
     )
-    targets = gait_tuning.gait_targets(np.array([column, column]), 12.0, LEG_PHASES["walk"])
+    targets = gait_tuning.gait_targets(np.array([column, column]), np.array([0.0, 0.5]), 12.0, LEG_PHASES["walk"])
     for t in (0.0, 0.1, 0.77):
         np.testing.assert_allclose(targets(t), np.tile(preset.positions(t), (2, 1)), atol=1e-12)
+
+
+def test_candidates_at_a_yaw_rate_are_the_commanded_gait():
+    row = TUNED.speeds.index(0.2)
+    legs = [[plain[row] for plain in dataclasses.astuple(table)] for table in (TUNED.fore, TUNED.hind)]
+    candidate = np.concatenate([leg[:5] for leg in legs] + [leg[5:] for leg in legs])
+    yaw_rates = np.array([-0.6, 0.0, 0.5])
+    targets = gait_tuning.gait_targets(
+        np.tile(candidate, (3, 1)), yaw_rates, TUNED.angular_frequency, LEG_PHASES["trot"]
+    )
+    commands = np.column_stack([np.full(3, 0.2), yaw_rates])
+    for t in (0.0, 0.13, 1.7):
+        expected = TUNED.positions(np.full(3, TUNED.angular_frequency * t), commands)
+        np.testing.assert_allclose(targets(t), expected, atol=1e-12)
+
+
+def test_search_keeps_the_feet_of_a_turn_within_the_motors_speed(monkeypatch):
+    monkeypatch.setattr(gait_tuning, "CANDIDATES", 20)
+    monkeypatch.setattr(gait_tuning, "ELITE", 5)
+    monkeypatch.setattr(gait_tuning, "SECONDS", 1.5)
+    start = np.array([0.2, STANCE[0], 0.15, -0.1, STANCE[1]] * 2 + [0.3] * 6)
+    found = gait_tuning.search(0.2, 20.0, LEG_PHASES["trot"], start, 0.15, 3, seed=1, yaw_rates=(0.0, 1.0))
+    straight, turning = found.columns[:10].reshape(2, 5)[:, [0, 2, 3]], found.columns[10:].reshape(2, 3)
+    for side in (-1.0, 1.0):
+        hip, cosine, sine = (straight + side * turning).T
+        assert (20.0 * np.maximum(abs(hip), np.hypot(cosine, sine)) <= VELOCITY_LIMIT).all()
+    assert abs(turning).min() > 0.0
 
 
 def test_search_improves_and_stays_within_the_motors_speed(monkeypatch):
     monkeypatch.setattr(gait_tuning, "CANDIDATES", 40)
     monkeypatch.setattr(gait_tuning, "ELITE", 8)
-    start = np.tile([0.1, STANCE[0], 0.15, -0.1, STANCE[1]], 2)
+    start = np.array([0.1, STANCE[0], 0.15, -0.1, STANCE[1]] * 2 + [0.0] * 6)
     frequency = 14.0
     found = [
         gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, generations, seed=1)
         for generations in (1, 8)
     ]
     assert abs(found[1].speed - 0.25) < abs(found[0].speed - 0.25)
-    hip, _, cosine, sine, _ = found[1].columns.reshape(2, 5).T
+    assert (found[1].columns[10:] == 0.0).all(), "straight ahead, no turning column is searched"
+    hip, _, cosine, sine, _ = found[1].columns[:10].reshape(2, 5).T
     assert (frequency * np.maximum(abs(hip), np.hypot(cosine, sine)) <= VELOCITY_LIMIT).all()
     again = gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, 8, seed=1)
     np.testing.assert_array_equal(again.columns, found[1].columns)
