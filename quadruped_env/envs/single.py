@@ -70,8 +70,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     Level ground, or a height field with level ground in its middle, where episodes start, and around it. It is the same
     for all episodes and envs of a config. Heights in rewards and starts are those over the ground below. `level`, 1 to
     10, sets height, depth or angle of a terrain that has levels. On `tiles`, the seed gives the tile on which an
-    episode starts. MuJoCo's friction cone is pyramidal on level ground and elliptic on a height field
-    (docs/terrain.md).
+    episode starts.
 
     {terrains}
 

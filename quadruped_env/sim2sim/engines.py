@@ -31,6 +31,8 @@ class MuJoCo:
     """Friction cone; None: that of the model."""
     impratio: float | None = None
     """Ratio of frictional to normal impedance of contacts; None: that of the model."""
+    time_constant: float | None = None
+    """Time constant of all contacts, s, critically damped; None: those of the model."""
     noslip_iterations: int | None = None
     """Iterations of the solver that removes slip after each step; None: those of the model."""
     friction: float | None = None
@@ -39,6 +41,8 @@ class MuJoCo:
     def __post_init__(self) -> None:
         _check("cone", self.cone, self.cone is None or self.cone in _CONES, " or ".join(_CONES))
         _check("impratio", self.impratio, self.impratio is None or self.impratio > 0.0, "positive")
+        time_constant = self.time_constant
+        _check("time_constant", time_constant, time_constant is None or time_constant > 0.0, "positive (s)")
         rounds = self.noslip_iterations
         _check("noslip_iterations", rounds, rounds is None or rounds >= 0, "0 or more")
         _check_friction(self.friction)
@@ -50,6 +54,8 @@ class MuJoCo:
             model.opt.cone = _CONES[self.cone]
         if self.impratio is not None:
             model.opt.impratio = self.impratio
+        if self.time_constant is not None:
+            model.geom_solref[:] = self.time_constant, 1.0
         if self.noslip_iterations is not None:
             model.opt.noslip_iterations = self.noslip_iterations
         if self.friction is not None:
@@ -58,11 +64,13 @@ class MuJoCo:
 
     def settings(self, config: TaskConfig) -> dict[str, Any]:
         """Version, time step and contact model for a task, as plain values."""
-        option = config.compiled_model().opt
+        model = config.compiled_model()
+        option = model.opt
         cones = {number: name for name, number in _CONES.items()}
         used = {
             "cone": cones[mujoco.mjtCone(option.cone)],
             "impratio": float(option.impratio),
+            "time_constant": float(model.geom("ground").solref[0]),
             "noslip_iterations": int(option.noslip_iterations),
             "friction": friction_of(config),
         }

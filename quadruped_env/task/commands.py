@@ -18,7 +18,7 @@ class CommandSampler:
 
     Args:
         commands: components of the command (C,), the velocities first.
-        config: ranges, fractions of standing and straight commands, and time between commands.
+        config: ranges, fractions of standing, straight and turning commands, and time between commands.
     """
 
     def __init__(self, commands: Sequence[Command], config: Section) -> None:
@@ -32,6 +32,9 @@ class CommandSampler:
         """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
         kind, config = draws[:, 0], self._config
         command = self._low + (self._high - self._low) * draws[:, 1:-1]
-        np.copyto(command[:, 1], 0.0, where=kind < config.standing_fraction + config.straight_fraction)
-        np.copyto(command[:, 0], 0.0, where=kind < config.standing_fraction)
+        standing = config.standing_fraction
+        straight = standing + config.straight_fraction
+        turning = (kind >= straight) & (kind < straight + config.turning_fraction)
+        np.copyto(command[:, 1], 0.0, where=kind < straight)
+        np.copyto(command[:, 0], 0.0, where=(kind < standing) | turning)
         return command, between(config.resample_interval, draws[:, -1])

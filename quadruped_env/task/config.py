@@ -57,6 +57,7 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands} | {
         "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "straight_fraction": parameter_entry(Parameter(low=0.0), 0.4),
+        "turning_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "resample_interval": range_entry((3.0, 6.0), _POSITIVE_SECONDS),
     }
     reward: dict[str, Entry] = {
@@ -135,8 +136,8 @@ def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) ->
         values = with_preset(values, definition.robot)
     section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain))
     if name == "command":
-        shares = section.standing_fraction + section.straight_fraction
-        check(shares <= 1, "command.standing_fraction + straight_fraction", shares, "at most 1")
+        shares = section.standing_fraction + section.straight_fraction + section.turning_fraction
+        check(shares <= 1, "command.standing_fraction + straight_fraction + turning_fraction", shares, "at most 1")
     elif name == "terrain":
         check_tiles(section)
     return section

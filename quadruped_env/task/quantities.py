@@ -30,14 +30,13 @@ def progress_scale(command: NDArray[np.float64]) -> tuple[NDArray[np.float64], N
     return np.sign(command) / size, np.abs(command) / size
 
 
-def progress(share: Any, whole: Any, overshoot: Any, xp: Namespace = NUMPY) -> Any:
+def progress(share: Any, whole: Any, xp: Namespace = NUMPY) -> Any:
     """Share of a commanded velocity that is reached, in [-1, 1]; 0 for a zero command. Elementwise, (N, 2).
 
-    It is linear, so it has a gradient at standstill, where a tracking kernel is flat. `overshoot` is the slope of the
-    penalty above the commanded velocity, relative to the slope below it: with 1 the value stays constant, with 2 it
+    It is linear, so it has a gradient at standstill, where a tracking kernel is flat. Above the commanded velocity it
     decreases as steeply as it increased.
     """
-    return xp.maximum(share - overshoot * xp.positive(share - whole), xp.minus_one)
+    return xp.maximum(share - xp.positive(share - whole) * 2.0, xp.minus_one)
 
 
 def clock_agreement(lift: Any, clock_sine: Any, xp: Namespace = NUMPY) -> Any:

@@ -292,7 +292,7 @@ def tune_commanded_gait(
     for speeds, first in ((forward, _FORWARD), (backward, _BACKWARD)):
         found_at: dict[float, NDArray[np.float64]] = {}
         for speed in speeds:
-            near = min(found_at, key=lambda other, speed=speed: abs(other - speed), default=speed)
+            _, near = min(((abs(other - speed), other) for other in found_at), default=(0.0, speed))
             start = found_at.get(near, first) + (speed - near) * _FASTER
             found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations, yaw_rates=yaw_rates)
             say(_line(f"{speed:+.2f} m/s", found))

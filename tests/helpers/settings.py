@@ -42,7 +42,7 @@ def settings(
         noise: of the observations; 1 is the full amplitude.
         randomization: further settings, by name of the randomization.
     """
-    standing, straight = (None, None) if shares is None else shares
+    standing, straight, turning = (None, None, None) if shares is None else (*shares, 0.0)
     tilt, force = (math.pi, 1e9) if never_ends else (max_tilt, None)
     still = dict.fromkeys(("start_joint_position", "start_joint_velocity", "start_base_velocity"), 0.0)
     sections = {
@@ -51,6 +51,7 @@ def settings(
             "yaw_rate": yaw_rate,
             "standing_fraction": standing,
             "straight_fraction": straight,
+            "turning_fraction": turning,
             "resample_interval": resample,
         },
         "termination": {"max_tilt": tilt, "max_trunk_force": force},

@@ -247,8 +247,8 @@ class TestGait:
         forward, turn = found[:, 0], found[:, 1]
         assert 0.2 < forward[0] < 0.4
         assert -0.3 < forward[1] < -0.1
-        assert turn[2] > 0.15
-        assert turn[3] < -0.15
+        assert turn[2] > 0.1
+        assert turn[3] < -0.1
         np.testing.assert_allclose(found[4, :2], 0.0, atol=0.02)
 
     def test_straight_legs_are_refused(self):

@@ -101,7 +101,7 @@ def test_flat_model_is_a_plane_without_height_field():
     assert HeightField.of(model) is None
     assert model.nhfield == 0
     assert model.geom("ground").type == mujoco.mjtGeom.mjGEOM_PLANE
-    assert model.opt.cone == mujoco.mjtCone.mjCONE_PYRAMIDAL
+    assert model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC
 
 
 REFUSED = {

@@ -21,10 +21,10 @@ def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
     np.testing.assert_allclose(value, [1.0, math.exp(-1), math.exp(-1), math.exp(-4)], rtol=1e-12)
 
 
-def progress(velocity, command, overshoot):
+def progress(velocity, command):
     """Progress at forward velocities under one command."""
     scale, whole = quantities.progress_scale(np.array([[command, 0.0]]))
-    return quantities.progress(np.asarray(velocity) * scale[0, 0], whole[0, 0], overshoot)
+    return quantities.progress(np.asarray(velocity) * scale[0, 0], whole[0, 0])
 
 
 @pytest.mark.parametrize(
@@ -40,21 +40,19 @@ def progress(velocity, command, overshoot):
         (0.0, 0.0, 0.0),  # no command, no reward
     ],
 )
-@pytest.mark.parametrize("overshoot", [1.0, 2.0])
-def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command, expected, overshoot):
-    assert progress(velocity, command, overshoot) == pytest.approx(expected, abs=1e-12)
+def test_progress_is_the_share_of_the_command_that_is_reached(velocity, command, expected):
+    assert progress(velocity, command) == pytest.approx(expected, abs=1e-12)
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
-def test_progress_beyond_the_command_stays_or_falls_as_it_rose(direction):
+def test_progress_beyond_the_command_falls_as_it_rose(direction):
     velocity, command = direction * np.array([0.4, 0.5, 0.6, 0.8, 5.0]), direction * 0.4
-    np.testing.assert_allclose(progress(velocity, command, 1.0), 1.0)
-    np.testing.assert_allclose(progress(velocity, command, 2.0), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
+    np.testing.assert_allclose(progress(velocity, command), [1.0, 0.75, 0.5, 0.0, -1.0], atol=1e-12)
 
 
 def test_progress_pays_small_commands_in_proportion():
-    assert progress(0.05, 0.05, 2.0) == pytest.approx(0.5)
-    assert progress(0.01, 0.01, 2.0) == pytest.approx(0.1)
+    assert progress(0.05, 0.05) == pytest.approx(0.5)
+    assert progress(0.01, 0.01) == pytest.approx(0.1)
     # A yaw rate is small under 0.2 rad/s.
     scale, whole = quantities.progress_scale(np.array([[0.0, 0.05]]))
     np.testing.assert_allclose((scale, whole), ([[0.0, 5.0]], [[0.0, 0.25]]))
@@ -121,7 +119,7 @@ def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected
 
 
 def test_every_term_reads_the_quantity_of_its_name():
-    config = TaskConfig(reward=RewardConfig(base_height=0.2, foot_lift=0.02, yaw_rate_std=0.2))
+    config = TaskConfig(reward=RewardConfig(base_height=0.2, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2))
     threshold = config.reward.contact_threshold
     readings = still_readings(
         up_b=np.array([[0.3, 0.4, 0.8]]),
@@ -148,6 +146,7 @@ def test_every_term_reads_the_quantity_of_its_name():
         "forward_progress": 0.5,
         "turn_progress": 0.5,
         "gait_clock": 0.0,  # feet half lifted, and the sines of the trot's phases are two of 0.5 and two of -0.5
+        "contact_clock": -0.25,  # the fore left foot, in its swing, is on the ground; the others are in the air
         "upright": 0.25,
         "base_height": 0.01,
         "vertical_velocity": 0.09,

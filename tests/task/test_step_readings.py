@@ -28,11 +28,12 @@ MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
 WEIGHTS = {
-    "track_forward_velocity": 6.0,
-    "track_yaw_rate": 3.0,
-    "forward_progress": 4.0,
-    "turn_progress": 2.0,
-    "gait_clock": 5.0,
+    "track_forward_velocity": 8.0,
+    "track_yaw_rate": 10.0,
+    "forward_progress": 6.0,
+    "turn_progress": 6.0,
+    "gait_clock": 7.0,
+    "contact_clock": 1.5,
     "upright": -2.0,
     "base_height": -20.0,
     "vertical_velocity": -0.5,
@@ -89,31 +90,34 @@ def joint_target(mode, action, memory):
     return np.clip(target, LOW, HIGH)
 
 
-def share(velocity, command, smallest, overshoot):
+def share(velocity, command, smallest):
     """Progress towards a command, in [-1, 1]."""
     size = max(abs(command), smallest)
     reached, whole = velocity * np.sign(command) / size, abs(command) / size
-    return max(-1.0, reached - overshoot * max(0.0, reached - whole))
+    return max(-1.0, reached - 2.0 * max(0.0, reached - whole))
 
 
 def reward_terms(robot, action, memory, fallen):
     """Unweighted terms after a step; `memory` has the action before, and phase and average of after the step."""
     forward, yaw_rate = memory.command
     moving, on_ground = moves(memory.command), robot.foot_force() > 1.0
-    clock = slip = 0.0
+    clock = contact = slip = 0.0
     for leg in range(4):
         position, velocity, spin = robot.foot(leg)
         missing = max(0.0, 1.0 - (position[2] - RADIUS) / 0.02)
         if moving:
-            clock += math.sin(memory.phase + LEG_PHASES[leg]) * (1.0 - 2.0 * missing**2) / 4.0
+            sine = math.sin(memory.phase + LEG_PHASES[leg])
+            clock += sine * (1.0 - 2.0 * missing**2) / 4.0
+            contact += sine * (-1.0 if on_ground[leg] else 1.0) / 4.0
         sole = velocity + np.cross(spin, [0.0, 0.0, -RADIUS])
         slip += on_ground[leg] * (sole[0] ** 2 + sole[1] ** 2)
     return {
-        "track_forward_velocity": math.exp(-(((memory.average[0] - forward) / 0.1) ** 2)),
-        "track_yaw_rate": math.exp(-(((memory.average[1] - yaw_rate) / 0.25) ** 2)),
-        "forward_progress": share(robot.velocity[0], forward, 0.1, 2.0),
-        "turn_progress": share(robot.rates[2], yaw_rate, 0.2, 1.0),
+        "track_forward_velocity": math.exp(-(((memory.average[0] - forward) / 0.08) ** 2)),
+        "track_yaw_rate": math.exp(-(((memory.average[1] - yaw_rate) / 0.3) ** 2)),
+        "forward_progress": share(memory.average[0], forward, 0.1),
+        "turn_progress": share(memory.average[1], yaw_rate, 0.2),
         "gait_clock": clock,
+        "contact_clock": contact,
         "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
         "base_height": max(0.0, 0.175 - robot.position[2]) ** 2,
         "vertical_velocity": robot.velocity[2] ** 2,

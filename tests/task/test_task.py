@@ -87,17 +87,23 @@ def test_episode_is_truncated_after_its_maximum_of_steps():
 
 def test_commands_are_sampled_in_their_ranges_and_shares():
     config = CommandConfig(
-        forward_velocity=(-0.2, 0.7), yaw_rate=(-1.0, 0.5), standing_fraction=0.15, straight_fraction=0.3
+        forward_velocity=(-0.2, 0.7),
+        yaw_rate=(-1.0, 0.5),
+        standing_fraction=0.15,
+        straight_fraction=0.3,
+        turning_fraction=0.2,
     )
     n = 40_000
     command, interval = CommandSampler(COMMANDS, config).sample(np.random.default_rng(0).random((n, 4)))
     assert command.shape == (n, 2)
     standing = (command == 0).all(axis=1)
     straight = (command[:, 1] == 0) & ~standing
+    turning = (command[:, 0] == 0) & ~standing
     error = 4 * math.sqrt(0.25 / n)
     assert standing.mean() == pytest.approx(0.15, abs=error)
     assert straight.mean() == pytest.approx(0.3, abs=error)
-    for values, (low, high) in ((command[~standing, 0], (-0.2, 0.7)), (command[command[:, 1] != 0, 1], (-1.0, 0.5))):
+    assert turning.mean() == pytest.approx(0.2, abs=error)
+    for values, (low, high) in ((command[command[:, 0] != 0, 0], (-0.2, 0.7)), (command[command[:, 1] != 0, 1], (-1.0, 0.5))):
         assert low <= values.min() < low + 0.01
         assert high - 0.01 < values.max() <= high
         assert values.mean() == pytest.approx((low + high) / 2, abs=0.02)
