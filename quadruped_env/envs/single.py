@@ -62,7 +62,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
     each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are those of the base in the
-    body frame; v~ and w~ are averaged over about one gait cycle (first-order low-pass filter, 0.2 s).
+    body frame; v~ and w~ are averaged over about one gait cycle (first-order low-pass filter, 0.4 s).
 
     {rewards}
 

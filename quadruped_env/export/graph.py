@@ -163,8 +163,10 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
 
     waves = []
     at_rest = (np.zeros(1), np.zeros(1), interface.policy.robot.stance)
-    for resting, straight, turning in zip(at_rest, gait.straight, gait.turning, strict=True):
-        whole = graph.add("Add", interpolated(straight), graph.add("Mul", yaw_rate, interpolated(turning)))
+    turning = graph.add("Abs", yaw_rate)
+    for resting, straight, turn, side in zip(at_rest, gait.straight, gait.turn, gait.side, strict=True):
+        whole = graph.add("Add", interpolated(straight), graph.add("Mul", turning, interpolated(turn)))
+        whole = graph.add("Add", whole, graph.add("Mul", yaw_rate, interpolated(side)))
         rest = graph.constant(resting)
         waves.append(graph.add("Add", rest, graph.add("Mul", fade, graph.add("Sub", whole, rest))))
     sine, cosine, offset = waves

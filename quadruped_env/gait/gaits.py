@@ -31,6 +31,8 @@ from quadruped_env.robot.robot import Robot
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
 
+_TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hind_side")
+
 WHOLE_STEPS: Final = (0.05, 0.15)
 """Forward velocity (m/s) and yaw rate (rad/s) from which on a command is followed with whole steps."""
 
@@ -221,16 +223,17 @@ def _sinusoids(
 class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
-    The parameters of a leg are interpolated in a table over forward velocity, one for the fore and one for the hind
-    legs. A yaw rate adds to those on the right, and subtracts from those on the left, what the tables' turning columns
-    say. Towards a command of zero the gait fades into the stance.
+    The parameters of a leg are interpolated in tables over forward velocity, one for the fore and one for the hind
+    legs. To those of the straight gait a yaw rate w adds |w| times the columns of `turn` on all legs, and w times the columns
+    of `side` on the right, which it subtracts on the left. Towards a command of zero the gait fades into the stance.
 
     Args:
         angular_frequency: angular frequency, rad/s.
         speeds: forward velocities of the tables (K,), increasing, m/s.
-        largest_yaw_rate: yaw rate up to which the turning columns hold, rad/s; for a larger one it is used.
-        fore: table for the fore legs.
-        hind: table for the hind legs.
+        largest_yaw_rate: yaw rate up to which the columns for turning hold, rad/s; for a larger one it is used.
+        fore, hind: tables of the straight gait, for the fore and the hind legs.
+        fore_turn, hind_turn: what a yaw rate of either sign adds, per rad/s.
+        fore_side, hind_side: what a yaw rate adds on the right and subtracts on the left, per rad/s.
         robot: robot that walks. The tables are joint angles of the robot on which they were tuned.
     """
 
@@ -239,31 +242,42 @@ class CommandedGait:
     largest_yaw_rate: float
     fore: LegTable
     hind: LegTable
+    fore_turn: LegTable
+    hind_turn: LegTable
+    fore_side: LegTable
+    hind_side: LegTable
     robot: Robot = MINI_QUADRUPED
     _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
     straight: Waves = field(init=False, repr=False, compare=False)
     """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
-    turning: Waves = field(init=False, repr=False, compare=False)
-    """What a yaw rate of 1 rad/s adds to `straight`, (K, J) each."""
+    turn: Waves = field(init=False, repr=False, compare=False)
+    """What is added for a yaw rate of either sign, per rad/s, (K, J) each."""
+    side: Waves = field(init=False, repr=False, compare=False)
+    """What is added times the yaw rate, per rad/s, (K, J) each."""
 
     def __post_init__(self) -> None:
         maps, legs = leg_maps(self.robot), corners(self.robot)
-        tables = [(self.fore, self.fore, self.hind, self.hind)[corner] for corner in legs]
-        sides = [(-1.0, 1.0)[corner % 2] for corner in legs]
-        straight, turning = (np.zeros((3, len(self.speeds), self.robot.num_joints)) for _ in range(2))
-        for leg, (table, side) in enumerate(zip(tables, sides, strict=True)):
-            hip, knee = 2 * leg, 2 * leg + 1
-            straight[:, :, hip] = table.hip_amplitude, np.zeros(len(self.speeds)), table.hip_offset
-            straight[:, :, knee] = table.knee_sine, table.knee_cosine, table.knee_offset
-            turning[0, :, hip] = side * np.array(table.hip_turn)
-            turning[:2, :, knee] = side * np.array([table.knee_sine_turn, table.knee_cosine_turn])
+        sides = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
         # A wider robot's feet are moved farther by the same yaw rate.
-        turning *= 1.0 if self.robot == TUNED_ON else half_track(self.robot) / half_track(TUNED_ON)
+        width = 1.0 if self.robot == TUNED_ON else half_track(self.robot) / half_track(TUNED_ON)
+        straight = self._waves_of(self.fore, self.hind, legs)
+        turn = width * self._waves_of(self.fore_turn, self.hind_turn, legs)
+        side = width * self._waves_of(self.fore_side, self.hind_side, legs) * sides
         mapped = map_waves(self.robot, maps, *straight)
-        both = map_waves(self.robot, maps, *(straight + turning))
         object.__setattr__(self, "straight", mapped)
-        object.__setattr__(self, "turning", tuple(a - b for a, b in zip(both, mapped, strict=True)))
+        for name, change in (("turn", turn), ("side", side)):
+            changed = map_waves(self.robot, maps, *(straight + change))
+            object.__setattr__(self, name, tuple(a - b for a, b in zip(changed, mapped, strict=True)))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
+
+    def _waves_of(self, fore: LegTable, hind: LegTable, legs: tuple[int, ...]) -> NDArray[np.float64]:
+        """Sine part, cosine part and offset of all joints at all speeds (3, K, J), rad, of the tuned robot."""
+        waves = np.zeros((3, len(self.speeds), 2 * len(legs)))
+        for leg, corner in enumerate(legs):
+            table = fore if corner < 2 else hind
+            waves[0::2, :, 2 * leg] = table.hip_amplitude, table.hip_offset
+            waves[:, :, 2 * leg + 1] = table.knee_sine, table.knee_cosine, table.knee_offset
+        return waves
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
@@ -280,8 +294,7 @@ class CommandedGait:
             "angular_frequency": self.angular_frequency,
             "speeds": plain(self.speeds),
             "largest_yaw_rate": self.largest_yaw_rate,
-            "fore": plain(self.fore),
-            "hind": plain(self.hind),
+            **{name: plain(getattr(self, name)) for name in _TABLES},
         }
 
     def waves(self, command: ArrayLike) -> Waves:
@@ -296,8 +309,8 @@ class CommandedGait:
             return table[below] + share * (table[below + 1] - table[below])
 
         sine, cosine, offset = (
-            interpolated(straight) + yaw_rate * interpolated(turning)
-            for straight, turning in zip(self.straight, self.turning, strict=True)
+            interpolated(straight) + np.abs(yaw_rate) * interpolated(turn) + yaw_rate * interpolated(side)
+            for straight, turn, side in zip(self.straight, self.turn, self.side, strict=True)
         )
         stance = self.robot.stance
         return fade * sine, fade * cosine, stance + fade * (offset - stance)

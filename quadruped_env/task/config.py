@@ -62,7 +62,7 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     }
     reward: dict[str, Entry] = {
         "weights": weights_entry("reward.weights", definition.weights),
-        "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, 0.2),
+        "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, 0.4),
         "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
     }
     termination: dict[str, Entry] = {}

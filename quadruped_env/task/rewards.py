@@ -17,19 +17,19 @@ from quadruped_env.task.terms import RewardTerm, reward, reward_group
 Positive = Parameter.positive
 
 
-@reward_group(pure=True, track_forward_velocity=8.0, track_yaw_rate=10.0)
+@reward_group(pure=True, track_forward_velocity=8.0, track_yaw_rate=6.0)
 class tracking:  # noqa: N801  named like the other terms
     """Tracking of the velocity command.
 
-    track_forward_velocity: exp(-((v~ - v_command) / 0.08 m/s)^2)
-    track_yaw_rate: exp(-((w~ - w_command) / 0.3 rad/s)^2)
+    track_forward_velocity: exp(-((v~ - v_command) / 0.1 m/s)^2)
+    track_yaw_rate: exp(-((w~ - w_command) / 0.25 rad/s)^2)
     """
 
     def __init__(
         self,
         context: TaskContext,
-        forward_velocity_std: Annotated[float, Positive("m/s")] = 0.08,
-        yaw_rate_std: Annotated[float, Positive("rad/s")] = 0.3,
+        forward_velocity_std: Annotated[float, Positive("m/s")] = 0.1,
+        yaw_rate_std: Annotated[float, Positive("rad/s")] = 0.25,
     ) -> None:
         self._std = context.xp.constant([[forward_velocity_std, yaw_rate_std]])
 
@@ -38,7 +38,7 @@ class tracking:  # noqa: N801  named like the other terms
         return quantities.tracking_kernel(context.tracking_error, self._std, context.xp)
 
 
-@reward_group(pure=True, forward_progress=6.0, turn_progress=6.0)
+@reward_group(pure=True, forward_progress=4.0, turn_progress=4.0)
 class progress:  # noqa: N801
     """Share of the commanded velocity that is reached: share - 2 max(0, share - 1), in [-1, 1].
 
@@ -60,7 +60,7 @@ class progress:  # noqa: N801
         return quantities.progress(context.smooth_velocity * self._scale, self._whole, context.xp)
 
 
-@reward(weight=7.0, pure=True)
+@reward(weight=5.0, pure=True)
 class gait_clock:  # noqa: N801
     """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = max(0, 1 - sole height / 0.02 m)."""
 

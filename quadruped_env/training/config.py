@@ -47,7 +47,7 @@ class TrainConfig:
     """Passes over the samples of an update"""
     learning_rate: float = 2e-3
     """Adam's initial step size; it decreases linearly to a tenth"""
-    gamma: float = 0.97
+    gamma: float = 0.985
     """Discount per step of 0.02 s"""
     gae_lambda: float = 0.95
     """Decay of the advantage estimate"""

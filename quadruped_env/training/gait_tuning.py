@@ -1,13 +1,13 @@
 """Search for the parameters of the scripted gaits, with many candidates in parallel (cross-entropy method).
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
-parts and its offset, and what a yaw rate changes on the two sides. It is scored on flat ground from rest, at several
-yaw rates at once: difference from the command, feet that clear the ground in their swing, sideways drift, tilt, motor
-power and sliding feet; joint limits and the 5 rad/s limit are hard bounds of the search. Method: Rubinstein 1999,
-https://doi.org/10.1023/A:1010091220143.
+parts and its offset; and what a yaw rate changes in them, on both sides and between the sides. It is scored on flat
+ground from rest: difference from the commanded velocities, feet that clear the ground in their swing, sideways drift,
+tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard bounds of the search. The straight gait
+is searched first, and what turning changes on top of it. Method: Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -114,36 +114,30 @@ def measure(
     return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, clearance, fallen)
 
 
-# Columns of a leg: hip amplitude, hip offset, knee cosine, knee sine, knee offset. A candidate has those of a fore leg,
-# those of a hind leg, and for each of the two what a yaw rate of 1 rad/s adds on the right to hip amplitude, knee
-# cosine and knee sine.
-_LEG: Final = 5
-_STRAIGHT: Final = 2 * _LEG
-_LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3] * 2 + [-0.6] * 6)
-_HIGH: Final = np.array([0.5, 1.1, 0.5, 0.5, -0.4] * 2 + [0.6] * 6)
-_STANDING: Final = np.array([0.0, ROBOT.stance[0], 0.0, 0.0, ROBOT.stance[1]] * 2 + [0.0] * 6)
-_STEPPING: Final = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2 + [0.0] * 6)
+# A candidate is an array (3, 2, 5): the straight gait, what a yaw rate of 1 rad/s adds on both sides, and what it adds
+# on the right and subtracts on the left; of each for the fore and the hind legs; hip amplitude, hip offset, knee
+# cosine, knee sine, knee offset.
+_LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3])
+_HIGH: Final = np.array([0.5, 1.1, 0.5, 0.5, -0.4])
+_STRAIGHT: Final = np.array([True, False, False])[:, None, None]
+_STANCE_LEG: Final = (0.0, float(ROBOT.stance[0]), 0.0, 0.0, float(ROBOT.stance[1]))
+_STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
-_FORWARD: Final = np.array(
-    [-0.05, 0.33, -0.15, -0.22, -0.95, 0.1, 0.42, 0.08, -0.25, -0.85, 0.1, 0.1, 0.0, 0.1, 0.05, 0.0]
-)
-_BACKWARD: Final = np.array(
-    [0.24, 0.82, 0.13, -0.05, -0.58, 0.23, 0.62, -0.13, -0.265, -0.835, -0.19, 0.17, -0.19, 0.05, 0.02, 0.03]
-)
+_NO_TURN: Final = np.zeros((2, 2, 5))
+_FORWARD: Final = np.array([[-0.05, 0.33, -0.15, -0.22, -0.95], [0.1, 0.42, 0.08, -0.25, -0.85]])
+_BACKWARD: Final = np.array([[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]])
 """Where the search of the commanded gait starts: with bent knees, the shank lifts the foot when it folds"""
-_FASTER: Final = np.array([-0.5, 0.0, -0.6, 0.0, 0.0, -0.5, 0.0, 0.5, 0.0, 0.0] + [0.0] * 6)
+_FASTER: Final = np.array([[-0.5, 0.0, -0.6, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0, 0.0]])
 """About what 1 m/s more changes in a gait with bent knees"""
 _SIDES: Final = np.array([-1.0, 1.0, -1.0, 1.0])
-_AMPLITUDES: Final = np.array([0, 2, 3])
-"""Columns of a leg that a yaw rate changes"""
 
 
-def _leg_columns(candidates: NDArray[np.float64], yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Columns of all legs (N, 4, 5) of candidates (N, 16) at yaw rates (N,) in rad/s."""
-    legs = np.repeat(candidates[:, :_STRAIGHT].reshape(-1, 2, _LEG), 2, axis=1)
-    turning = np.repeat(candidates[:, _STRAIGHT:].reshape(-1, 2, 3), 2, axis=1)
-    legs[:, :, _AMPLITUDES] += yaw_rate[:, None, None] * _SIDES[:, None] * turning
-    return legs
+def _legs(candidates: NDArray[np.float64], yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Columns of all legs (N, 4, 5) of candidates (N, 3, 2, 5) at yaw rates (N,) in rad/s."""
+    straight, turn, side = np.repeat(candidates, 2, axis=2).transpose(1, 0, 2, 3)
+    rate = yaw_rate[:, None, None]
+    found: NDArray[np.float64] = straight + np.abs(rate) * turn + rate * _SIDES[:, None] * side
+    return found
 
 
 def gait_targets(
@@ -152,12 +146,12 @@ def gait_targets(
     angular_frequency: float,
     turns: tuple[float, ...],
 ) -> Callable[[float], NDArray[np.float64]]:
-    """Joint targets over time for candidates (N, 16) at yaw rates (N,) in rad/s.
+    """Joint targets over time for candidates (N, 3, 2, 5) at yaw rates (N,) in rad/s.
 
     The fore legs of one side differ from those of the other only in phase and by the yaw rate, as do the hind legs.
     """
     phases = np.array(turns) * 2.0 * np.pi
-    hip, hip_offset, knee_cosine, knee_sine, knee_offset = _leg_columns(candidates, yaw_rate).transpose(2, 0, 1)
+    hip, hip_offset, knee_cosine, knee_sine, knee_offset = _legs(candidates, yaw_rate).transpose(2, 0, 1)
 
     def targets(t: float) -> NDArray[np.float64]:
         angle = angular_frequency * t + phases
@@ -170,37 +164,39 @@ def gait_targets(
     return targets
 
 
+def _limited(legs: NDArray[np.float64], angular_frequency: float) -> NDArray[np.float64]:
+    """Columns of legs (..., 5) within their ranges, shrunk until no joint asks for more than its speed limit."""
+    legs = np.clip(legs, _LOW, _HIGH)
+    largest = 0.999 * ROBOT.velocity_limit.min() / angular_frequency
+    legs[..., 0] = np.clip(legs[..., 0], -largest, largest)
+    knee = np.hypot(legs[..., 2], legs[..., 3])
+    legs[..., 2:4] *= np.minimum(1.0, largest / np.maximum(knee, 1e-9))[..., None]
+    return legs
+
+
 def _within_limits(
     candidates: NDArray[np.float64], angular_frequency: float, largest_yaw_rate: float
 ) -> NDArray[np.float64]:
-    """Candidates shrunk until no joint asks for more than its speed limit; the offsets' bounds keep the ranges."""
-    candidates = np.clip(candidates, _LOW, _HIGH)
-    largest = 0.999 * ROBOT.velocity_limit.min() / angular_frequency
-    for leg in range(2):
-        straight = candidates[:, _LEG * leg : _LEG * (leg + 1)]
-        turning = candidates[:, _STRAIGHT + 3 * leg : _STRAIGHT + 3 * (leg + 1)]
-        sides = [straight[:, _AMPLITUDES] + side * largest_yaw_rate * turning for side in (-1.0, 1.0)]
-        for part, size in (
-            (slice(0, 1), np.max([np.abs(side[:, 0]) for side in sides], axis=0)),
-            (slice(1, 3), np.max([np.hypot(side[:, 1], side[:, 2]) for side in sides], axis=0)),
-        ):
-            shrunk = np.minimum(1.0, largest / np.maximum(size, 1e-9))[:, None]
-            straight[:, _AMPLITUDES[part]] *= shrunk
-            turning[:, part] *= shrunk
-    return candidates
+    """Candidates whose legs are within their limits straight ahead and, on both sides, at the largest yaw rate.
+
+    They are so between the two as well: limits of ranges and amplitudes are convex.
+    """
+    straight = _limited(candidates[:, 0], angular_frequency)
+    if largest_yaw_rate == 0.0:
+        return np.concatenate([straight[:, None], candidates[:, 1:]], axis=1)
+    turn, side = largest_yaw_rate * candidates[:, 1], largest_yaw_rate * candidates[:, 2]
+    left = _limited(straight + turn - side, angular_frequency) - straight
+    right = _limited(straight + turn + side, angular_frequency) - straight
+    return np.stack([straight, (left + right) / (2.0 * largest_yaw_rate), (right - left) / (2.0 * largest_yaw_rate)], 1)
 
 
 class Found(NamedTuple):
     """The best candidate of a search."""
 
-    columns: NDArray[np.float64]
-    """(16,)"""
-    speed: float
-    """Achieved speed straight ahead, m/s."""
-    yaw_rate: NDArray[np.float64]
-    """Achieved yaw rate at each yaw rate of the search (K,), rad/s."""
-    clearance: float
-    """See `Achieved`; the least at any yaw rate, m."""
+    candidate: NDArray[np.float64]
+    """(3, 2, 5)"""
+    achieved: Achieved
+    """Its results, one value per yaw rate of the search."""
 
 
 def search(
@@ -213,17 +209,19 @@ def search(
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
 ) -> Found:
-    """The best candidate for a forward speed (m/s), at all of the given yaw rates.
+    """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
     Args:
         speed: target, m/s.
         angular_frequency: rad/s.
         turns: phase of each leg in cycles.
-        start: initial candidate (16,).
-        spread: standard deviation of the first generation, as a share of each column's range.
+        start: initial candidate (3, 2, 5).
+        spread: standard deviation of the first generation, as a share of each column's range; of what turning changes,
+            at the largest yaw rate.
         generations: number of generations.
         seed: of the search.
-        yaw_rates: targets, 0 or more and increasing, rad/s; turns to the right are their mirror images.
+        yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
+            their mirror images.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -232,27 +230,27 @@ def search(
     rng = np.random.default_rng(seed)
     simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES * len(yaw_rates), robot=ROBOT)
     # All candidates at the first yaw rate, then all at the second.
-    wanted = np.repeat(yaw_rates, CANDIDATES)
-    varied = np.arange(len(start)) < (_STRAIGHT if max(yaw_rates) == 0.0 else len(start))
+    wanted, largest = np.repeat(yaw_rates, CANDIDATES), max(yaw_rates)
+    varied = np.where(_STRAIGHT, 0.0, 1.0 / largest) if largest else 1.0 * _STRAIGHT
     mean, deviation = start.copy(), spread * (_HIGH - _LOW) * varied
-    best, best_score = Found(start, 0.0, np.zeros(len(yaw_rates)), 0.0), -np.inf
+    best, best_score = None, -np.inf
     for _ in range(generations):
-        candidates = mean + deviation * rng.standard_normal((CANDIDATES, len(start)))
+        candidates = mean + deviation * rng.standard_normal((CANDIDATES, *start.shape))
         candidates[0] = mean
-        candidates = np.round(_within_limits(candidates, angular_frequency, max(yaw_rates)), 4)
-        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1)), wanted, angular_frequency, turns)
+        candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
+        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), wanted, angular_frequency, turns)
         got = measure(targets, simulation, angular_frequency, turns)
         # Turns are about as important as speed: 0.1 rad/s moves a foot as fast as 0.02 m/s.
         score = (
             (
                 -20.0 * np.abs(got.forward_velocity - speed)
-                - 6.0 * np.abs(got.yaw_rate - wanted)
+                - 10.0 * np.abs(got.yaw_rate - wanted)
                 - 4.0 * np.abs(got.lateral_velocity)
                 - 5.0 * got.tilt
-                - 0.01 * got.power
+                - 0.02 * got.power
                 - 2.0 * got.slip
                 # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
-                + 2.0 * got.clock
+                + 5.0 * got.clock
                 + 2.0 * got.lift
                 - 300.0 * np.maximum(0.0, CLEARANCE - got.clearance)
                 - 10.0 * got.fallen
@@ -260,19 +258,14 @@ def search(
             .reshape(len(yaw_rates), CANDIDATES)
             .mean(axis=0)
         )
-        order = np.argsort(-score)
-        elite = candidates[order[:ELITE]]
+        elite = candidates[np.argsort(-score)[:ELITE]]
         # The old deviation keeps the search from settling before it has found the speed.
         mean, deviation = elite.mean(axis=0), 0.4 * deviation + 0.6 * elite.std(axis=0) + 0.001 * varied
         # Use the elite mean: the best sample's score may not survive rounding.
-        if score[0] > best_score:
+        if best is None or score[0] > best_score:
             best_score = float(score[0])
-            best = Found(
-                candidates[0],
-                float(got.forward_velocity[0]),
-                got.yaw_rate[::CANDIDATES],
-                float(got.clearance[::CANDIDATES].min()),
-            )
+            best = Found(candidates[0], Achieved(**{name: part[::CANDIDATES] for name, part in vars(got).items()}))
+    assert best is not None
     return best
 
 
@@ -293,32 +286,52 @@ def tune_commanded_gait(
         found_at: dict[float, NDArray[np.float64]] = {}
         for speed in speeds:
             _, near = min(((abs(other - speed), other) for other in found_at), default=(0.0, speed))
-            start = found_at.get(near, first) + (speed - near) * _FASTER
-            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations, yaw_rates=yaw_rates)
-            say(_line(f"{speed:+.2f} m/s", found))
-            found_at[speed] = found.columns
+            start = found_at.get(near, np.concatenate([first[None], _NO_TURN])).copy()
+            start[0] += (speed - near) * _FASTER
+            straight = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations)
+            say(_line(f"{speed:+.2f} m/s", straight, (0.0,)))
+            found = search(
+                speed,
+                angular_frequency,
+                LEG_PHASES["trot"],
+                straight.candidate,
+                0.2,
+                generations,
+                yaw_rates=yaw_rates,
+            )
+            say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
+            found_at[speed] = found.candidate
             # Where the fastest speeds are out of reach the table ends with the speed that was reached.
-            short = speed in (forward[-1], backward[-1]) and abs(found.speed) < 0.97 * abs(speed)
-            table[round(found.speed, 3) if short else speed] = found.columns
+            reached = float(straight.achieved.forward_velocity[0])
+            short = speed in (forward[-1], backward[-1]) and abs(reached) < 0.97 * abs(speed)
+            table[round(reached, 3) if short else speed] = found.candidate
+    return commanded_gait(table, angular_frequency, max(yaw_rates))
+
+
+def commanded_gait(
+    table: Mapping[float, NDArray[np.float64]], angular_frequency: float, largest_yaw_rate: float
+) -> CommandedGait:
+    """The gait whose tables have a candidate (3, 2, 5) at each speed."""
     speeds = tuple(sorted(table))
-    columns = [tuple(column.tolist()) for column in np.array([table[speed] for speed in speeds]).T]
-    fore, hind = (
-        LegTable(
-            *columns[_LEG * leg : _LEG * (leg + 1)],
-            *columns[_STRAIGHT + 3 * leg : _STRAIGHT + 3 * (leg + 1)],
+    # Part, leg, column, speed.
+    columns = np.round([table[speed] for speed in speeds], 4).transpose(1, 2, 3, 0)
+    (fore, hind), (fore_turn, hind_turn), (fore_side, hind_side) = (
+        [LegTable(*(tuple(column) for column in leg)) for leg in part] for part in columns.tolist()
+    )
+    return CommandedGait(
+        angular_frequency, speeds, largest_yaw_rate, fore, hind, fore_turn, hind_turn, fore_side, hind_side
+    )
+
+
+def _line(what: str, found: Found, yaw_rates: tuple[float, ...]) -> str:
+    got = found.achieved
+    results = (
+        f"{speed:+.3f} m/s and {yaw_rate:+.2f} of {wanted:g} rad/s, every foot lifted by {1e3 * clearance:.0f} mm"
+        for speed, yaw_rate, wanted, clearance in zip(
+            got.forward_velocity, got.yaw_rate, yaw_rates, got.clearance, strict=True
         )
-        for leg in range(2)
     )
-    return CommandedGait(angular_frequency, speeds, max(yaw_rates), fore, hind)
-
-
-def _line(what: str, found: Found) -> str:
-    columns = np.round(found.columns, 3).tolist()
-    return (
-        f"{what}: reached {found.speed:+.3f} m/s, every foot lifted by {1e3 * found.clearance:.0f} mm, with "
-        f"{columns[:_LEG]}, {columns[_LEG:_STRAIGHT]}, {columns[_STRAIGHT:]}; yaw rates "
-        f"{np.round(found.yaw_rate, 2).tolist()} rad/s"
-    )
+    return f"{what}: reached {'; '.join(results)}"
 
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
@@ -353,12 +366,14 @@ def achieved_table(gait: CommandedGait) -> str:
 
 
 def tune_presets(generations: int, say: Log) -> dict[str, list[float]]:
-    """The columns (10,) of each tuned preset, at the highest speed that it holds steadily."""
+    """Columns of fore and hind leg (10,) of each tuned preset, at the highest speed that it holds steadily."""
     tuned = {}
+    leg = np.add(_STANCE_LEG, _STEPPING)
+    start = np.concatenate([np.array([[leg, leg]]), _NO_TURN])
     for name, angular_frequency, speed in PRESET_SPEEDS:
-        found = search(speed, angular_frequency, LEG_PHASES[name], _STANDING + _STEPPING, 0.15, generations)
-        say(_line(f"{name} at {angular_frequency} rad/s", found))
-        tuned[name] = np.round(found.columns[:_STRAIGHT], 3).tolist()
+        found = search(speed, angular_frequency, LEG_PHASES[name], start, 0.15, generations)
+        say(_line(f"{name} at {angular_frequency} rad/s", found, (0.0,)))
+        tuned[name] = np.round(found.candidate[0].ravel(), 3).tolist()
     return tuned
 
 

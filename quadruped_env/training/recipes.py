@@ -26,7 +26,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
     {
         # With a friction of its own in each episode, the policy turns by its gyroscope.
         "flat": Recipe(
-            "level ground of any friction, and an undisturbed robot", task={"randomization": {"friction": [0.4, 1.2]}}
+            "level ground of any friction, and an undisturbed robot", task={"randomization": {"friction": [0.6, 1.0]}}
         ),
         "robust": Recipe(
             "another robot in each episode, with sensor noise, latency and pushes",

@@ -29,10 +29,10 @@ MOVING = 0.02
 
 WEIGHTS = {
     "track_forward_velocity": 8.0,
-    "track_yaw_rate": 10.0,
-    "forward_progress": 6.0,
-    "turn_progress": 6.0,
-    "gait_clock": 7.0,
+    "track_yaw_rate": 6.0,
+    "forward_progress": 4.0,
+    "turn_progress": 4.0,
+    "gait_clock": 5.0,
     "contact_clock": 1.5,
     "upright": -2.0,
     "base_height": -20.0,
@@ -112,8 +112,8 @@ def reward_terms(robot, action, memory, fallen):
         sole = velocity + np.cross(spin, [0.0, 0.0, -RADIUS])
         slip += on_ground[leg] * (sole[0] ** 2 + sole[1] ** 2)
     return {
-        "track_forward_velocity": math.exp(-(((memory.average[0] - forward) / 0.08) ** 2)),
-        "track_yaw_rate": math.exp(-(((memory.average[1] - yaw_rate) / 0.3) ** 2)),
+        "track_forward_velocity": math.exp(-(((memory.average[0] - forward) / 0.1) ** 2)),
+        "track_yaw_rate": math.exp(-(((memory.average[1] - yaw_rate) / 0.25) ** 2)),
         "forward_progress": share(memory.average[0], forward, 0.1),
         "turn_progress": share(memory.average[1], yaw_rate, 0.2),
         "gait_clock": clock,
@@ -237,7 +237,7 @@ def play(episode):
     data, robot = env.unwrapped.data, RobotAlone(env.unwrapped.model)
     before = mujoco.MjData(robot.model)
     memory = Memory(info["command"], observed_phase(observation))
-    filtered = 1.0 - math.exp(-DT / 0.2)
+    filtered = 1.0 - math.exp(-DT / 0.4)
     steps = []
     for _ in range(episode.steps):
         action = episode.action(rng)
