@@ -243,10 +243,10 @@ def search(
         # Turns are about as important as speed: 0.1 rad/s moves a foot as fast as 0.02 m/s.
         score = (
             (
-                -20.0 * np.abs(got.forward_velocity - speed)
+                -30.0 * np.abs(got.forward_velocity - speed)
                 - 10.0 * np.abs(got.yaw_rate - wanted)
                 - 4.0 * np.abs(got.lateral_velocity)
-                - 5.0 * got.tilt
+                - 10.0 * got.tilt
                 - 0.02 * got.power
                 - 2.0 * got.slip
                 # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
