@@ -44,9 +44,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     gait = tune_commanded_gait(
         math.tau * arguments.frequency,
-        forward=(0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6),
+        forward=(0.3, 0.2, 0.1, 0.0, 0.4, 0.5, 0.6),
         backward=(-0.2, -0.1, -0.3, -0.4),
-        yaw_rates=(0.0, 0.4, 0.8),
+        yaw_rates=(0.3, 0.55, 0.8),
         generations=arguments.generations,
         say=log,
     )

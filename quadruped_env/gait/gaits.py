@@ -224,8 +224,9 @@ class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
     The parameters of a leg are interpolated in tables over forward velocity, one for the fore and one for the hind
-    legs. To those of the straight gait a yaw rate w adds |w| times the columns of `turn` on all legs, and w times the columns
-    of `side` on the right, which it subtracts on the left. Towards a command of zero the gait fades into the stance.
+    legs. To those of the straight gait a yaw rate w adds |w| times the columns of `turn` on all legs, and w times the
+    columns of `side` on the right, which it subtracts on the left. Towards a command of zero the gait fades into the
+    stance.
 
     Args:
         angular_frequency: angular frequency, rad/s.

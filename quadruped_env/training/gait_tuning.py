@@ -126,6 +126,12 @@ _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0)
 _NO_TURN: Final = np.zeros((2, 2, 5))
 _FORWARD: Final = np.array([[-0.05, 0.33, -0.15, -0.22, -0.95], [0.1, 0.42, 0.08, -0.25, -0.85]])
 _BACKWARD: Final = np.array([[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]])
+_TURNING: Final = np.array(
+    [
+        [[-0.04, 0.11, 0.1, 0.01, -0.16], [-0.3, -0.54, -0.06, 0.14, -0.36]],
+        [[0.07, 0.02, 0.02, -0.03, 0.03], [-0.15, 0.03, 0.08, 0.1, 0.04]],
+    ]
+)
 """Where the search of the commanded gait starts: with bent knees, the shank lifts the foot when it folds"""
 _FASTER: Final = np.array([[-0.5, 0.0, -0.6, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0, 0.0]])
 """About what 1 m/s more changes in a gait with bent knees"""
@@ -277,34 +283,34 @@ def tune_commanded_gait(
     generations: int,
     say: Log,
 ) -> CommandedGait:
-    """The table of `CommandedGait` for the given speeds, m/s, each tuple ending with the fastest, and yaw rates, rad/s.
+    """The tables of `CommandedGait` for the given speeds, m/s, the first of which include 0, and yaw rates, rad/s.
 
-    Each speed's search starts from the result of its nearest neighbour, so that the table is smooth.
+    Each search starts from the result of its neighbour, so that the tables are smooth: first the straight gaits of all
+    speeds, then from zero outwards what turning changes in them.
     """
-    table: dict[float, NDArray[np.float64]] = {}
+    straight: dict[float, NDArray[np.float64]] = {}
+    ends: dict[float, float] = {}
     for speeds, first in ((forward, _FORWARD), (backward, _BACKWARD)):
-        found_at: dict[float, NDArray[np.float64]] = {}
+        chain: dict[float, NDArray[np.float64]] = {}
         for speed in speeds:
-            _, near = min(((abs(other - speed), other) for other in found_at), default=(0.0, speed))
-            start = found_at.get(near, np.concatenate([first[None], _NO_TURN])).copy()
-            start[0] += (speed - near) * _FASTER
-            straight = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations)
-            say(_line(f"{speed:+.2f} m/s", straight, (0.0,)))
-            found = search(
-                speed,
-                angular_frequency,
-                LEG_PHASES["trot"],
-                straight.candidate,
-                0.2,
-                generations,
-                yaw_rates=yaw_rates,
-            )
-            say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
-            found_at[speed] = found.candidate
+            _, near = min(((abs(other - speed), other) for other in chain), default=(0.0, speed))
+            start = np.concatenate([[chain.get(near, first) + (speed - near) * _FASTER], _NO_TURN])
+            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations)
+            say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
+            chain[speed] = found.candidate[0]
+            reached = float(found.achieved.forward_velocity[0])
             # Where the fastest speeds are out of reach the table ends with the speed that was reached.
-            reached = float(straight.achieved.forward_velocity[0])
-            short = speed in (forward[-1], backward[-1]) and abs(reached) < 0.97 * abs(speed)
-            table[round(reached, 3) if short else speed] = found.candidate
+            short = speed in (max(forward), min(backward)) and abs(reached) < 0.97 * abs(speed)
+            ends[speed] = round(reached, 3) if short else speed
+        straight |= chain
+    table: dict[float, NDArray[np.float64]] = {}
+    for outwards in (sorted(forward), sorted(backward, reverse=True)):
+        turning = table[0.0][1:] if table else _TURNING
+        for speed in outwards:
+            start = np.concatenate([straight[speed][None], turning])
+            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.2, generations, yaw_rates=yaw_rates)
+            say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
+            table[ends[speed]], turning = found.candidate, found.candidate[1:]
     return commanded_gait(table, angular_frequency, max(yaw_rates))
 
 
