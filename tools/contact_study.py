@@ -1,8 +1,9 @@
 """Measure how a gait depends on the contact model: straight, in a curve and turning on the spot.
 
 Each row is a contact model: MuJoCo's with one thing changed, MuJoCo's with a small step and stiff contacts, to which
-the others should converge, and Drake's, if it is installed. The columns are what is reached of the commanded velocities,
-means over several starts, and what the model costs: the time of a physics step relative to the first row's, in turns.
+the others should converge, and Drake's, if it is installed. The columns are what is reached of the commanded
+velocities, means over several starts, and what the model costs: the time of a physics step relative to the first
+row's, in turns.
 
 docs/sim2sim.md holds the table that the choice rests on. Takes two minutes per policy, and as much again for Drake.
 """

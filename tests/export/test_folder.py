@@ -212,7 +212,8 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
         yaw_rate = np.clip(command[:, 1], -gait["largest_yaw_rate_rad_s"], gait["largest_yaw_rate_rad_s"])
         sine, cosine, offset = (
             np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_rad"])
-            + abs(yaw_rate) * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_turn_rad_per_rad_s"])
+            + abs(yaw_rate)
+            * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_turn_rad_per_rad_s"])
             + yaw_rate * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_side_rad_per_rad_s"])
             for part in ("sine", "cosine", "offset")
         )

@@ -119,7 +119,9 @@ def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected
 
 
 def test_every_term_reads_the_quantity_of_its_name():
-    config = TaskConfig(reward=RewardConfig(base_height=0.2, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2))
+    config = TaskConfig(
+        reward=RewardConfig(base_height=0.2, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2)
+    )
     threshold = config.reward.contact_threshold
     readings = still_readings(
         up_b=np.array([[0.3, 0.4, 0.8]]),

@@ -103,7 +103,10 @@ def test_commands_are_sampled_in_their_ranges_and_shares():
     assert standing.mean() == pytest.approx(0.15, abs=error)
     assert straight.mean() == pytest.approx(0.3, abs=error)
     assert turning.mean() == pytest.approx(0.2, abs=error)
-    for values, (low, high) in ((command[command[:, 0] != 0, 0], (-0.2, 0.7)), (command[command[:, 1] != 0, 1], (-1.0, 0.5))):
+    for values, (low, high) in (
+        (command[command[:, 0] != 0, 0], (-0.2, 0.7)),
+        (command[command[:, 1] != 0, 1], (-1.0, 0.5)),
+    ):
         assert low <= values.min() < low + 0.01
         assert high - 0.01 < values.max() <= high
         assert values.mean() == pytest.approx((low + high) / 2, abs=0.02)

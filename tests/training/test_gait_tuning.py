@@ -1,7 +1,5 @@
 """The scripted gaits on simulated robots, and the search that found their parameters."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 from built_in import STANCE, VELOCITY_LIMIT
@@ -65,9 +63,13 @@ def test_presets_walk_as_fast_as_they_were_tuned_for(name, angular_frequency, sp
     assert got.clearance[0] > 0.005
 
 
+STRAIGHT = [[0.1, 0.6, 0.2, -0.15, -0.7], [0.05, 0.5, 0.1, -0.3, -0.8]]
+NO_TURN = np.zeros((2, 2, 5))
+
+
 def test_candidates_give_the_joint_targets_of_their_gait():
     """The search's own targets, against the gait's formula."""
-    column = [0.1, 0.6, 0.2, -0.15, -0.7, 0.05, 0.5, 0.1, -0.3, -0.8, *[0.0] * 6]
+    candidate = np.concatenate([[STRAIGHT], NO_TURN])
     preset = SinusoidalGait(
         hip_amplitude=(0.1, 0.1, 0.05, 0.05),
         hip_offset=(0.6, 0.6, 0.5, 0.5),
@@ -82,53 +84,57 @@ def test_candidates_give_the_joint_targets_of_their_gait():
             for lag in (0.0, knee)
         ),
     )
-    targets = gait_tuning.gait_targets(np.array([column, column]), np.array([0.0, 0.5]), 12.0, LEG_PHASES["walk"])
+    targets = gait_tuning.gait_targets(np.array([candidate] * 2), np.array([0.0, 0.5]), 12.0, LEG_PHASES["walk"])
     for t in (0.0, 0.1, 0.77):
         np.testing.assert_allclose(targets(t), np.tile(preset.positions(t), (2, 1)), atol=1e-12)
 
 
-def test_candidates_at_a_yaw_rate_are_the_commanded_gait():
-    row = TUNED.speeds.index(0.2)
-    legs = [[plain[row] for plain in dataclasses.astuple(table)] for table in (TUNED.fore, TUNED.hind)]
-    candidate = np.concatenate([leg[:5] for leg in legs] + [leg[5:] for leg in legs])
+def test_candidates_at_a_yaw_rate_are_the_commanded_gait_with_their_tables():
+    rng = np.random.default_rng(0)
+    candidates = {speed: rng.uniform(-0.3, 0.3, (3, 2, 5)).round(4) for speed in (0.1, 0.2, 0.4)}
+    gait = gait_tuning.commanded_gait(candidates, 12.0, 0.8)
+    assert gait.speeds == (0.1, 0.2, 0.4)
     yaw_rates = np.array([-0.6, 0.0, 0.5])
-    targets = gait_tuning.gait_targets(
-        np.tile(candidate, (3, 1)), yaw_rates, TUNED.angular_frequency, LEG_PHASES["trot"]
-    )
+    targets = gait_tuning.gait_targets(np.array([candidates[0.2]] * 3), yaw_rates, 12.0, LEG_PHASES["trot"])
     commands = np.column_stack([np.full(3, 0.2), yaw_rates])
     for t in (0.0, 0.13, 1.7):
-        expected = TUNED.positions(np.full(3, TUNED.angular_frequency * t), commands)
-        np.testing.assert_allclose(targets(t), expected, atol=1e-12)
+        np.testing.assert_allclose(targets(t), gait.positions(np.full(3, 12.0 * t), commands), atol=1e-12)
 
 
-def test_search_keeps_the_feet_of_a_turn_within_the_motors_speed(monkeypatch):
-    monkeypatch.setattr(gait_tuning, "CANDIDATES", 20)
-    monkeypatch.setattr(gait_tuning, "ELITE", 5)
-    monkeypatch.setattr(gait_tuning, "SECONDS", 1.5)
-    start = np.array([0.2, STANCE[0], 0.15, -0.1, STANCE[1]] * 2 + [0.3] * 6)
-    found = gait_tuning.search(0.2, 20.0, LEG_PHASES["trot"], start, 0.15, 3, seed=1, yaw_rates=(0.0, 1.0))
-    straight, turning = found.columns[:10].reshape(2, 5)[:, [0, 2, 3]], found.columns[10:].reshape(2, 3)
-    for side in (-1.0, 1.0):
-        hip, cosine, sine = (straight + side * turning).T
-        assert (20.0 * np.maximum(abs(hip), np.hypot(cosine, sine)) <= VELOCITY_LIMIT).all()
-    assert abs(turning).min() > 0.0
+@pytest.fixture
+def small_search(monkeypatch):
+    monkeypatch.setattr(gait_tuning, "CANDIDATES", 30)
+    monkeypatch.setattr(gait_tuning, "ELITE", 6)
+    monkeypatch.setattr(gait_tuning, "SECONDS", 2.0)
 
 
-def test_search_improves_and_stays_within_the_motors_speed(monkeypatch):
-    monkeypatch.setattr(gait_tuning, "CANDIDATES", 40)
-    monkeypatch.setattr(gait_tuning, "ELITE", 8)
-    start = np.array([0.1, STANCE[0], 0.15, -0.1, STANCE[1]] * 2 + [0.0] * 6)
-    frequency = 14.0
+def test_search_improves_the_straight_gait_and_stays_within_the_motors_speed(small_search):
+    leg = [0.1, STANCE[0], 0.15, -0.1, STANCE[1]]
+    start, frequency = np.concatenate([[[leg, leg]], NO_TURN]), 14.0
     found = [
         gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, generations, seed=1)
-        for generations in (1, 8)
+        for generations in (1, 8, 8)
     ]
-    assert abs(found[1].speed - 0.25) < abs(found[0].speed - 0.25)
-    assert (found[1].columns[10:] == 0.0).all(), "straight ahead, no turning column is searched"
-    hip, _, cosine, sine, _ = found[1].columns[:10].reshape(2, 5).T
+    errors = [abs(one.achieved.forward_velocity[0] - 0.25) for one in found]
+    assert errors[1] < errors[0]
+    candidate = found[1].candidate
+    np.testing.assert_array_equal(candidate[1:], 0.0, "straight ahead, no turning column is searched")
+    hip, _, cosine, sine, _ = candidate[0].T
     assert (frequency * np.maximum(abs(hip), np.hypot(cosine, sine)) <= VELOCITY_LIMIT).all()
-    again = gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, 8, seed=1)
-    np.testing.assert_array_equal(again.columns, found[1].columns)
+    np.testing.assert_array_equal(candidate, found[2].candidate)
+
+
+def test_search_of_a_turn_keeps_the_straight_gait_and_the_motors_speed_on_both_sides(small_search):
+    start = np.concatenate([[STRAIGHT], np.full((2, 2, 5), 0.1)])
+    start[0, :, 2:4] *= 0.5
+    found = gait_tuning.search(0.2, 20.0, LEG_PHASES["trot"], start, 0.2, 3, seed=1, yaw_rates=(0.5, 1.0))
+    np.testing.assert_array_equal(found.candidate[0], start[0])
+    assert found.achieved.yaw_rate.shape == (2,)
+    assert np.abs(found.candidate[1:] - start[1:]).max() > 0.01
+    straight, turn, side = found.candidate
+    for sign in (-1.0, 1.0):
+        hip, _, cosine, sine, _ = (straight + turn + sign * side).T
+        assert (20.0 * np.maximum(abs(hip), np.hypot(cosine, sine)) <= VELOCITY_LIMIT + 0.01).all()
 
 
 def test_table_of_results_names_every_command():
