@@ -56,14 +56,18 @@ ARTICLE: Final[dict[str, Any]] = {
 """Parameters of the tutorial's `SinusoidalGait`."""
 
 TUNED_FOR_ONE_SPEED: Final = {
-    "trot": (14.0, LegSinusoids(0.201, 0.63, 0.247, -0.255, -0.6), LegSinusoids(-0.076, 0.431, 0.045, -0.291, -0.752)),
-    "walk": (12.0, LegSinusoids(0.078, 0.73, 0.172, -0.201, -0.56), LegSinusoids(0.084, 0.436, 0.186, -0.202, -0.843)),
+    "trot": (
+        14.0,
+        LegSinusoids(0.087, 0.602, 0.196, -0.228, -0.906),
+        LegSinusoids(-0.115, 0.556, 0.12, -0.228, -0.838),
+    ),
+    "walk": (12.0, LegSinusoids(0.111, 0.785, 0.163, -0.256, -0.619), LegSinusoids(0.025, 0.437, 0.166, -0.146, -0.88)),
     "bound": (
         14.0,
-        LegSinusoids(0.16, 0.782, 0.133, -0.029, -0.607),
-        LegSinusoids(-0.084, 0.489, 0.272, -0.213, -0.656),
+        LegSinusoids(0.187, 0.655, 0.083, -0.16, -0.542),
+        LegSinusoids(0.013, 0.631, 0.261, -0.236, -0.745),
     ),
-    "pace": (14.0, LegSinusoids(0.135, 0.469, 0.221, -0.265, -0.87), LegSinusoids(0.013, 0.546, 0.172, -0.13, -0.618)),
+    "pace": (14.0, LegSinusoids(0.073, 0.445, 0.21, -0.201, -0.877), LegSinusoids(0.071, 0.686, 0.154, -0.216, -0.65)),
 }
 """Preset -> angular frequency in rad/s, fore legs, hind legs; the phases are those of `LEG_PHASES`."""
 
