@@ -100,7 +100,7 @@ class Terminations:
 
     def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
         self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
-        self._values = np.empty((len(terms), len(context.velocity)), dtype=np.bool_)
+        self._values = [np.empty(len(context.velocity), dtype=np.bool_) for _ in terms]
         self._captured: Functions | None = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -113,10 +113,7 @@ class Terminations:
             functions = zip(self._functions, self._values, strict=True)
             self._captured = Functions([(f, term.pure, row) for (term, f), row in functions], context.stand_ins)
         self._captured.update(context)
-        ended = diverged.copy()
-        for result in self._values:
-            np.logical_or(ended, result, ended)
-        return ended
+        return functools.reduce(np.logical_or, self._values, diverged.copy())
 
     def check(self, context: TaskContext) -> None:
         """Compute every termination once, to check its result; see `RewardFunction.check`."""
