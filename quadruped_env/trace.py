@@ -170,7 +170,7 @@ class Trace:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CommandedTrace(Trace):
-    """Trace of robots that follow commands, all of whose quantities are known."""
+    """Trace in which the optional quantities of `Trace` are always known."""
 
     joint_velocity: PerJoint = field()
     joint_torque: PerJoint = field()

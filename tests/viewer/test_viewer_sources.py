@@ -156,3 +156,15 @@ def test_turning_the_start_ahead_keeps_the_motion(control):
     state = plain.task.simulation.readings
     # Forward velocity and yaw rate are the robot's own, whichever way it faces.
     np.testing.assert_allclose(velocity, [state.linear_velocity_b[0, 0], state.angular_velocity_b[0, 2]], atol=1e-12)
+
+
+def test_contact_is_shown_for_the_feet_on_the_ground(control):
+    controller = control("policy flat")
+    controller.set_command(0.4, 0.0)
+    seen = []
+    for _ in range(50):
+        controller.advance(DT)
+        force = robot(controller).task.simulation.readings.foot_force[0]
+        np.testing.assert_array_equal(now(controller).contact, force > 1.0)
+        seen.append(now(controller).contact)
+    assert (np.any(seen, axis=0) & ~np.all(seen, axis=0)).all(), "every foot is on the ground and in the air"
