@@ -1,0 +1,87 @@
+"""Tests that reach a planted bug, from one run of all tests."""
+
+import ast
+from collections import defaultdict
+from functools import cache
+from pathlib import Path
+from typing import Any, Final, NamedTuple, TypeAlias
+
+from mutation_testing.places import Mutant
+
+FAST: Final = 0.3
+"""s"""
+_TESTS: Final = {
+    "gait": ("tests/gait/", "tests/control/test_directions.py"),
+    "policies": ("tests/control/test_policy",),
+}
+"""Where tests of a package are, if it is not only in the folder of the same name."""
+
+
+Statement: TypeAlias = ast.stmt | ast.ExceptHandler
+
+
+class Place(NamedTuple):
+    """Where a line is."""
+
+    lines: range
+    """Lines of the innermost statement around it; its header, if it holds others"""
+    at_import: bool
+    """True if it runs when the module is imported"""
+
+
+def tests_of(mutant: Mutant, baseline: dict[str, Any]) -> list[str]:
+    """Tests that reach a bug: those of its package first, and those of other packages that take less than `FAST`.
+
+    A bug in what runs at import, such as a default or a decorator, is reached by all tests of its package, and by those
+    that reach any function of the file.
+    """
+    seconds: dict[str, float] = baseline["tests"]
+    names = list(seconds)
+    own = {name for name in names if name.startswith(_folders(mutant.path))}
+    lines = {int(line): tests for line, tests in baseline["lines"][mutant.path].items()}
+    place = place_of(mutant.path, mutant.line)
+    if place.at_import:
+        reached = {
+            names[i] for n, tests in lines.items() if not place_of(mutant.path, n).at_import for i in tests
+        } | own
+    else:
+        reached = {names[i] for line in place.lines for i in lines.get(line, ())}
+    found = [name for name in names if name in reached and (name in own or seconds[name] < FAST)]
+    of_file: dict[str, float] = defaultdict(float)
+    for name in found:
+        of_file[_file(name)] += seconds[name]
+    # Tests of one file stay together, so that fixtures that they share are set up once.
+    return sorted(found, key=lambda name: (name not in own, of_file[_file(name)], _file(name), seconds[name]))
+
+
+def place_of(path: str, line: int) -> Place:
+    """The statement around a line of a file."""
+    around = [node for node in _statements(path) if _first_line(node) <= line <= (node.end_lineno or 0)]
+    if not around:
+        return Place(range(line, line + 1), True)
+    inner = around[-1]
+    body: list[Statement] = getattr(inner, "body", [])
+    end = max(inner.lineno, body[0].lineno - 1) if body else inner.end_lineno or 0
+    in_function = any(isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) for node in around[:-1])
+    return Place(range(inner.lineno, end + 1), not in_function)
+
+
+@cache
+def _statements(path: str) -> list[Statement]:
+    """Statements of a file, outer ones before those in them."""
+    tree = ast.parse(Path(path).read_text(encoding="utf-8"))
+    found = [node for node in ast.walk(tree) if isinstance(node, ast.stmt | ast.ExceptHandler)]
+    return sorted(found, key=lambda node: (_first_line(node), -(node.end_lineno or 0)))
+
+
+def _first_line(node: Statement) -> int:
+    return min([node.lineno, *(decorator.lineno for decorator in getattr(node, "decorator_list", []))])
+
+
+def _folders(path: str) -> tuple[str, ...]:
+    package = Path(path).parts[1:-1]
+    return _TESTS.get("/".join(package), ("/".join(["tests", *package, ""]),))
+
+
+def _file(test: str) -> str:
+    return test.partition("::")[0]
