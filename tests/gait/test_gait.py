@@ -9,6 +9,7 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_L
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES, PRESETS
+from quadruped_env.gait.waves import wave_positions
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.task import TaskConfig
 
@@ -195,6 +196,16 @@ def test_positions_are_the_waves_at_a_phase():
     for row in range(len(commands)):
         one = TUNED.positions(phase[[row]], commands[[row]])[0]
         np.testing.assert_array_equal(one, TUNED.positions(phase, commands)[row], "whatever the other commands are")
+
+
+def test_a_joint_with_a_phase_is_ahead_of_the_gait():
+    one, quarter = np.ones((1, 3)), 0.5 * np.pi
+    # sin(30 deg + 0, 90 and -90 deg); cos of the same; and an offset.
+    phases, phase = np.array([0.0, quarter, -quarter]), np.array([np.pi / 6])
+    half, root = 0.5, 0.75**0.5
+    np.testing.assert_allclose(wave_positions(phase, phases, one, 0 * one, 0 * one), [[half, root, -root]])
+    np.testing.assert_allclose(wave_positions(phase, phases, 0 * one, one, 0 * one), [[root, -half, half]])
+    np.testing.assert_allclose(wave_positions(phase, phases, 0 * one, 0 * one, 0.1 * one), [[0.1] * 3])
 
 
 def test_at_a_zero_command_the_tuned_gait_is_the_stance():
