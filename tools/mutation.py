@@ -45,6 +45,7 @@ FILES = (
 TESTS = (
     *("tests/task", "tests/control", "tests/gait", "tests/training"),
     *(f"tests/envs/test_{name}.py" for name in ("envs", "env_copies", "env_input", "sb3")),
+    "tests/robot/test_second_robot.py",
 )
 MUTANTS = Path("mutants")
 PROGRAMS = Path(__file__).parent / "mutation_testing"
@@ -142,8 +143,11 @@ def try_all(mutants: list["Mutant"], baseline: dict[str, Any], arguments: argpar
             print(f"{done}/{len(open_)}  killed {killed}  {left / 60:.0f} min left  {result['outcome']}: {mutant.name}")
             sys.stdout.flush()
 
-    with ThreadPoolExecutor(arguments.jobs) as pool:
+    pool = ThreadPoolExecutor(arguments.jobs)
+    try:
         list(pool.map(attempt, open_))
+    finally:
+        pool.shutdown(cancel_futures=True)
     return [result for result in results.values() if result]
 
 
@@ -162,7 +166,10 @@ class Runner:
         assert self._process.stdout
         self._process.stdin.write(json.dumps(request) + "\n")
         self._process.stdin.flush()
-        answer: Result = json.loads(self._process.stdout.readline())
+        line = self._process.stdout.readline()
+        if not line:
+            raise QuadrupedError("the process that tries the bugs has ended; start again to go on")
+        answer: Result = json.loads(line)
         return answer
 
 

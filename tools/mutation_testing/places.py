@@ -29,7 +29,7 @@ OPERATORS: Final = (
     *("ReplaceBreakWithContinue", "ReplaceContinueWithBreak", "ExceptionReplacer", "ZeroIterationForLoop"),
     *("NumberReplacer", "RemoveStatement"),
 )
-"""At most two for each place. `RemoveStatement` is added to those of Cosmic Ray."""
+"""Names of the operators, two or fewer for each place. All but `RemoveStatement` are those of Cosmic Ray."""
 _BINARY_PARENTS: Final = {"arith_expr", "term", "expr", "and_expr", "xor_expr", "shift_expr", "power"}
 
 

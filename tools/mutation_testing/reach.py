@@ -10,12 +10,13 @@ from mutation_testing.places import Mutant
 
 FAST: Final = 0.3
 """s"""
+_ANOTHER_ROBOT: Final = "tests/robot/test_second_robot.py"
 _TESTS: Final = {
-    "gait": ("tests/gait/", "tests/control/test_directions.py"),
-    "policies": ("tests/control/test_policy",),
+    "gait": ("tests/gait/", "tests/control/test_directions.py", _ANOTHER_ROBOT),
+    "control": ("tests/control/", _ANOTHER_ROBOT),
+    "policies": ("tests/control/test_policy", _ANOTHER_ROBOT),
 }
-"""Where tests of a package are, if it is not only in the folder of the same name."""
-
+"""Beginnings of the names of a package's tests, if they are not only those in the folder of the same name."""
 
 Statement: TypeAlias = ast.stmt | ast.ExceptHandler
 

@@ -62,7 +62,7 @@ class Selected:
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Write the name of a test that fails."""
         if report.failed:
-            os.write(self._failed, report.nodeid.encode())
+            os.write(self._failed, report.nodeid.encode() + b"\n")
 
 
 def main() -> int:
@@ -71,8 +71,9 @@ def main() -> int:
     for library in LIBRARIES:
         with contextlib.suppress(ImportError):
             importlib.import_module(library)
-    for line in sys.stdin:
-        print(json.dumps(_tried(**json.loads(line))), flush=True)
+    with contextlib.suppress(KeyboardInterrupt):
+        for line in sys.stdin:
+            print(json.dumps(_tried(**json.loads(line))), flush=True)
     return 0
 
 
@@ -82,10 +83,11 @@ def _tried(path: str, module: str, code: str, tests: list[str], timeout: float) 
     if not child:
         _run(Planted(module, path, code), tests, write)
     os.close(write)
+    os.set_blocking(read, False)  # A process that a test has left behind may hold the other end open.
     status = _ended(child, timeout)
     outcome = "timeout" if status is None else "killed" if status else "survived"
-    with os.fdopen(read) as file:
-        return {"outcome": outcome, "by": file.read() if status else ""}
+    with os.fdopen(read, "rb") as file:
+        return {"outcome": outcome, "by": (file.read() or b"").decode().partition("\n")[0]}
 
 
 def _run(planted: Planted, tests: list[str], failed: int) -> None:
@@ -109,12 +111,14 @@ def _ended(child: int, timeout: float) -> int | None:
     """Wait for a process and end what it has started; None if time is up."""
     until = time.monotonic() + timeout
     status = None
-    while status is None and time.monotonic() < until:
-        time.sleep(0.02)
-        ended, code = os.waitpid(child, os.WNOHANG)
-        status = code if ended else None
-    with contextlib.suppress(ProcessLookupError):
-        os.killpg(child, signal.SIGKILL)
+    try:
+        while status is None and time.monotonic() < until:
+            time.sleep(0.02)
+            ended, code = os.waitpid(child, os.WNOHANG)
+            status = code if ended else None
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(child, signal.SIGKILL)
     if status is None:
         os.waitpid(child, 0)
     return status
