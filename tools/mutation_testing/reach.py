@@ -10,11 +10,9 @@ from mutation_testing.places import Mutant
 
 FAST: Final = 0.3
 """s"""
-_ANOTHER_ROBOT: Final = "tests/robot/test_second_robot.py"
 _TESTS: Final = {
-    "gait": ("tests/gait/", "tests/control/test_directions.py", _ANOTHER_ROBOT),
-    "control": ("tests/control/", _ANOTHER_ROBOT),
-    "policies": ("tests/control/test_policy", _ANOTHER_ROBOT),
+    "gait": ("tests/gait/", "tests/control/test_directions.py", "tests/robot/test_second_robot.py::TestGait"),
+    "policies": ("tests/control/test_policy",),
 }
 """Beginnings of the names of a package's tests, if they are not only those in the folder of the same name."""
 
