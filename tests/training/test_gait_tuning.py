@@ -237,16 +237,20 @@ def test_presets_are_searched_at_their_frequency_and_speed(fake_search):
 
 
 def test_half_track_is_the_one_that_turns_as_commanded(monkeypatch):
-    """A gait that turns by 0.35 m of half track as much as commanded; a larger one turns too far."""
+    """A gait that turns with 0.34 m of half track as much as commanded; with more it turns too far."""
+    asked = []
 
     def measured(gait, commands):
+        asked.append(commands.tolist())
         turned = commands[:, 1] * gait.half_track / 0.34
-        return SimpleNamespace(yaw_rate=turned, forward_velocity=commands[:, 0] + 0.0 * turned)
+        return SimpleNamespace(yaw_rate=turned, forward_velocity=commands[:, 0] + 0.01)
 
     monkeypatch.setattr(gait_tuning, "measure_commands", measured)
     lines = []
     assert gait_tuning._with_tuned_track(TUNED, lines.append).half_track == 0.34
-    assert lines == ["half track 0.34 m: mean error 0.000 (rad/s + m/s)"]
+    assert lines == ["half track 0.34 m: mean error 0.010 (rad/s + m/s)"]
+    assert len(asked) == 13, "0.10 to 0.58 m in steps of 0.04 m"
+    assert asked[0] == [[speed, rate] for speed in (0.0, 0.2, 0.3) for rate in (-0.6, -0.3, 0.3, 0.6)]
 
 
 def test_candidates_are_kept_within_the_search_and_the_motors_speed():
