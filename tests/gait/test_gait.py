@@ -129,6 +129,20 @@ def test_violations_name_the_joint_its_value_and_the_limit(changes, found):
         assert part in text
 
 
+def test_a_gait_exactly_at_a_limit_is_within_it():
+    low, high, speed = JOINT_POSITION_LOW[0], JOINT_POSITION_HIGH[0], VELOCITY_LIMIT
+    middle, half = (low + high) / 2, (high - low) / 2
+    still = {"knee_amplitude": 0.0, "hip_offset": middle, "hip_amplitude": half}
+    assert gait(angular_frequency=speed / half, **still).violations() == []
+    joints = [
+        message.partition(":")[0] for message in gait(angular_frequency=1.0001 * speed / half, **still).violations()
+    ]
+    assert joints == list(JOINT_NAMES[::2]), "too fast"
+    for offset in (middle + 1e-6, middle - 1e-6):
+        moved = gait(angular_frequency=0.1, **{**still, "hip_offset": offset})
+        assert [message.partition(":")[0] for message in moved.violations()] == list(JOINT_NAMES[::2]), "too far"
+
+
 def test_unknown_preset_names_the_valid_ones():
     with pytest.raises(QuadrupedError, match=r"'gallop'.*article, trot, walk, bound, pace, tuned"):
         SinusoidalGait.preset("gallop")
