@@ -194,7 +194,7 @@ class FakeSearch:
         self.calls.append((speed, np.array(start), spread))
         columns = np.tile([0.1 + abs(speed), 0.6, 0.15, -0.1, -0.7], 2)
         columns[5:] += 0.01
-        columns += 0.00004
+        columns += 0.0004
         return gait_tuning.Found(columns, float(np.clip(speed, -0.25, 0.25)), 0.012)
 
 
@@ -211,14 +211,14 @@ def test_table_of_a_gait_holds_the_speeds_that_were_reached(monkeypatch, fake_se
     assert gait.angular_frequency == 13.0
     assert gait.speeds == (-0.2, 0.0, 0.1, 0.2, 0.25)
     # The column for a speed is the one that was found for it; at 0 the legs stand.
-    assert gait.fore.hip_amplitude == pytest.approx((0.3, 0.0, 0.2, 0.3, 0.5), abs=1e-4)
-    assert gait.hind.hip_amplitude == pytest.approx((0.31, 0.0, 0.21, 0.31, 0.51), abs=1e-4)
-    assert gait.fore.hip_offset == pytest.approx((0.6, STANCE[0], 0.6, 0.6, 0.6), abs=1e-4)
-    assert gait.hind.knee_offset == pytest.approx((-0.69, STANCE[1], -0.69, -0.69, -0.69), abs=1e-4)
+    assert gait.fore.hip_amplitude == pytest.approx((0.3, 0.0, 0.2, 0.3, 0.5), abs=1e-3)
+    assert gait.hind.hip_amplitude == pytest.approx((0.31, 0.0, 0.21, 0.31, 0.51), abs=1e-3)
+    assert gait.fore.hip_offset == pytest.approx((0.6, STANCE[0], 0.6, 0.6, 0.6), abs=1e-3)
+    assert gait.hind.knee_offset == pytest.approx((-0.69, STANCE[1], -0.69, -0.69, -0.69), abs=1e-3)
     speeds, starts, spreads = zip(*fake_search.calls, strict=True)
     assert speeds == (0.1, 0.2, 0.4, -0.2)
     assert spreads == (0.15, 0.08, 0.08, 0.15), "a search from a neighbour's result is narrower"
-    np.testing.assert_allclose(starts[1][:5], [0.2, 0.6, 0.15, -0.1, -0.7], atol=1e-4)
+    np.testing.assert_allclose(starts[1][:5], [0.2, 0.6, 0.15, -0.1, -0.7], atol=1e-3)
     step = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2)
     stance = np.array([0.0, STANCE[0], 0.0, 0.0, STANCE[1]] * 2)
     np.testing.assert_allclose(starts[0], stance + step)
