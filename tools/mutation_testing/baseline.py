@@ -1,6 +1,7 @@
 """Run all tests once, and write which lines of some files each test reaches, and how long it takes.
 
-Lines that run while a fixture of a module or session is set up count for all tests that use the fixture.
+Lines that run while a fixture of a module or session is set up count for all tests that use the fixture. A line that
+runs only at import has an empty list of tests; one that never runs has none.
 
 Arguments: file to write, JSON list of source files, JSON list of pytest's arguments. It is a program of its own,
 because the package must not have been imported when the measurement begins.
@@ -77,11 +78,10 @@ def main() -> int:
     lines = {}
     for path in sources:
         by_line = coverage.get_data().contexts_by_lineno(os.path.abspath(path))
-        reached = {
+        lines[path] = {
             line: sorted({number[test] for context in contexts for test in recorder.users[context]})
             for line, contexts in sorted(by_line.items())
         }
-        lines[path] = {line: of_line for line, of_line in reached.items() if of_line}
     output.write_text(json.dumps({"tests": {test: recorder.seconds[test] for test in tests}, "lines": lines}))
     return 0
 

@@ -24,27 +24,26 @@ class Place(NamedTuple):
 
     lines: range
     """Lines of the innermost statement around it; its header, if it holds others"""
-    at_import: bool
-    """True if it runs when the module is imported"""
+    once: bool
+    """True if it runs when the module is imported, or in a function that remembers its results"""
 
 
 def tests_of(mutant: Mutant, baseline: dict[str, Any]) -> list[str]:
     """Tests that reach a bug: those of its package first, and those of other packages that take less than `FAST`.
 
-    A bug in what runs at import, such as a default or a decorator, is reached by all tests of its package, and by those
-    that reach any function of the file.
+    A bug in what runs once for all tests, such as a default, a decorator or a cached function, is reached by all tests
+    of its package, and by those that reach any function of the file.
     """
     seconds: dict[str, float] = baseline["tests"]
     names = list(seconds)
     own = {name for name in names if name.startswith(_folders(mutant.path))}
     lines = {int(line): tests for line, tests in baseline["lines"][mutant.path].items()}
     place = place_of(mutant.path, mutant.line)
-    if place.at_import:
-        reached = {
-            names[i] for n, tests in lines.items() if not place_of(mutant.path, n).at_import for i in tests
-        } | own
-    else:
-        reached = {names[i] for line in place.lines for i in lines.get(line, ())}
+    runs = [lines[line] for line in place.lines if line in lines]
+    once = place.once or (bool(runs) and not any(runs))
+    if once:
+        runs = [tests for line, tests in lines.items() if not place_of(mutant.path, line).once]
+    reached = {names[i] for tests in runs for i in tests} | (own if once else set())
     found = [name for name in names if name in reached and (name in own or seconds[name] < FAST)]
     of_file: dict[str, float] = defaultdict(float)
     for name in found:
@@ -61,8 +60,9 @@ def place_of(path: str, line: int) -> Place:
     inner = around[-1]
     body: list[Statement] = getattr(inner, "body", [])
     end = max(inner.lineno, body[0].lineno - 1) if body else inner.end_lineno or 0
-    in_function = any(isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) for node in around[:-1])
-    return Place(range(inner.lineno, end + 1), not in_function)
+    functions = [node for node in around[:-1] if isinstance(node, ast.FunctionDef)]
+    cached = any("cache" in ast.unparse(decorator) for node in functions for decorator in node.decorator_list)
+    return Place(range(inner.lineno, end + 1), cached or not functions)
 
 
 @cache
