@@ -45,6 +45,12 @@ def test_settings_of_a_gait_leave_it_unchanged(name):
     np.testing.assert_allclose(edited(gait, settings).positions(times), gait.positions(times), atol=1e-12)
 
 
+def test_phases_of_a_gait_are_settings_within_one_cycle():
+    turns = (0.25, 1.25, -0.75, 2.25)
+    gait = SinusoidalGait(0.1, 0.6, 0.1, -0.7, 9.0, tuple(6.283185307 * turn for turn in turns for _ in range(2)))
+    assert GaitSettings.of(gait).phases == pytest.approx((0.25,) * 4)
+
+
 def test_each_setting_changes_what_it_names():
     gait = SinusoidalGait.preset("trot")
     base = gait.positions(np.array([0.1]))[0]

@@ -134,6 +134,8 @@ def test_configs_share_nothing_and_do_not_change():
         ({"physics_timestep": -0.1}, r"physics_timestep must be positive"),
         ({"clock_frequency": 0}, r"clock_frequency must be positive"),
         ({"clock_frequency": math.inf}, r"clock_frequency.*found inf"),
+        ({"motor": {"hip": 3}}, r"config.motor.hip: expected a mapping of fields; found 3"),
+        ({"motor": {"ankle": {"kp": 3}}}, r"config.motor: unknown field 'ankle'"),
         ({"reward": {"weights": {"speed": 1}}}, r"config.reward.weights: unknown field 'speed'; valid fields are"),
         ({"reward": {"weights": {"upright": "much"}}}, r"config.reward.weights.upright: expected a number"),
         ({"reward": {"weights": {"upright": math.nan}}}, r"reward.weights.upright.*found nan"),

@@ -12,6 +12,7 @@ from quadruped_env.gait import LEG_PHASES
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.training import gait_tuning
 
+POSITIVE = ("tilt", "power", "slip")
 TUNED = CommandedGait.tuned()
 TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds])
 
@@ -252,6 +253,36 @@ def test_half_track_is_the_one_that_turns_as_commanded(monkeypatch):
     assert lines == ["half track 0.34 m: mean error 0.010 (rad/s + m/s)"]
     assert len(asked) == 13, "0.10 to 0.58 m in steps of 0.04 m"
     assert asked[0] == [[speed, rate] for speed in (0.0, 0.2, 0.3) for rate in (-0.6, -0.3, 0.3, 0.6)]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "wanted"),
+    [
+        *(("forward_velocity", speed) for speed in (0.3, -0.2)),
+        *((name, 0.0) for name in ("lateral_velocity", "yaw_rate", "tilt", "power", "slip")),
+        *((name, "more") for name in ("clock", "lift")),
+    ],
+)
+def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity, wanted):
+    """The quantity is the offset of the fore hip less 0.6 rad; all others are the same for every candidate."""
+
+    def measure(offset, simulation, angular_frequency, turns):
+        values = np.zeros(len(offset))
+        found = dict.fromkeys(gait_tuning.Achieved.__annotations__, values) | {"fallen": values > 0.0}
+        if quantity != "forward_velocity":
+            found["forward_velocity"] = values + 0.3
+        return gait_tuning.Achieved(**found | {quantity: abs(offset) if quantity in POSITIVE else offset})
+
+    monkeypatch.setattr(gait_tuning, "measure", measure)
+    monkeypatch.setattr(gait_tuning, "BatchSimulation", lambda *arguments, **options: None)
+    monkeypatch.setattr(gait_tuning, "gait_targets", lambda candidates, *_: candidates[:, 1] - 0.6)
+    start = np.array([0.0, 0.72, 0.0, 0.0, -0.7] * 2)
+    speed = wanted if quantity == "forward_velocity" else 0.3
+    found = gait_tuning.search(speed, 10.0, LEG_PHASES["trot"], start, 0.15, 12).columns[1] - 0.6
+    if wanted == "more":
+        assert found > 0.3, "near the bound of the search, 1.1 rad"
+    else:
+        assert found == pytest.approx(wanted, abs=0.01)
 
 
 def test_candidates_are_kept_within_the_search_and_the_motors_speed():
