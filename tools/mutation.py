@@ -45,7 +45,7 @@ FILES = (
 TESTS = (
     *("tests/task", "tests/control", "tests/gait", "tests/training"),
     *(f"tests/envs/test_{name}.py" for name in ("envs", "env_copies", "env_input", "sb3")),
-    "tests/robot/test_second_robot.py",
+    *("tests/evaluation/test_without_randomization.py", "tests/robot/test_second_robot.py"),
 )
 MUTANTS = Path("mutants")
 PROGRAMS = Path(__file__).parent / "mutation_testing"

@@ -129,6 +129,8 @@ def test_clock_runs_at_its_frequency_and_stops_at_a_zero_command():
         assert (task.phase < math.tau).all()
     task.reset(np.arange(3), command=(0.0, 0.0))
     np.testing.assert_array_equal(column("gait_clock", task.observe()), 0.0)
+    task.reset(np.arange(3), command=(0.02, -0.02))
+    np.testing.assert_array_equal(column("gait_clock", task.observe()), 0.0, err_msg="0.02 m/s and rad/s are standing")
     task.reset(np.arange(3), command=(0.0, 0.5))
     np.testing.assert_allclose((column("gait_clock", task.observe()) ** 2).sum(axis=1), 1.0, rtol=1e-6)
 
@@ -173,3 +175,14 @@ def test_a_users_function_is_captured_only_if_it_is_declared_pure():
     assert not any(term.pure for term in terms)
     assert termination(pure=True)(own_term).pure
     assert reward(weight=1.0, pure=True)(own_term).pure
+
+
+def test_readings_of_another_robot_are_observed_from_those():
+    task, other = make_task(2), make_task(2)
+    other.step(np.full((2, 8), 0.7))
+    control, mine, others = task.control, task.simulation.readings, other.simulation.readings
+    first = control.observe(mine)
+    second = control.observe(others)
+    assert (column("joint_position", first) != column("joint_position", second)).any()
+    np.testing.assert_allclose(column("joint_position", second), others.joint_position - STANCE, atol=1e-6)
+    np.testing.assert_array_equal(control.observe(mine), first)

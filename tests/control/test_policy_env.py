@@ -137,3 +137,12 @@ def test_controller_of_a_policy_for_another_robot_is_refused_at_its_first_action
     task = Task(simulation, TASK.for_robot(second_robot.ROBOT))
     with pytest.raises(QuadrupedError, match="made for the robot 'mini_quadruped'"):
         PolicyController(make_policy()).act(task.observe(), task.control)
+
+
+def test_check_env_refuses_an_env_of_another_robot():
+    own = make_policy()
+    policy = Policy(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
+    env = own.make_env()
+    with pytest.raises(QuadrupedError, match=f"made for the robot '{second_robot.ROBOT.name}'"):
+        policy.check_env(env)
+    env.close()

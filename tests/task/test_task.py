@@ -80,6 +80,9 @@ def test_episode_is_truncated_after_its_maximum_of_steps():
         assert not transition.terminated.any()
     assert [end[0] for end in ends] == [False] * 4 + [True] * 4, "truncated until it is reset"
     assert [end[1] for end in ends] == [False] * 7 + [True]
+    assert task.finished.all()
+    task.reset(np.array([1]))
+    assert task.finished.tolist() == [True, False]
 
 
 # --- commands ---
