@@ -123,6 +123,7 @@ def test_configs_share_nothing_and_do_not_change():
         ({"command": {"yaw_rate": [0.3, 0.1]}}, r"command.yaw_rate must be a pair .* low <= high; found \(0.3, 0.1\)"),
         ({"command": {"yaw_rate": [0.3, "x"]}}, r"config.command.yaw_rate: expected a number; found 'x'"),
         ({"command": {"resample_interval": [0, 1]}}, r"command.resample_interval must be positive"),
+        ({"command": {"resample_interval": None}}, r"resample_interval: expected a pair \(low, high\); found None"),
         ({"command": {"standing_fraction": -0.1}}, r"command.standing_fraction must be at least 0; found -0.1"),
         ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.4"),
         ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
