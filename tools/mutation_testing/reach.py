@@ -31,8 +31,8 @@ class Place(NamedTuple):
 def tests_of(mutant: Mutant, baseline: dict[str, Any]) -> list[str]:
     """Tests that reach a bug: those of its package first, and those of other packages that take less than `FAST`.
 
-    A bug in what runs a single time, such as a default, a decorator or a cached function, is reached by all tests of its
-    package, and by those that reach any function of the file.
+    A bug in what runs a single time, such as a default, a decorator or a cached function, is reached by all tests of
+    its package, and by those that reach any function of the file.
     """
     seconds: dict[str, float] = baseline["tests"]
     names = list(seconds)
