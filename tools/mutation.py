@@ -30,6 +30,7 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env._python import pasteable
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
+from quadruped_env.files import write_json
 from quadruped_env.program import run_program
 
 if TYPE_CHECKING:
@@ -111,10 +112,17 @@ def measured_baseline(sources: list[str], tests: Iterable[str]) -> dict[str, Any
         digest.update(file.read_bytes())
     if not path.exists() or json.loads(path.read_text())["digest"] != digest.hexdigest():
         print("running all tests without a bug", flush=True)
-        command = [sys.executable, str(PROGRAMS / "baseline.py"), str(path), json.dumps(sources), json.dumps([*tests])]
+        measured = MUTANTS / "measured.json"
+        command = [
+            sys.executable,
+            str(PROGRAMS / "baseline.py"),
+            str(measured),
+            json.dumps(sources),
+            json.dumps([*tests]),
+        ]
         if subprocess.run(command, check=False, env=_environment(), stdout=subprocess.DEVNULL).returncode:  # noqa: S603
             raise QuadrupedError("tests fail without a planted bug; fix them first")
-        path.write_text(json.dumps({"digest": digest.hexdigest(), **json.loads(path.read_text())}))
+        write_json(path, {"digest": digest.hexdigest(), **json.loads(measured.read_text())})
     found: dict[str, Any] = json.loads(path.read_text())
     return found
 

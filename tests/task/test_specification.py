@@ -4,6 +4,7 @@ import json
 import math
 
 import pytest
+from settings import REWARD_WEIGHTS
 from tasks import LAYOUT
 
 from quadruped_env.control.config import ControlConfig
@@ -22,24 +23,7 @@ CONFIG = {
         "resample_interval": [3.0, 6.0],
     },
     "reward": {
-        "weights": {
-            "track_forward_velocity": 6.0,
-            "track_yaw_rate": 3.0,
-            "forward_progress": 4.0,
-            "turn_progress": 2.0,
-            "gait_clock": 5.0,
-            "upright": -2.0,
-            "base_height": -20.0,
-            "vertical_velocity": -0.5,
-            "roll_pitch_rate": -0.03,
-            "lateral_velocity": -0.5,
-            "action_rate": -0.08,
-            "mechanical_power": -0.005,
-            "foot_slip": -0.3,
-            "stand_still": -1.0,
-            "joint_speed": -1.0,
-            "fall": -50.0,
-        },
+        "weights": REWARD_WEIGHTS,
         "velocity_time_constant": 0.2,
         "contact_threshold": 1.0,
         "forward_velocity_std": 0.1,
