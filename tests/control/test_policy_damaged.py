@@ -1,6 +1,7 @@
 """Damaged policies: refused with the file, the field and the fix, and never loaded with other numbers."""
 
 import json
+import os
 from hashlib import sha256
 
 import numpy as np
@@ -168,3 +169,11 @@ def test_a_damaged_policy_never_loads_with_other_weights_or_settings(run_directo
         assert loaded.activation == policy.activation
         for one, other in zip(loaded.weights + loaded.biases, policy.weights + policy.biases, strict=True):
             np.testing.assert_array_equal(one, other)
+
+
+def test_weights_that_are_a_device_are_refused(run_directory):
+    weights = run_directory / TENSORS_FILE
+    weights.unlink()
+    weights.symlink_to(os.devnull)
+    with pytest.raises(QuadrupedError, match="name the directory of a finished run"):
+        load_policy(run_directory)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import second_robot
 from gymnasium import make, make_vec
 from policies import TASK, make_policy
 
@@ -11,8 +12,9 @@ from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
-from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.task import TaskConfig, load_task_file
+from quadruped_env.policies import Policy, PolicyController, load_policy
+from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.task import Task, TaskConfig, load_task_file
 
 # --- the shipped policies ---
 
@@ -169,4 +171,49 @@ def test_check_env_of_another_environment_is_refused():
         QuadrupedError, match=r"is not an environment of this package; make one with policy.make_env\(\)"
     ):
         make_policy().check_env(env)
+    env.close()
+
+
+# --- other robots, and users' files ---
+
+OWN_TERM = '''
+from quadruped_env.task import reward
+
+
+@reward(weight=-3.0)
+def own_term(context):
+    """One where the robot has fallen."""
+    return context.fallen
+'''
+
+
+def test_policy_that_needs_no_users_file_is_not_affected_by_one(run_directory, tmp_path):
+    (tmp_path / "own.py").write_text(OWN_TERM)
+    config = load_policy(run_directory, task_file=tmp_path / "own.py").config
+    assert config == TASK
+    assert "own_term" not in config.reward.weights
+
+
+def test_env_of_a_policy_for_another_robot_has_that_robot():
+    own = make_policy()
+    policy = Policy(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
+    env = policy.make_env()
+    assert env.unwrapped.task.config == policy.config
+    assert env.unwrapped.task.config.robot == second_robot.ROBOT
+    env.close()
+
+
+def test_controller_of_a_policy_for_another_robot_is_refused_at_its_first_action():
+    simulation = BatchSimulation(build_model(robot=second_robot.ROBOT), 1, 1, second_robot.ROBOT)
+    task = Task(simulation, TASK.for_robot(second_robot.ROBOT))
+    with pytest.raises(QuadrupedError, match="made for the robot 'mini_quadruped'"):
+        PolicyController(make_policy()).act(task.observe(), task.control)
+
+
+def test_check_env_refuses_an_env_of_another_robot():
+    own = make_policy()
+    policy = Policy(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
+    env = own.make_env()
+    with pytest.raises(QuadrupedError, match=f"made for the robot '{second_robot.ROBOT.name}'"):
+        policy.check_env(env)
     env.close()

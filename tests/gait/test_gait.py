@@ -9,6 +9,7 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_L
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES, PRESETS
+from quadruped_env.gait.waves import wave_positions
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.task import TaskConfig
 
@@ -128,6 +129,20 @@ def test_violations_name_the_joint_its_value_and_the_limit(changes, found):
         assert part in text
 
 
+def test_a_gait_exactly_at_a_limit_is_within_it():
+    low, high, speed = JOINT_POSITION_LOW[0], JOINT_POSITION_HIGH[0], VELOCITY_LIMIT
+    middle, half = (low + high) / 2, (high - low) / 2
+    still = {"knee_amplitude": 0.0, "hip_offset": middle, "hip_amplitude": half}
+    assert gait(angular_frequency=speed / half, **still).violations() == []
+    joints = [
+        message.partition(":")[0] for message in gait(angular_frequency=1.0001 * speed / half, **still).violations()
+    ]
+    assert joints == list(JOINT_NAMES[::2]), "too fast"
+    for offset in (middle + 1e-6, middle - 1e-6):
+        moved = gait(angular_frequency=0.1, **{**still, "hip_offset": offset})
+        assert [message.partition(":")[0] for message in moved.violations()] == list(JOINT_NAMES[::2]), "too far"
+
+
 def test_unknown_preset_names_the_valid_ones():
     with pytest.raises(QuadrupedError, match=r"'gallop'.*article, trot, walk, bound, pace, tuned"):
         SinusoidalGait.preset("gallop")
@@ -195,6 +210,16 @@ def test_positions_are_the_waves_at_a_phase():
     for row in range(len(commands)):
         one = TUNED.positions(phase[[row]], commands[[row]])[0]
         np.testing.assert_array_equal(one, TUNED.positions(phase, commands)[row], "whatever the other commands are")
+
+
+def test_a_joint_with_a_phase_is_ahead_of_the_gait():
+    one, quarter = np.ones((1, 3)), 0.5 * np.pi
+    # sin(30 deg + 0, 90 and -90 deg); cos of the same; and an offset.
+    phases, phase = np.array([0.0, quarter, -quarter]), np.array([np.pi / 6])
+    half, root = 0.5, 0.75**0.5
+    np.testing.assert_allclose(wave_positions(phase, phases, one, 0 * one, 0 * one), [[half, root, -root]])
+    np.testing.assert_allclose(wave_positions(phase, phases, 0 * one, one, 0 * one), [[root, -half, half]])
+    np.testing.assert_allclose(wave_positions(phase, phases, 0 * one, 0 * one, 0.1 * one), [[0.1] * 3])
 
 
 def test_at_a_zero_command_the_tuned_gait_is_the_stance():

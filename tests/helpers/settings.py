@@ -6,6 +6,28 @@ from typing import Final
 PHYSICS_TIMESTEP: Final = 0.005
 """Default of the task, s."""
 
+REWARD_WEIGHTS = {
+    "track_forward_velocity": 8.0,
+    "track_yaw_rate": 6.0,
+    "forward_progress": 4.0,
+    "turn_progress": 4.0,
+    "gait_clock": 5.0,
+    "contact_clock": 1.5,
+    "upright": -2.0,
+    "base_height": -20.0,
+    "vertical_velocity": -0.5,
+    "roll_pitch_rate": -0.03,
+    "lateral_velocity": -0.5,
+    "action_rate": -0.08,
+    "mechanical_power": -0.005,
+    "electrical_power": 0.0,
+    "foot_slip": -0.3,
+    "stand_still": -1.0,
+    "joint_speed": -1.0,
+    "fall": -50.0,
+}
+"""Weights of the built-in reward terms, per second."""
+
 
 def settings(
     *,

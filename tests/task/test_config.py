@@ -8,6 +8,7 @@ import pickle
 
 import numpy as np
 import pytest
+import second_robot
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.config import ControlConfig
@@ -23,6 +24,7 @@ from quadruped_env.task import (
     TerminationConfig,
 )
 
+SMALLEST = math.nextafter(0.0, 1.0)
 CONFIG = TaskConfig(
     decimation=5,
     physics_timestep=0.002,
@@ -121,6 +123,7 @@ def test_configs_share_nothing_and_do_not_change():
         ({"command": {"yaw_rate": [0.3, 0.1]}}, r"command.yaw_rate must be a pair .* low <= high; found \(0.3, 0.1\)"),
         ({"command": {"yaw_rate": [0.3, "x"]}}, r"config.command.yaw_rate: expected a number; found 'x'"),
         ({"command": {"resample_interval": [0, 1]}}, r"command.resample_interval must be positive"),
+        ({"command": {"resample_interval": None}}, r"resample_interval: expected a pair \(low, high\); found None"),
         ({"command": {"standing_fraction": -0.1}}, r"command.standing_fraction must be at least 0; found -0.1"),
         ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.5"),
         ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
@@ -132,6 +135,8 @@ def test_configs_share_nothing_and_do_not_change():
         ({"physics_timestep": -0.1}, r"physics_timestep must be positive"),
         ({"clock_frequency": 0}, r"clock_frequency must be positive"),
         ({"clock_frequency": math.inf}, r"clock_frequency.*found inf"),
+        ({"motor": {"hip": 3}}, r"config.motor.hip: expected a mapping of fields; found 3"),
+        ({"motor": {"ankle": {"kp": 3}}}, r"config.motor: unknown field 'ankle'"),
         ({"reward": {"weights": {"speed": 1}}}, r"config.reward.weights: unknown field 'speed'; valid fields are"),
         ({"reward": {"weights": {"upright": "much"}}}, r"config.reward.weights.upright: expected a number"),
         ({"reward": {"weights": {"upright": math.nan}}}, r"reward.weights.upright.*found nan"),
@@ -151,6 +156,35 @@ def test_configs_share_nothing_and_do_not_change():
 def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
     with pytest.raises(QuadrupedError, match=message):
         TaskConfig.from_dict(values)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"decimation": 1},
+        {"physics_timestep": SMALLEST},
+        {"clock_frequency": 0.5},
+        {"command": {"standing_fraction": 0.5, "straight_fraction": 0.5}},
+        {"command": {"yaw_rate": (0.2, 0.2), "standing_fraction": 0.0}},
+        {"reward": {"base_height": SMALLEST, "contact_threshold": 0.0}},
+        {"termination": {"max_tilt": math.pi, "max_trunk_force": 0.0}},
+        {"randomization": {"start_tilt": 0.0, "push_interval": (SMALLEST, 1.0), "payload": (-0.999, 0.0)}},
+        {"terrain": {"name": "flat", "seed": 1}},
+    ],
+)
+def test_values_at_the_ends_of_their_ranges_are_taken(values):
+    config = TaskConfig.from_dict(values).to_dict()
+    for section, value in values.items():
+        changes = value if isinstance(value, dict) else {section: value}
+        found = config[section] if isinstance(value, dict) else config
+        assert {name: found[name] for name in changes} == changes
+
+
+def test_motors_of_a_config_go_to_another_robot_only_if_they_were_changed():
+    default = TaskConfig()
+    identified = dataclasses.replace(default.motor, delay=0.01)
+    assert default.for_robot(second_robot.ROBOT).motor == second_robot.ROBOT.motors != default.motor
+    assert TaskConfig(motor=identified).for_robot(second_robot.ROBOT).motor == identified
 
 
 def test_the_weights_are_those_of_the_terms():

@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 import pytest
 from robot_alone import LEGS, RobotAlone, rotation
-from settings import PHYSICS_TIMESTEP, settings
+from settings import PHYSICS_TIMESTEP, REWARD_WEIGHTS, settings
 
 from quadruped_env.envs import ENV_ID
 from quadruped_env.gait import CommandedGait
@@ -27,27 +27,8 @@ CLOCK_RATE = math.tau * 2.6
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
-WEIGHTS = {
-    "track_forward_velocity": 8.0,
-    "track_yaw_rate": 6.0,
-    "forward_progress": 4.0,
-    "turn_progress": 4.0,
-    "gait_clock": 5.0,
-    "contact_clock": 1.5,
-    "upright": -2.0,
-    "base_height": -20.0,
-    "vertical_velocity": -0.5,
-    "roll_pitch_rate": -0.03,
-    "lateral_velocity": -0.5,
-    "action_rate": -0.08,
-    "mechanical_power": -0.005,
-    "electrical_power": -0.003,  # 0 unless the config sets it
-    "foot_slip": -0.3,
-    "stand_still": -1.0,
-    "joint_speed": -1.0,
-    "fall": -50.0,
-}
-"""Per second."""
+WEIGHTS = REWARD_WEIGHTS | {"electrical_power": -0.003}
+"""Of these episodes; the term is off by default."""
 
 
 # --- the task by its docstring ---
@@ -325,8 +306,10 @@ def test_reward_term_is_its_formula_on_mujocos_readings(played, term):
 def test_reward_is_the_sum_of_exactly_these_terms(played):
     for name, step in all_steps(played):
         named = {key.removeprefix("reward_") for key in step.info if key.startswith("reward_")}
-        assert named == set(WEIGHTS), name
-        assert step.reward == pytest.approx(sum(step.info[f"reward_{term}"] for term in WEIGHTS), abs=1e-12), name
+        assert named == set(REWARD_WEIGHTS), name
+        assert step.reward == pytest.approx(sum(step.info[f"reward_{term}"] for term in REWARD_WEIGHTS), abs=1e-12), (
+            name
+        )
 
 
 def test_termination_is_a_tilt_or_a_trunk_on_the_ground(played):
@@ -385,7 +368,7 @@ def test_observation_field_is_mujocos_reading_scaled(played, field):
 def test_gait_clock_pays_for_lifting_the_feet_that_swing(played):
     """The scripted gait walks by the clock, so a clock with another sign or another foot order pays it less."""
     steps = played["gait forward"][10:]
-    assert np.mean([step.info["reward_gait_clock"] for step in steps]) > 0.1 * WEIGHTS["gait_clock"] * DT
+    assert np.mean([step.info["reward_gait_clock"] for step in steps]) > 0.1 * REWARD_WEIGHTS["gait_clock"] * DT
     for leg in range(4):
         sine = np.array([math.sin(step.phase + LEG_PHASES[leg]) for step in steps])
         contact = np.array([step.on_ground[leg] for step in steps])

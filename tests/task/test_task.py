@@ -80,6 +80,9 @@ def test_episode_is_truncated_after_its_maximum_of_steps():
         assert not transition.terminated.any()
     assert [end[0] for end in ends] == [False] * 4 + [True] * 4, "truncated until it is reset"
     assert [end[1] for end in ends] == [False] * 7 + [True]
+    assert task.finished.all()
+    task.reset(np.array([1]))
+    assert task.finished.tolist() == [True, False]
 
 
 # --- commands ---
@@ -252,6 +255,22 @@ def test_a_transition_is_not_overwritten_by_the_next_step():
     task.reset(np.arange(3))
     for name, value in copies.items():
         np.testing.assert_array_equal(getattr(first, name), value, err_msg=name)
+
+
+def test_action_of_an_env_that_restarts_is_ignored():
+    ignored, zero = make_task(2), make_task(2)
+    for _ in range(4):
+        for task in (ignored, zero):
+            task.step(np.full((2, 8), 0.5))
+    action = np.array([[0.5] * 8, [np.nan] * 8])
+    with pytest.raises(QuadrupedError, match="action"):
+        ignored.step(action)
+    restart = np.array([False, True])
+    one, other = ignored.step(action, restart), zero.step(np.nan_to_num(action), restart)
+    np.testing.assert_array_equal(one.observation, other.observation)
+    assert ignored.control.steps.tolist() == [5, 0]
+    assert not one.reward[1]
+    assert one.reward[0]
 
 
 def test_reset_clears_the_memory_of_its_envs_only():

@@ -44,7 +44,9 @@ def test_heights_of_the_task_are_over_the_ground_below():
     expected = feet[..., 2] - FOOT_RADIUS - ground
     np.testing.assert_allclose(task.context.sole_height, expected, atol=1e-9)
     np.testing.assert_allclose(task.context.ground_height(feet), field.at(feet))
-    assert not make_native(2).task.context.ground_height(feet[:2]).any()
+    flat = make_native(2).task.context.ground_height(feet[:2])
+    assert flat.shape == (2, 4)
+    assert not flat.any()
 
 
 def test_start_is_over_the_highest_ground_below_the_robot():

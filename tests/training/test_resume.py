@@ -15,7 +15,7 @@ from quadruped_env.control.policy import CARD_FILE, CHECKPOINTS, TENSORS_FILE
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.resume import Parent
+from quadruped_env.training.resume import Parent, _difference
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 
 
@@ -81,6 +81,20 @@ def test_settings_equal_to_those_of_the_run_are_accepted(run):
     task = {"decimation": parent.config.task["decimation"], "reward": {"weights": {}}}
     asked = {"action_mode": "residual", "hidden": (8,), "log_std_init": -1.5, "symmetric": True, "task": task}
     assert parent.resumed(asked) == parent.resumed({})
+
+
+@pytest.mark.parametrize(
+    ("asked", "kept", "found"),
+    [
+        ({"a": 1}, {"a": 1, "b": 2}, None),
+        ({"b": {"c": 1}}, {"a": 1, "b": {"c": 2}}, ("b.c", 1, 2)),
+        ({"b": {"c": 1}}, {"b": 2}, ("b", {"c": 1}, 2)),
+        ({"b": 1}, {"b": {"c": 1}}, ("b", 1, {"c": 1})),
+        ({"b": 1}, {}, ("b", 1, None)),
+    ],
+)
+def test_first_setting_that_differs_is_found_at_any_depth(asked, kept, found):
+    assert _difference(asked, kept) == found
 
 
 def test_program_with_a_flag_that_cannot_change_is_refused(run, tmp_path):

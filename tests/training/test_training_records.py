@@ -54,7 +54,7 @@ class Watched:
         self.clock = 1000.0
         self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
         self.exploration, self.learning_rates = [], []
-        self.model = None
+        self.model, self.closed = None, 0
         for module in (models, ppo):
             monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
         monkeypatch.setattr(ppo, "make_sb3_vec_env", self._make_env)
@@ -85,7 +85,10 @@ class Watched:
             self.falls.append(sum(not infos[i]["TimeLimit.truncated"] for i in np.flatnonzero(dones)))
             return results
 
-        env.step_async, env.step_wait = step_async, step_wait
+        def close():
+            self.closed += 1
+
+        env.step_async, env.step_wait, env.close = step_async, step_wait, close
         return env
 
     def _make_model(self, make):
@@ -124,6 +127,11 @@ def windows(values):
 
 def column(run, name):
     return [float(row[name]) for row in progress(run.directory)]
+
+
+def test_envs_are_closed_once_at_the_end(run):
+    assert run.finished
+    assert run.closed == 1
 
 
 # --- schedules ---

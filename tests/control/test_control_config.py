@@ -1,0 +1,66 @@
+"""Config that training and a real robot share: the values that it takes, and those that it refuses."""
+
+import math
+
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control.config import ActionConfig, Command, ControlConfig
+
+SMALLEST = math.nextafter(0.0, 1.0)
+
+
+def test_scale_is_that_of_the_mode():
+    assert ActionConfig("position", 0.5, 0.25).scale == 0.5
+    assert ActionConfig("residual", 0.5, 0.25).scale == 0.25
+
+
+@pytest.mark.parametrize("name", ["position_scale", "residual_scale"])
+def test_scales_are_positive(name):
+    assert getattr(ActionConfig(**{name: SMALLEST}), name) == SMALLEST
+    for value in (0.0, -0.1):
+        with pytest.raises(QuadrupedError, match=rf"action.{name} must be positive \(rad\)"):
+            ActionConfig(**{name: value})
+
+
+def test_a_component_of_the_command_has_a_range_and_is_zero_if_left_out():
+    assert Command("height", "m", (0.2, 0.2)).default == 0.0
+    for wrong in ((0.3, 0.2), (0.1,), (0.1, 0.2, 0.3)):
+        with pytest.raises(QuadrupedError, match="height"):
+            Command("height", "m", wrong)
+
+
+@pytest.mark.parametrize(
+    ("values", "timestep"),
+    [
+        ({}, 0.02),
+        ({"decimation": 1}, 0.005),
+        ({"physics_timestep": 0.001}, 0.004),
+        ({"decimation": 8, "physics_timestep": 0.0025}, 0.02),
+    ],
+)
+def test_time_between_actions_is_decimation_times_the_physics_timestep(values, timestep):
+    assert ControlConfig.of_task(values).timestep == pytest.approx(timestep, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"decimation": 0}, "decimation must be 1 or more; found 0"),
+        ({"decimation": 2.0}, "decimation must be 1 or more; found 2.0"),
+        ({"physics_timestep": 0.0}, "physics_timestep must be a positive number; found 0.0"),
+        ({"clock_frequency": 0.0}, "clock_frequency must be a positive number; found 0.0"),
+        ({"clock_frequency": math.inf}, "clock_frequency must be a positive number; found inf"),
+        ({"action": {"speed": 1}}, "a field has a value of the wrong type"),
+        (None, "expected a mapping of fields; found None"),
+    ],
+)
+def test_values_of_a_policys_file_are_checked(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        ControlConfig.of_task(values)
+
+
+def test_ranges_of_the_command_are_those_of_the_file():
+    config = ControlConfig.of_task({"command": {"yaw_rate": [-0.1, 0.2]}, "clock_frequency": 0.5})
+    assert [command.range for command in config.commands] == [(-0.3, 0.6), (-0.1, 0.2)]
+    assert config.clock_frequency == 0.5

@@ -1,0 +1,73 @@
+"""A user's changes to a scripted gait."""
+
+import math
+
+import numpy as np
+import pytest
+
+from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.gait import PRESETS
+from quadruped_env.gait.settings import GaitSettings, edited
+
+PHASES = (0.0, 0.25, 0.5, 0.75)
+
+
+@pytest.mark.parametrize(("amplitude", "frequency"), [(0.0, 0.1), (2.0, 4.0), (1.0, 2.0)])
+def test_settings_are_taken_up_to_their_limits(amplitude, frequency):
+    settings = GaitSettings(amplitude, frequency, PHASES)
+    assert (settings.amplitude, settings.frequency) == (amplitude, frequency)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ((-0.001, 1.0, PHASES), "amplitude must be in 0 to 2; found -0.001"),
+        ((2.001, 1.0, PHASES), "amplitude must be in 0 to 2; found 2.001"),
+        ((math.nan, 1.0, PHASES), "amplitude must be in 0 to 2; found nan"),
+        ((1.0, 0.099, PHASES), "frequency must be in 0.1 to 4; found 0.099"),
+        ((1.0, 4.001, PHASES), "frequency must be in 0.1 to 4; found 4.001"),
+        ((1.0, 1.0, (0.0, math.inf, 0.0, 0.0)), "phases must be 4 finite numbers"),
+    ],
+)
+def test_settings_beyond_their_limits_are_refused(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        GaitSettings(*values)
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_settings_of_a_gait_leave_it_unchanged(name):
+    gait = SinusoidalGait.preset(name)
+    settings = GaitSettings.of(gait)
+    assert settings.amplitude == 1.0
+    assert settings.frequency == pytest.approx(gait.angular_frequency / 6.283185307)
+    assert all(0.0 <= phase < 1.0 for phase in settings.phases)
+    times = np.linspace(0.0, 1.0, 7)
+    np.testing.assert_allclose(edited(gait, settings).positions(times), gait.positions(times), atol=1e-12)
+
+
+def test_phases_of_a_gait_are_settings_within_one_cycle():
+    turns = (0.25, 1.25, -0.75, 2.25)
+    gait = SinusoidalGait(0.1, 0.6, 0.1, -0.7, 9.0, tuple(6.283185307 * turn for turn in turns for _ in range(2)))
+    assert GaitSettings.of(gait).phases == pytest.approx((0.25,) * 4)
+
+
+def test_each_setting_changes_what_it_names():
+    gait = SinusoidalGait.preset("trot")
+    base = gait.positions(np.array([0.1]))[0]
+    offset = edited(gait, GaitSettings(0.0, 2.0, PHASES)).positions(np.array([0.1]))[0]
+    settings = GaitSettings.of(gait)
+    twice = edited(gait, GaitSettings(2.0, settings.frequency, settings.phases))
+    np.testing.assert_allclose(twice.positions(np.array([0.1]))[0] - offset, 2.0 * (base - offset), atol=1e-12)
+    slower = edited(gait, GaitSettings(1.0, 0.5 * settings.frequency, settings.phases))
+    np.testing.assert_allclose(slower.positions(np.array([0.2]))[0], base, atol=1e-12)
+    # A leg that is a quarter of a cycle ahead is where it would be a quarter of the period later: hip and knee.
+    second_leg_ahead = tuple(phase + 0.25 * (leg == 1) for leg, phase in enumerate(settings.phases))
+    moved = edited(gait, GaitSettings(1.0, settings.frequency, second_leg_ahead)).positions(np.array([0.1]))[0]
+    later = gait.positions(np.array([0.1 + 0.25 / settings.frequency]))[0]
+    np.testing.assert_allclose(moved[2:4], later[2:4], atol=1e-12)
+    np.testing.assert_allclose(np.delete(moved, [2, 3]), np.delete(base, [2, 3]), atol=1e-12)
+
+
+def test_phases_are_one_per_leg():
+    with pytest.raises(QuadrupedError, match="expected 4 phases, one per leg; found 3"):
+        edited(SinusoidalGait.preset("trot"), GaitSettings(1.0, 1.0, PHASES[:3]))

@@ -1,0 +1,63 @@
+"""Settings of a training: defaults, and the values that are refused."""
+
+import math
+
+import pytest
+
+from quadruped_env import QuadrupedError
+from quadruped_env.training.config import STEPS_TO_WALK, TrainConfig, shortness
+
+SMALLEST = math.nextafter(0.0, 1.0)
+LIMITS = {
+    # Field: values at the ends of its range, values outside it
+    "timesteps": ((1,), (0, -1)),
+    "num_envs": ((64,), (0,)),
+    "n_steps": ((4,), (0,)),
+    "n_epochs": ((1,), (0,)),
+    "seed": ((0, 2**32 - 1), (-1, 2**32)),
+    "seconds": ((None, SMALLEST), (0.0, -1.0)),
+    "checkpoint_seconds": ((SMALLEST,), (0.0, -1.0)),
+    "batch_size": ((2, 256 * 16), (0, 1, 256 * 16 + 1)),
+    "learning_rate": ((SMALLEST, 1e300), (0.0, -1.0, math.inf, math.nan)),
+    "gamma": ((SMALLEST, 1.0), (0.0, 1.001)),
+    "gae_lambda": ((0.0, 1.0), (-0.001, 1.001)),
+    "clip_range": ((SMALLEST, 1e300), (0.0, math.inf)),
+    "ent_coef": ((0.0, 1e300), (-0.001, math.inf)),
+    "max_grad_norm": ((SMALLEST, math.inf), (0.0,)),
+    "hidden": (((), (1,), (1, 1)), ((0,), (8, 0))),
+    "log_std_init": ((None, -9.0, 0.0), (math.nan, math.inf)),
+    "final_log_std": ((-9.0, 0.0), (math.nan, -math.inf)),
+    "name": (("a", "..."), ("", ".", "..", "a/b")),
+}
+
+
+def test_defaults():
+    config = TrainConfig()
+    assert (config.timesteps, config.seed, config.num_envs, config.n_steps) == (2_000_000, 0, 256, 16)
+    assert (config.batch_size, config.n_epochs, config.hidden) == (1024, 4, (64, 64))
+    assert (config.learning_rate, config.gamma, config.gae_lambda, config.clip_range) == (2e-3, 0.97, 0.95, 0.2)
+    assert (config.ent_coef, config.max_grad_norm, config.final_log_std) == (0.0, 1.0, -4.0)
+    assert (config.checkpoint_seconds, config.seconds, config.symmetric) == (20.0, None, True)
+
+
+def test_exploration_begins_narrower_on_top_of_a_gait():
+    assert TrainConfig(action_mode="residual").first_log_std == -2.0
+    assert TrainConfig(action_mode="position").first_log_std == -1.0
+    assert TrainConfig(action_mode="position", log_std_init=-0.5).first_log_std == -0.5
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_a_value_is_taken_up_to_its_limits_and_refused_beyond(name):
+    valid, refused = LIMITS[name]
+    for value in valid:
+        assert getattr(TrainConfig(**{"batch_size": 64, name: value}), name) == value
+    for value in refused:
+        with pytest.raises(QuadrupedError, match=f"^--{name.replace('_', '-')}: "):
+            TrainConfig(**{"batch_size": 64, name: value})
+
+
+@pytest.mark.parametrize(("mode", "steps"), [("residual", 62_000), ("position", 566_000)])
+def test_a_training_shorter_than_it_takes_to_walk_gets_a_warning(mode, steps):
+    assert STEPS_TO_WALK[mode] == steps
+    assert shortness(mode, steps) == ""
+    assert f"only {steps - 1:,} steps" in shortness(mode, steps - 1)

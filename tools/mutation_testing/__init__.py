@@ -1,0 +1,1 @@
+"""Planted bugs: where they can be planted, which tests reach them, and whether a test finds them."""
