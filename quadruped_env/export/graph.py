@@ -153,7 +153,10 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
         for value, whole in zip((speed, yaw_rate), WHOLE_STEPS, strict=True)
     )
     fade = graph.add("Min", graph.add("Max", *shares), graph.constant(1.0))
-    yaw_rate = graph.clipped(yaw_rate, -gait.largest_yaw_rate, gait.largest_yaw_rate)
+    # See `turn_size`.
+    rate = graph.add("Min", graph.add("Abs", yaw_rate), graph.constant(gait.largest_yaw_rate))
+    turning = graph.add("Sqrt", graph.add("Mul", rate, graph.constant(gait.largest_yaw_rate)))
+    size = graph.add("Mul", graph.add("Sign", yaw_rate), turning)
     # Part of the speed within each interval of the table (N, K - 1).
     parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
 
@@ -163,10 +166,9 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
 
     waves = []
     at_rest = (np.zeros(1), np.zeros(1), interface.policy.robot.stance)
-    turning = graph.add("Abs", yaw_rate)
     for resting, straight, turn, side in zip(at_rest, gait.straight, gait.turn, gait.side, strict=True):
         whole = graph.add("Add", interpolated(straight), graph.add("Mul", turning, interpolated(turn)))
-        whole = graph.add("Add", whole, graph.add("Mul", yaw_rate, interpolated(side)))
+        whole = graph.add("Add", whole, graph.add("Mul", size, interpolated(side)))
         rest = graph.constant(resting)
         waves.append(graph.add("Add", rest, graph.add("Mul", fade, graph.add("Sub", whole, rest))))
     sine, cosine, offset = waves

@@ -203,9 +203,9 @@ def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
         "formula": "stance + fade * (sine * sin(next_gait_phase + phase) + cosine * cos(next_gait_phase + phase) + "
         "offset - stance). fade is |forward_velocity| or |yaw_rate|, each divided by its value in whole_steps, the "
         "larger of the two, but at most 1. sine, cosine and offset are interpolated linearly at the forward velocity, "
-        "constant beyond the ends of the table; added is the same of their _turn columns, times the size of the yaw "
-        "rate, and of their _side columns, times the yaw rate, which counts up to largest_yaw_rate. The graph computes "
-        "it",
+        "constant beyond the ends of the table; added is the same of their _turn columns, times |r|, and of "
+        "their _side columns, times r = sign(w) * sqrt(min(|w|, largest_yaw_rate) * largest_yaw_rate) for a yaw rate "
+        "w. The graph computes it",
         "forward_velocities_m_s": list(gait.speeds),
         "largest_yaw_rate_rad_s": gait.largest_yaw_rate,
         "whole_steps": {"forward_velocity_m_s": WHOLE_STEPS[0], "yaw_rate_rad_s": WHOLE_STEPS[1]},

@@ -1,6 +1,6 @@
 """Scripted gaits: joint positions as sinusoids of time or phase, their presets, and a user's changes to them."""
 
-from quadruped_env.gait.gaits import CommandedGait, SinusoidalGait
+from quadruped_env.gait.gaits import CommandedGait, SinusoidalGait, turn_size
 from quadruped_env.gait.presets import LEG_PHASES, PRESETS, LegTable
 from quadruped_env.gait.waves import joint_phases, wave_positions
 
@@ -11,5 +11,6 @@ __all__ = [
     "LegTable",
     "SinusoidalGait",
     "joint_phases",
+    "turn_size",
     "wave_positions",
 ]

@@ -219,22 +219,31 @@ def _sinusoids(
     )
 
 
+def turn_size(yaw_rate: NDArray[np.float64], largest: float) -> NDArray[np.float64]:
+    """Size of a turn for yaw rates of any shape: sign(w) sqrt(|w| largest), at most the largest, rad/s.
+
+    The yaw rate that the robot reaches grows with the square of the difference between its sides: small differences
+    are lost in the feet's sliding.
+    """
+    return np.copysign(np.sqrt(np.minimum(np.abs(yaw_rate), largest) * largest), yaw_rate)
+
+
 @dataclass(frozen=True)
 class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
     The parameters of a leg are interpolated in tables over forward velocity, one for the fore and one for the hind
-    legs. To those of the straight gait a yaw rate w adds |w| times the columns of `turn` on all legs, and w times the
-    columns of `side` on the right, which it subtracts on the left. Towards a command of zero the gait fades into the
-    stance.
+    legs. To those of the straight gait a yaw rate adds |r| times the columns of `turn` on all legs, and r times the
+    columns of `side` on the right, which it subtracts on the left; r is the yaw rate's `turn_size`. Towards a command
+    of zero the gait fades into the stance.
 
     Args:
         angular_frequency: angular frequency, rad/s.
         speeds: forward velocities of the tables (K,), increasing, m/s.
         largest_yaw_rate: yaw rate up to which the columns for turning hold, rad/s; for a larger one it is used.
         fore, hind: tables of the straight gait, for the fore and the hind legs.
-        fore_turn, hind_turn: what a yaw rate of either sign adds, per rad/s.
-        fore_side, hind_side: what a yaw rate adds on the right and subtracts on the left, per rad/s.
+        fore_turn, hind_turn: what a turn of either sign adds, per rad/s of its size.
+        fore_side, hind_side: what a turn adds on the right and subtracts on the left, per rad/s of its size.
         robot: robot that walks. The tables are joint angles of the robot on which they were tuned.
     """
 
@@ -252,9 +261,9 @@ class CommandedGait:
     straight: Waves = field(init=False, repr=False, compare=False)
     """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
     turn: Waves = field(init=False, repr=False, compare=False)
-    """What is added for a yaw rate of either sign, per rad/s, (K, J) each."""
+    """What is added for a turn of either sign, per rad/s of its size, (K, J) each."""
     side: Waves = field(init=False, repr=False, compare=False)
-    """What is added times the yaw rate, per rad/s, (K, J) each."""
+    """What is added times the size of the turn, per rad/s, (K, J) each."""
 
     def __post_init__(self) -> None:
         maps, legs = leg_maps(self.robot), corners(self.robot)
@@ -301,16 +310,16 @@ class CommandedGait:
     def waves(self, command: ArrayLike) -> Waves:
         """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
         command = np.asarray(command, dtype=np.float64)
-        speed, yaw_rate = command[:, 0], np.clip(command[:, 1], -self.largest_yaw_rate, self.largest_yaw_rate)
+        speed, size = command[:, 0], turn_size(command[:, 1], self.largest_yaw_rate)[:, None]
         row = np.interp(speed, self.speeds, np.arange(len(self.speeds)))
         below = np.minimum(row.astype(np.intp), len(self.speeds) - 2)
-        share, yaw_rate, fade = (row - below)[:, None], yaw_rate[:, None], self.fade(command)[:, None]
+        share, fade = (row - below)[:, None], self.fade(command)[:, None]
 
         def interpolated(table: NDArray[np.float64]) -> NDArray[np.float64]:
             return table[below] + share * (table[below + 1] - table[below])
 
         sine, cosine, offset = (
-            interpolated(straight) + np.abs(yaw_rate) * interpolated(turn) + yaw_rate * interpolated(side)
+            interpolated(straight) + np.abs(size) * interpolated(turn) + size * interpolated(side)
             for straight, turn, side in zip(self.straight, self.turn, self.side, strict=True)
         )
         stance = self.robot.stance

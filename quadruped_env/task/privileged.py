@@ -74,6 +74,12 @@ def base_velocity(state: TrueState) -> Floats:
     return state.context.readings.linear_velocity_b
 
 
+@privileged(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
+def smooth_velocity(state: TrueState) -> Floats:
+    """Forward velocity and yaw rate, averaged as for the rewards of tracking and progress."""
+    return state.context.smooth_velocity
+
+
 @privileged(unit="m", mirror=(1.0,), scale=10.0, bound=2.0)
 def base_height(state: TrueState) -> Floats:
     """Height of the base's centre over the ground below it, relative to the stance."""
@@ -122,6 +128,7 @@ def observation_latency(state: TrueState) -> Floats:
 
 PRIVILEGED: Final = (
     base_velocity,
+    smooth_velocity,
     base_height,
     foot_contact,
     foot_height,

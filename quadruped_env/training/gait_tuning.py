@@ -1,10 +1,11 @@
 """Search for the parameters of the scripted gaits, with many candidates in parallel (cross-entropy method).
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
-parts and its offset; and what a yaw rate changes in them, on both sides and between the sides. It is scored on flat
-ground from rest: difference from the commanded velocities, feet that clear the ground in their swing, sideways drift,
-tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard bounds of the search. The straight gait
-is searched first, and what turning changes on top of it. Method: Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
+parts and its offset; and what turning changes in them, on both sides and between the sides. It is scored on flat
+ground from rest: difference from the commanded velocities, feet that clear the ground in their swing and touch it once
+per stride, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard bounds of
+the search. The straight gait is searched first, and what turning changes on top of it. Method: Rubinstein 1999,
+https://doi.org/10.1023/A:1010091220143.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,7 +15,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable
+from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.simulation import BatchSimulation, build_model
@@ -64,6 +65,8 @@ class Achieved:
     [-1, 1]"""
     clock: NDArray[np.float64]
     """Agreement of the feet's contacts with that clock, in [-1, 1]"""
+    touchdowns: NDArray[np.float64]
+    """Touchdowns per stride, mean over the feet"""
     clearance: NDArray[np.float64]
     """Height of the soles in the middle of their swings, mean of the foot that is lifted least, m"""
     fallen: NDArray[np.bool_]
@@ -86,8 +89,8 @@ def measure(
     state = simulation.readings
     fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
     phases = np.array(turns) * 2.0 * np.pi
-    sums, height_in_swing = np.zeros((8, n)), np.zeros((n, 4))
-    steps, swings = 0, np.zeros(4)
+    sums, height_in_swing = np.zeros((9, n)), np.zeros((n, 4))
+    steps, swings, contact = 0, np.zeros(4), np.ones((n, 4))
     for k in range(1, round(SECONDS / CONTROL_TIMESTEP) + 1):
         t = k * CONTROL_TIMESTEP
         ramp = min(1.0, t / _RAMP)
@@ -100,21 +103,23 @@ def measure(
             sums[2] += state.linear_velocity_b[:, 1]
             sums[3] += (state.up_b[:, :2] ** 2).sum(axis=1)
             sums[4] += mechanical_power(state.joint_torque, state.joint_velocity)
-            contact = (state.foot_force > 1.0) * 1.0
+            before, contact = contact, (state.foot_force > 1.0) * 1.0
             sliding = sliding_squared(state.foot_velocity, state.foot_angular_velocity, _SOLE)
             sums[5] += np.vecdot(sliding, contact)
             height = state.foot_position[..., 2]
             sine = np.sin(angular_frequency * t + phases)
             sums[6] += clock_agreement(foot_lift(height - ROBOT.foot_radius), sine)
             sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
+            sums[8] += (contact > before).mean(axis=1)
             height_in_swing += height * (sine > _MIDDLE)
             swings += sine > _MIDDLE
-    vx, wz, vy, tilt, power, slip, lift, clock = sums / steps
+    vx, wz, vy, tilt, power, slip, lift, clock, landings = sums / steps
+    touchdowns = landings / CONTROL_TIMESTEP * 2.0 * np.pi / angular_frequency
     clearance = (height_in_swing / swings).min(axis=1) - ROBOT.foot_radius
-    return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, clearance, fallen)
+    return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, touchdowns, clearance, fallen)
 
 
-# A candidate is an array (3, 2, 5): the straight gait, what a yaw rate of 1 rad/s adds on both sides, and what it adds
+# A candidate is an array (3, 2, 5): the straight gait, what a turn of size 1 rad/s adds on both sides, and what it adds
 # on the right and subtracts on the left; of each for the fore and the hind legs; hip amplitude, hip offset, knee
 # cosine, knee sine, knee offset.
 _LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.3])
@@ -138,26 +143,26 @@ _FASTER: Final = np.array([[-0.5, 0.0, -0.6, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0, 0.
 _SIDES: Final = np.array([-1.0, 1.0, -1.0, 1.0])
 
 
-def _legs(candidates: NDArray[np.float64], yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Columns of all legs (N, 4, 5) of candidates (N, 3, 2, 5) at yaw rates (N,) in rad/s."""
+def _legs(candidates: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Columns of all legs (N, 4, 5) of candidates (N, 3, 2, 5) in turns of sizes (N,) in rad/s."""
     straight, turn, side = np.repeat(candidates, 2, axis=2).transpose(1, 0, 2, 3)
-    rate = yaw_rate[:, None, None]
-    found: NDArray[np.float64] = straight + np.abs(rate) * turn + rate * _SIDES[:, None] * side
+    size = size[:, None, None]
+    found: NDArray[np.float64] = straight + np.abs(size) * turn + size * _SIDES[:, None] * side
     return found
 
 
 def gait_targets(
     candidates: NDArray[np.float64],
-    yaw_rate: NDArray[np.float64],
+    size: NDArray[np.float64],
     angular_frequency: float,
     turns: tuple[float, ...],
 ) -> Callable[[float], NDArray[np.float64]]:
-    """Joint targets over time for candidates (N, 3, 2, 5) at yaw rates (N,) in rad/s.
+    """Joint targets over time for candidates (N, 3, 2, 5) in turns of sizes (N,) in rad/s, see `turn_size`.
 
     The fore legs of one side differ from those of the other only in phase and by the yaw rate, as do the hind legs.
     """
     phases = np.array(turns) * 2.0 * np.pi
-    hip, hip_offset, knee_cosine, knee_sine, knee_offset = _legs(candidates, yaw_rate).transpose(2, 0, 1)
+    hip, hip_offset, knee_cosine, knee_sine, knee_offset = _legs(candidates, size).transpose(2, 0, 1)
 
     def targets(t: float) -> NDArray[np.float64]:
         angle = angular_frequency * t + phases
@@ -237,6 +242,7 @@ def search(
     simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES * len(yaw_rates), robot=ROBOT)
     # All candidates at the first yaw rate, then all at the second.
     wanted, largest = np.repeat(yaw_rates, CANDIDATES), max(yaw_rates)
+    sizes = turn_size(wanted, largest)
     varied = np.where(_STRAIGHT, 0.0, 1.0 / largest) if largest else 1.0 * _STRAIGHT
     mean, deviation = start.copy(), spread * (_HIGH - _LOW) * varied
     best, best_score = None, -np.inf
@@ -244,13 +250,13 @@ def search(
         candidates = mean + deviation * rng.standard_normal((CANDIDATES, *start.shape))
         candidates[0] = mean
         candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
-        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), wanted, angular_frequency, turns)
+        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, angular_frequency, turns)
         got = measure(targets, simulation, angular_frequency, turns)
         # Turns are about as important as speed: 0.1 rad/s moves a foot as fast as 0.02 m/s.
         score = (
             (
-                -30.0 * np.abs(got.forward_velocity - speed)
-                - 10.0 * np.abs(got.yaw_rate - wanted)
+                -60.0 * np.abs(got.forward_velocity - speed)
+                - 15.0 * np.abs(got.yaw_rate - wanted)
                 - 4.0 * np.abs(got.lateral_velocity)
                 - 10.0 * got.tilt
                 - 0.02 * got.power
@@ -258,6 +264,7 @@ def search(
                 # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
                 + 5.0 * got.clock
                 + 2.0 * got.lift
+                - 3.0 * np.maximum(0.0, got.touchdowns - 1.0)
                 - 300.0 * np.maximum(0.0, CLEARANCE - got.clearance)
                 - 10.0 * got.fallen
             )

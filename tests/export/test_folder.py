@@ -209,12 +209,12 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
     )
     for i, (joint, own) in enumerate(zip(document["joints"], gait["joints"], strict=True)):
         assert joint["name"] == own["name"]
-        yaw_rate = np.clip(command[:, 1], -gait["largest_yaw_rate_rad_s"], gait["largest_yaw_rate_rad_s"])
+        largest = gait["largest_yaw_rate_rad_s"]
+        size = np.sign(command[:, 1]) * np.sqrt(np.clip(abs(command[:, 1]), 0.0, largest) * largest)
         sine, cosine, offset = (
             np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_rad"])
-            + abs(yaw_rate)
-            * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_turn_rad_per_rad_s"])
-            + yaw_rate * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_side_rad_per_rad_s"])
+            + abs(size) * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_turn_rad_per_rad_s"])
+            + size * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_side_rad_per_rad_s"])
             for part in ("sine", "cosine", "offset")
         )
         angle = later + own["phase_rad"]

@@ -1,6 +1,7 @@
 """Privileged readings: true values, for the value function alone; the actor does not depend on them."""
 
 import json
+import math
 
 import mujoco
 import numpy as np
@@ -37,7 +38,7 @@ def test_observations_end_with_the_true_values_of_the_simulation():
     plain = make_sb3_vec_env(5, seed=0, config=config)
     observation = env.reset()
     np.testing.assert_array_equal(observation[:, :WIDTH], plain.reset())
-    rng = np.random.default_rng(0)
+    rng, smooth = np.random.default_rng(0), np.zeros((5, 2))
     for _ in range(20):
         action = rng.uniform(-0.5, 0.5, (5, 8)).astype(np.float32)
         observation, reward, *_ = env.step(action)
@@ -45,6 +46,8 @@ def test_observations_end_with_the_true_values_of_the_simulation():
         np.testing.assert_array_equal(observation[:, :WIDTH], without)
         np.testing.assert_array_equal(reward, other_reward)
         assert observation in env_space(env, observation)
+        smooth += (1.0 - math.exp(-0.02 / 0.4)) * (forward_and_yaw(env) - smooth)
+        np.testing.assert_allclose(columns(env, "smooth_velocity", observation), smooth, atol=1e-5)
     assert env.observation_space.shape == (WIDTH + env.privileged.layout.width,)
     simulation, robot = env.task.simulation, env.task.config.robot
     model = simulation.model
@@ -70,6 +73,16 @@ def test_observations_end_with_the_true_values_of_the_simulation():
     np.testing.assert_allclose(columns(env, "foot_height", observation), soles, atol=1e-6)
     for name in ("friction", "added_mass", "action_latency", "observation_latency"):
         assert np.ptp(columns(env, name, observation)) > 1e-4, name
+
+
+def forward_and_yaw(env):
+    """Velocity (N, 2) along and about the body's axes, from MuJoCo's data."""
+    found = []
+    for i in range(env.num_envs):
+        data, turn = env.env.env_data(i), np.zeros(9)
+        mujoco.mju_quat2Mat(turn, data.qpos[3:7])
+        found.append((turn.reshape(3, 3)[:, 0] @ data.qvel[:3], data.qvel[5]))
+    return np.array(found)
 
 
 def env_space(env, observation):
