@@ -56,7 +56,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     ## Command
     Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; 10 % of the commands are
-    zero, another 40 % have zero yaw rate. A new command is drawn every 3 to 6 s.
+    zero, another 40 % have zero yaw rate, another 10 % zero forward velocity. A new command is drawn every 3 to 6 s.
     `reset(options={"command": (vx, wz)})` fixes it for the episode.
 
     ## Reward

@@ -75,7 +75,7 @@ def test_make_env_with_another_task_is_refused(name):
         ({"action": {"mode": "residual", "residual_scale": 0.2}, "decimation": 5}, r"residual_scale 0\.4, .* has 0\.2"),
         (
             {"action": {"mode": "residual"}, "decimation": 5, "clock_frequency": 3.0},
-            r"clock_frequency 2\.2, .* has 3\.0",
+            r"clock_frequency 2\.6, .* has 3\.0",
         ),
     ],
 )

@@ -5,8 +5,10 @@ from typing import Final
 
 PHYSICS_TIMESTEP: Final = 0.005
 """Default of the task, s."""
+CLOCK_FREQUENCY: Final = 2.6
+"""Default of the task, Hz."""
 
-REWARD_WEIGHTS = {
+REWARD_WEIGHTS: Final = {
     "track_forward_velocity": 8.0,
     "track_yaw_rate": 6.0,
     "forward_progress": 4.0,
@@ -27,6 +29,33 @@ REWARD_WEIGHTS = {
     "fall": -50.0,
 }
 """Weights of the built-in reward terms, per second."""
+REWARD_PARAMETERS: Final = {
+    "velocity_time_constant": 0.4,  # s
+    "contact_threshold": 1.0,  # N
+    "forward_velocity_std": 0.1,  # m/s
+    "yaw_rate_std": 0.25,  # rad/s
+    "foot_lift": 0.02,  # m
+    "base_height": 0.175,  # m
+    "joint_speed_margin": 1.0,  # rad/s
+}
+"""Parameters of the built-in reward terms."""
+
+TRAINING: Final = {
+    "timesteps": 2_000_000,
+    "num_envs": 256,
+    "n_steps": 16,
+    "batch_size": 1024,
+    "n_epochs": 4,
+    "hidden": (64, 64),
+    "learning_rate": 2e-3,
+    "gamma": 0.985,
+    "gae_lambda": 0.95,
+    "clip_range": 0.2,
+    "ent_coef": 0.0,
+    "max_grad_norm": 1.0,
+    "final_log_std": -4.0,
+}
+"""Defaults of a training with PPO."""
 
 
 def settings(
@@ -54,7 +83,7 @@ def settings(
         never_ends: no fall ends an episode.
         max_tilt: rad; a larger one ends an episode.
         forward_velocity, yaw_rate: ranges of the command, m/s and rad/s.
-        shares: of standing and of straight commands.
+        shares: of standing and of straight commands; the others are curves, and none turns in place.
         resample: range of the time between commands, s.
         still_start: every episode begins in the stance, at rest.
         start_tilt: bound of the roll and of the pitch at the start, rad.

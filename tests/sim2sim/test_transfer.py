@@ -30,7 +30,7 @@ def policy():
 @pytest.fixture(scope="module")
 def transfer(policy):
     commands = [(0.3, 0.0), (0.0, 0.5), (0.0, 0.0)]
-    return run_transfer(policy, commands, 2, 3.0, there=MuJoCo(cone="elliptic", impratio=10.0))
+    return run_transfer(policy, commands, 2, 3.0, there=MuJoCo(cone="pyramidal"))
 
 
 def made(forward, yaw_rate, falls=((0.0,), (0.0,)), commands=((0.5, 0.0),)):
@@ -114,19 +114,20 @@ def test_transfer_runs_the_zero_action_only_where_standing_is_commanded(transfer
 
 
 def test_turning_depends_on_the_cone_and_walking_straight_does_not(transfer):
-    assert transfer.loss("policy", "yaw_rate", 1) > 0.3
-    assert abs(transfer.loss("policy", "forward_velocity", 0)) < 0.05
+    """In the pyramid, which lets feet slide along its diagonals, the scripted gait turns faster."""
+    assert transfer.loss("tuned", "yaw_rate", 1) < -0.2
+    assert abs(transfer.loss("policy", "forward_velocity", 0)) < 0.1
 
 
 def test_engine_of_a_rollout_is_the_one_that_is_passed(policy):
-    def with_elliptic_cone(config, num_envs):
+    def with_pyramidal_cone(config, num_envs):
         model = config.compiled_model()
-        model.opt.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+        model.opt.cone = mujoco.mjtCone.mjCONE_PYRAMIDAL
         return BatchSimulation(model, num_envs)
 
     velocities = [
         roll_out(PolicyController(policy), [(0.0, 0.5)], [0], 1.0, policy.config, engine=engine).velocity
-        for engine in (with_elliptic_cone, MuJoCo(cone="elliptic"), MuJoCo())
+        for engine in (with_pyramidal_cone, MuJoCo(cone="pyramidal"), MuJoCo())
     ]
     np.testing.assert_array_equal(velocities[0], velocities[1])
     assert not np.array_equal(velocities[1], velocities[2])

@@ -162,37 +162,40 @@ def commands(request):
 
 
 def kinds(commands):
-    standing = (commands == 0).all(axis=-1)
-    straight = (commands[..., 1] == 0) & ~standing
-    return standing, straight, ~standing & ~straight
+    """The kind of each command: standing, straight ahead, turning in place, or a curve."""
+    ahead, turned = commands[..., 0] != 0, commands[..., 1] != 0
+    return ~ahead & ~turned, ahead & ~turned, ~ahead & turned, ahead & turned
 
 
-def test_commands_stand_and_go_straight_in_their_shares(commands):
-    standing, straight, _ = kinds(commands)
+def test_commands_stand_go_straight_and_turn_in_place_in_their_shares(commands):
+    standing, straight, in_place, _ = kinds(commands)
     assert_probability(standing, 0.1, "standing commands")
     assert_probability(straight, 0.4, "straight commands")
+    assert_probability(in_place, 0.1, "commands to turn in place")
 
 
 def test_commands_are_uniform_and_independent_whatever_their_kind(commands):
-    _, straight, turning = kinds(commands)
+    _, straight, in_place, curve = kinds(commands)
     forward, yaw_rate = share(commands[..., 0], -0.3, 0.6), share(commands[..., 1], -0.8, 0.8)
     assert_uniform(
         {
             "forward velocity going straight": forward[straight],
-            "forward velocity turning": forward[turning],
-            "yaw rate turning": yaw_rate[turning],
+            "forward velocity on a curve": forward[curve],
+            "yaw rate on a curve": yaw_rate[curve],
+            "yaw rate turning in place": yaw_rate[in_place],
         }
     )
-    assert_unrelated({"forward velocity": forward[turning]}, {"yaw rate": yaw_rate[turning]})
+    assert_unrelated({"forward velocity": forward[curve]}, {"yaw rate": yaw_rate[curve]})
 
 
 def test_commands_are_unrelated_to_their_neighbours(commands):
-    standing, straight, turning = kinds(commands)
+    standing, straight, in_place, curve = kinds(commands)
     draws = {
         "standing": np.where(standing, 1.0, 0.5),
         "straight": np.where(straight, 1.0, 0.5),
-        "forward velocity": np.where(standing, 0.5, share(commands[..., 0], -0.3, 0.6)),
-        "yaw rate": np.where(turning, share(commands[..., 1], -0.8, 0.8), 0.5),
+        "in place": np.where(in_place, 1.0, 0.5),
+        "forward velocity": np.where(straight | curve, share(commands[..., 0], -0.3, 0.6), 0.5),
+        "yaw rate": np.where(in_place | curve, share(commands[..., 1], -0.8, 0.8), 0.5),
     }
     assert_independent(draws, NEIGHBOURS)
 

@@ -4,7 +4,7 @@ import json
 import math
 
 import pytest
-from settings import REWARD_WEIGHTS
+from settings import CLOCK_FREQUENCY, REWARD_PARAMETERS, REWARD_WEIGHTS
 from tasks import LAYOUT
 
 from quadruped_env.control.config import ControlConfig
@@ -13,25 +13,18 @@ from quadruped_env.task import TaskConfig
 CONFIG = {
     "decimation": 4,
     "physics_timestep": 0.005,
-    "clock_frequency": 2.2,
+    "clock_frequency": CLOCK_FREQUENCY,
+    "observation_history": 1,
     "action": {"mode": "position", "position_scale": 0.6, "residual_scale": 0.4},
     "command": {
         "forward_velocity": [-0.3, 0.6],
         "yaw_rate": [-0.8, 0.8],
         "standing_fraction": 0.1,
         "straight_fraction": 0.4,
+        "turning_fraction": 0.1,
         "resample_interval": [3.0, 6.0],
     },
-    "reward": {
-        "weights": REWARD_WEIGHTS,
-        "velocity_time_constant": 0.2,
-        "contact_threshold": 1.0,
-        "forward_velocity_std": 0.1,
-        "yaw_rate_std": 0.25,
-        "foot_lift": 0.02,
-        "base_height": 0.175,
-        "joint_speed_margin": 1.0,
-    },
+    "reward": {"weights": REWARD_WEIGHTS, **REWARD_PARAMETERS},
     "termination": {"max_tilt": 1.0, "max_trunk_force": 1.0},
     "randomization": {
         "start_joint_position": 0.1,
@@ -40,12 +33,40 @@ CONFIG = {
         "start_tilt": 0.05,
         "start_heading": math.pi,
         "friction": None,
+        "link_mass": None,
+        "link_inertia": None,
+        "base_com": 0.0,
+        "payload_position": 0.0,
         "payload": None,
+        "motor_strength": None,
+        "supply_voltage": None,
+        "position_gain": None,
+        "velocity_gain": None,
+        "joint_friction": None,
+        "joint_damping": None,
+        "rotor_inertia": None,
+        "encoder_offset": 0.0,
+        "imu_mounting": 0.0,
+        "action_latency": None,
+        "observation_latency": None,
         "push_velocity": 0.0,
         "push_interval": [4.0, 8.0],
+        "push_speed": None,
+        "push_force": None,
+        "push_force_interval": [4.0, 8.0],
+        "push_force_duration": [0.2, 1.0],
         "observation_noise": 0.0,
+        "noise_amplitude": {
+            "projected_gravity": 0.02,
+            "angular_velocity": 0.1,
+            "joint_position": 0.01,
+            "joint_velocity": 0.3,
+            "last_action": 0.0,
+            "command": 0.0,
+            "gait_clock": 0.0,
+        },
     },
-    "terrain": {"name": "flat", "seed": 0},
+    "terrain": {"name": "flat", "seed": 0, "level": None},
 }
 FIELDS = [
     # Name, columns, scale, bound, amplitude of the noise in the reading's unit
@@ -76,5 +97,5 @@ def test_observation_is_that_of_version_0():
 def test_config_of_a_controller_without_fields_has_those_of_version_0():
     config = ControlConfig.of_task({})
     assert config.timestep == pytest.approx(0.02)
-    assert config.clock_frequency == 2.2
+    assert config.clock_frequency == CLOCK_FREQUENCY
     assert ControlConfig.of_task({"decimation": 1, "physics_timestep": 0.002}).timestep == 0.002

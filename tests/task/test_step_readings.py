@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 import pytest
 from robot_alone import LEGS, RobotAlone, rotation
-from settings import PHYSICS_TIMESTEP, REWARD_WEIGHTS, settings
+from settings import CLOCK_FREQUENCY, PHYSICS_TIMESTEP, REWARD_PARAMETERS, REWARD_WEIGHTS, settings
 
 from quadruped_env.envs import ENV_ID
 from quadruped_env.gait import CommandedGait
@@ -23,7 +23,7 @@ STANCE = np.array([0.6, -0.72] * 4)
 LOW, HIGH = np.array([-1.5, -2.0] * 4), np.array([1.5, 0.0] * 4)
 RADIUS = 0.02
 DT = 4 * PHYSICS_TIMESTEP
-CLOCK_RATE = math.tau * 2.6
+CLOCK_RATE = math.tau * CLOCK_FREQUENCY
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
@@ -78,14 +78,19 @@ def share(velocity, command, smallest):
     return max(-1.0, reached - 2.0 * max(0.0, reached - whole))
 
 
+def kernel(error, std):
+    return math.exp(-((error / REWARD_PARAMETERS[std]) ** 2))
+
+
 def reward_terms(robot, action, memory, fallen):
     """Unweighted terms after a step; `memory` has the action before, and phase and average of after the step."""
     forward, yaw_rate = memory.command
-    moving, on_ground = moves(memory.command), robot.foot_force() > 1.0
+    top_speed = 5.0 - REWARD_PARAMETERS["joint_speed_margin"]
+    moving, on_ground = moves(memory.command), robot.foot_force() > REWARD_PARAMETERS["contact_threshold"]
     clock = contact = slip = 0.0
     for leg in range(4):
         position, velocity, spin = robot.foot(leg)
-        missing = max(0.0, 1.0 - (position[2] - RADIUS) / 0.02)
+        missing = max(0.0, 1.0 - (position[2] - RADIUS) / REWARD_PARAMETERS["foot_lift"])
         if moving:
             sine = math.sin(memory.phase + LEG_PHASES[leg])
             clock += sine * (1.0 - 2.0 * missing**2) / 4.0
@@ -93,14 +98,14 @@ def reward_terms(robot, action, memory, fallen):
         sole = velocity + np.cross(spin, [0.0, 0.0, -RADIUS])
         slip += on_ground[leg] * (sole[0] ** 2 + sole[1] ** 2)
     return {
-        "track_forward_velocity": math.exp(-(((memory.average[0] - forward) / 0.1) ** 2)),
-        "track_yaw_rate": math.exp(-(((memory.average[1] - yaw_rate) / 0.25) ** 2)),
+        "track_forward_velocity": kernel(memory.average[0] - forward, "forward_velocity_std"),
+        "track_yaw_rate": kernel(memory.average[1] - yaw_rate, "yaw_rate_std"),
         "forward_progress": share(memory.average[0], forward, 0.1),
         "turn_progress": share(memory.average[1], yaw_rate, 0.2),
         "gait_clock": clock,
         "contact_clock": contact,
         "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
-        "base_height": max(0.0, 0.175 - robot.position[2]) ** 2,
+        "base_height": max(0.0, REWARD_PARAMETERS["base_height"] - robot.position[2]) ** 2,
         "vertical_velocity": robot.velocity[2] ** 2,
         "roll_pitch_rate": robot.rates[0] ** 2 + robot.rates[1] ** 2,
         "lateral_velocity": robot.velocity[1] ** 2,
@@ -109,7 +114,7 @@ def reward_terms(robot, action, memory, fallen):
         "electrical_power": sum(max(0.0, t * w) + 0.5 * t**2 for t, w in zip(robot.torque, robot.speeds, strict=True)),
         "foot_slip": slip,
         "stand_still": 0.0 if moving else sum((robot.joints - STANCE) ** 2),
-        "joint_speed": sum(max(0.0, abs(w) - 4.0) ** 2 for w in robot.speeds),
+        "joint_speed": sum(max(0.0, abs(w) - top_speed) ** 2 for w in robot.speeds),
         "fall": float(fallen),
     }
 
@@ -218,7 +223,7 @@ def play(episode):
     data, robot = env.unwrapped.data, RobotAlone(env.unwrapped.model)
     before = mujoco.MjData(robot.model)
     memory = Memory(info["command"], observed_phase(observation))
-    filtered = 1.0 - math.exp(-DT / 0.4)
+    filtered = 1.0 - math.exp(-DT / REWARD_PARAMETERS["velocity_time_constant"])
     steps = []
     for _ in range(episode.steps):
         action = episode.action(rng)

@@ -177,7 +177,7 @@ def test_settings_of_each_algorithm_are_arguments_of_its_class():
 
 
 def test_program_takes_the_defaults_of_the_algorithm(asked):
-    assert asked("--algo", "ppo") == TrainConfig()
+    assert asked("--algo", "ppo") == asked()
     config = asked("--algo", "sac", "--gamma", "0.9")
     assert (config.algo, config.name, config.gamma) == ("sac", "sac", 0.9)
     for field, value in ALGORITHMS["sac"].defaults.items():

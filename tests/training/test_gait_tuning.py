@@ -1,6 +1,5 @@
-"""The scripted gaits on simulated robots, and the search that found their parameters."""
+"""The scripted gaits on simulated robots, the search that found their parameters, and the tables that it makes."""
 
-import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,7 +11,6 @@ from quadruped_env.gait import LEG_PHASES
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.training import gait_tuning
 
-POSITIVE = ("tilt", "power", "slip")
 TUNED = CommandedGait.tuned()
 TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds if speed != 0.0])
 """At zero the commanded gait stands"""
@@ -67,6 +65,7 @@ def test_presets_walk_as_fast_as_they_were_tuned_for(name, angular_frequency, sp
     assert got.clearance[0] > 0.005
 
 
+TROT = LEG_PHASES["trot"]
 STRAIGHT = [[0.1, 0.6, 0.2, -0.15, -0.7], [0.05, 0.5, 0.1, -0.3, -0.8]]
 NO_TURN = np.zeros((2, 2, 5))
 
@@ -117,7 +116,7 @@ def test_search_improves_the_straight_gait_and_stays_within_the_motors_speed(sma
     start, frequency = np.concatenate([[[leg, leg]], NO_TURN]), 14.0
     found = [
         gait_tuning.search(0.25, frequency, LEG_PHASES["trot"], start, 0.15, generations, seed=1)
-        for generations in (1, 8, 8)
+        for generations in (1, 5, 5)
     ]
     errors = [abs(one.achieved.forward_velocity[0] - 0.25) for one in found]
     assert errors[1] < errors[0]
@@ -151,191 +150,138 @@ def test_table_of_results_names_every_command():
     values = np.array([[float(value) for value in row.split(" | ")[1:6]] for row in rows])
     np.testing.assert_allclose(values[:10, 0], [float(row[2:6]) for row in rows[:10]], atol=0.02)
     np.testing.assert_array_equal(np.sign(values[10:, 1]), [-1, -1, 1, 1] * 2)
-    assert (abs(values[:, 2]) < 0.03).all(), "sideways"
+    assert (abs(values[:10, 2]) < 0.035).all(), "sideways, straight ahead"
+    assert (abs(values[10:, 2]) < 0.08).all(), "sideways, in turns"
     assert (values[:, 4] >= 0).all(), "mm"
-    assert (values[:, 4] < 40).all(), "mm"
+    assert (values[:, 4] < 50).all(), "mm"
 
 
-class FakeSimulation:
-    """Two robots with known readings for 4 s; those of the first second, before the measurement, are wild."""
+# --- the tables, with a search that takes no time ---
 
-    def __init__(self, frequency, turns):
-        self.num_envs, self.targets, self._steps = 2, [], 0
-        self._angles = lambda t: 2 * np.pi * (frequency * t + np.array(turns))
-        feet, joints = np.zeros((2, 4, 3)), np.zeros((2, 8))
-        self.readings = SimpleNamespace(
-            up_b=np.zeros((2, 3)),
-            trunk_force=np.zeros((2, 5)),
-            linear_velocity_b=np.zeros((2, 3)),
-            angular_velocity_b=np.zeros((2, 3)),
-            joint_torque=joints,
-            joint_velocity=joints.copy(),
-            foot_force=np.zeros((2, 4)),
-            foot_velocity=feet,
-            foot_angular_velocity=feet.copy(),
-            foot_position=feet.copy(),
-        )
-
-    def reset(self, env_ids, qpos, qvel):
-        self.started = qpos.copy()
-        assert env_ids.tolist() == [0, 1]
-        assert not qvel.any()
-
-    def diverged(self):
-        return np.zeros(2, dtype=bool)
-
-    def step(self, target, substeps):
-        assert substeps == 4
-        self._steps += 1
-        self.targets.append(np.array(target))
-        measured = self._steps > 50
-        readings = self.readings
-        readings.up_b[:] = [0.6, 0.0, 0.8]
-        readings.up_b[1, 2] = 0.4 if self._steps == 20 else 0.8
-        # 0.5 m/s at all steps but the first that is measured and the last: 75 more make the mean of 150 steps 1.5 m/s.
-        readings.linear_velocity_b[:] = [0.5 + 75 * (self._steps in (51, 200)), 0.25, 9.0] if measured else 77.0
-        readings.angular_velocity_b[:] = [9.0, 9.0, -0.125] if measured else 77.0
-        readings.joint_torque[:, :3], readings.joint_velocity[:, :3] = [2.0, -1.0, 4.0], [3.0, 5.0, 0.5]
-        # Each foot is on the ground while its clock is not positive, and is lifted by 10 mm, or 8 mm, while it is.
-        swing = np.sin(self._angles(0.02 * self._steps)) > 1e-9
-        readings.foot_force[:] = np.where(swing, 0.5, 2.0)
-        readings.foot_velocity[..., 0] = np.where(swing, 7.0, 0.3)
-        readings.foot_velocity[..., 1] = np.where(swing, 7.0, 0.4)
-        readings.foot_position[..., 2] = gait_tuning.ROBOT.foot_radius + swing * [0.010, 0.008, 0.010, 0.010]
-
-
-def test_measured_values_are_means_over_the_time_after_the_warm_up():
-    turns = (0.0, 0.5, 0.5, 0.0)
-    simulation = FakeSimulation(2.0, turns)
-    asked = STANCE + 0.2
-    got = gait_tuning.measure(lambda t: np.tile(asked, (2, 1)), simulation, 2 * np.pi * 2.0, turns)
-    assert got.forward_velocity.tolist() == pytest.approx([1.5, 1.5])
-    assert got.lateral_velocity.tolist() == pytest.approx([0.25, 0.25])
-    assert got.yaw_rate.tolist() == pytest.approx([-0.125, -0.125])
-    assert got.tilt.tolist() == pytest.approx([0.6, 0.6])
-    assert got.power.tolist() == pytest.approx([2.0 * 3.0 + 4.0 * 0.5] * 2), "braking gives nothing back"
-    # 0.5 m/s while on the ground, half of the time: the root of a mean square over the feet.
-    assert got.slip.tolist() == pytest.approx([0.5 * math.sqrt(0.5)] * 2, rel=0.03)
-    assert got.clearance.tolist() == pytest.approx([0.008, 0.008])
-    # The mean of |sin| is 2 / pi. Feet that are lifted by half of a full lift have 1 - 2 / 4 of it in their swing.
-    assert got.clock.tolist() == pytest.approx([2 / math.pi] * 2, rel=0.01)
-    assert got.lift.tolist() == pytest.approx([(3 * 0.5 + (1 - 2 * 0.6**2) + 4) / 8 * 2 / math.pi] * 2, rel=0.01)
-    assert got.fallen.tolist() == [False, True], "the second has once been tilted by more than 60 degrees"
-    # The targets grow from the stance within 0.5 s.
-    assert len(simulation.targets) == 200
-    np.testing.assert_allclose(simulation.started[:, 7:], [STANCE, STANCE])
-    for k, share in ((0, 0.04), (12, 0.52), (24, 1.0), (199, 1.0)):
-        np.testing.assert_allclose(simulation.targets[k], np.tile(STANCE + share * 0.2, (2, 1)))
+FORWARD = [[-0.05, 0.33, -0.15, -0.22, -0.95], [0.1, 0.42, 0.08, -0.25, -0.85]]
+BACKWARD = [[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]]
+FASTER = np.array([[-0.5, 0.0, -0.6, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0, 0.0]])
+YAW_RATES = (0.4, 0.8)
 
 
 class FakeSearch:
-    """Search that reaches every speed but those beyond 0.25 m/s; it records how it was called."""
+    """Search that reaches a share of the speed, and whose number is in what it finds; it records how it was called."""
 
-    def __init__(self):
-        self.calls = []
+    def __init__(self, share):
+        self.calls, self._share = [], share
 
-    def __call__(self, speed, angular_frequency, turns, start, spread, generations):
-        self.calls.append((speed, np.array(start), spread))
-        columns = np.tile([0.1 + abs(speed), 0.6, 0.15, -0.1, -0.7], 2)
-        columns[5:] += 0.01
-        columns += 0.0004
-        return gait_tuning.Found(columns, float(np.clip(speed, -0.25, 0.25)), 0.012)
+    def __call__(self, speed, angular_frequency, turns, start, spread, generations, yaw_rates=(0.0,)):
+        number = len(self.calls) + 1
+        self.calls.append(SimpleNamespace(**locals() | {"start": np.array(start)}))
+        found = np.array(start)
+        changed = slice(1, 3) if yaw_rates != (0.0,) else slice(0, 1)
+        found[changed] = 0.01 * number + np.arange(found[changed].size).reshape(-1, 2, 5) / 1e3 + 0.00004
+        several = np.ones(len(yaw_rates))
+        values = dict.fromkeys(gait_tuning.Achieved.__annotations__, several)
+        values |= {"forward_velocity": self._share * speed * several, "clearance": 0.012 * several}
+        values |= {"yaw_rate": 0.9 * np.array(yaw_rates)}
+        return gait_tuning.Found(found, gait_tuning.Achieved(**values))
 
 
-@pytest.fixture
-def fake_search(monkeypatch):
-    monkeypatch.setattr(gait_tuning, "search", found := FakeSearch())
-    return found
+def tuned_with(monkeypatch, share, say=lambda line: None):
+    """The searches, and the gait that they give, for speeds 0.2, 0, 0.5 and -0.1, -0.3 m/s."""
+    monkeypatch.setattr(gait_tuning, "search", searches := FakeSearch(share))
+    return searches.calls, gait_tuning.tune_commanded_gait(13.0, (0.2, 0.0, 0.5), (-0.1, -0.3), YAW_RATES, 7, say)
 
 
-def test_table_of_a_gait_holds_the_speeds_that_were_reached(monkeypatch, fake_search):
-    monkeypatch.setattr(gait_tuning, "_with_tuned_track", lambda gait, say: gait)
+def test_straight_gaits_are_searched_from_their_neighbours(monkeypatch):
+    calls, _ = tuned_with(monkeypatch, 1.0)
+    straight = calls[:5]
+    assert [call.speed for call in straight] == [0.2, 0.0, 0.5, -0.1, -0.3]
+    assert all((call.angular_frequency, call.turns, call.generations) == (13.0, TROT, 7) for call in calls)
+    assert all((call.spread, call.yaw_rates) == (0.1, (0.0,)) for call in straight)
+    found = [0.01 * (i + 1) + np.arange(10).reshape(2, 5) / 1e3 + 0.00004 for i in range(5)]
+    # 0.5 m/s is nearer to 0.2 m/s than to 0; backwards the search does not start from the gaits forwards.
+    neighbours = (FORWARD, found[0] - 0.2 * FASTER, found[0] + 0.3 * FASTER, BACKWARD, found[3] - 0.2 * FASTER)
+    for call, start in zip(straight, neighbours, strict=True):
+        np.testing.assert_allclose(call.start, np.concatenate([[start], NO_TURN]), atol=1e-12)
+
+
+def test_turns_are_searched_from_zero_outwards_on_top_of_the_straight_gaits(monkeypatch):
+    calls, _ = tuned_with(monkeypatch, 1.0)
+    turns = calls[5:]
+    assert [call.speed for call in turns] == [0.0, 0.2, 0.5, -0.1, -0.3]
+    assert all((call.spread, call.yaw_rates) == (0.2, YAW_RATES) for call in turns)
+    for call, number in zip(turns, (2, 1, 3, 4, 5), strict=True):
+        np.testing.assert_allclose(call.start[0], 0.01 * number + np.arange(10).reshape(2, 5) / 1e3 + 0.00004)
+    first = turns[0].start[1:]
+    assert abs(first).max() > 0.1, "the first is the turn with which the search begins"
+    assert not np.allclose(first[0], first[1])
+    # The next from what turning changes in their slower neighbours; that of the slowest backwards is that at 0.
+    for call, number in zip(turns[1:], (6, 7, 6, 9), strict=True):
+        expected = 0.01 * number + np.arange(20).reshape(2, 2, 5) / 1e3 + 0.00004
+        np.testing.assert_allclose(call.start[1:], expected, err_msg=f"{call.speed}")
+
+
+def test_tables_hold_what_was_found_at_each_speed(monkeypatch):
+    _, gait = tuned_with(monkeypatch, 1.0)
+    assert (gait.angular_frequency, gait.speeds, gait.largest_yaw_rate) == (13.0, (-0.3, -0.1, 0.0, 0.2, 0.5), 0.8)
+    straight, turning = np.array([5, 4, 2, 1, 3]), np.array([10, 9, 6, 7, 8])
+    names = ("hip_amplitude", "hip_offset", "knee_cosine", "knee_sine", "knee_offset")
+    tables = (gait.fore, gait.hind, gait.fore_turn, gait.hind_turn, gait.fore_side, gait.hind_side)
+    first_values = (0.0, 0.005, 0.0, 0.005, 0.010, 0.015)
+    for i, (table, first) in enumerate(zip(tables, first_values, strict=True)):
+        numbers = straight if i < 2 else turning
+        for column, name in enumerate(names):
+            expected = 0.01 * numbers + first + 0.001 * column
+            # To four digits: the searches' 0.00004 rad more is rounded away.
+            np.testing.assert_allclose(getattr(table, name), expected, atol=1e-9, err_msg=f"{i} {name}")
+
+
+def test_tables_end_with_the_speeds_that_were_reached(monkeypatch):
+    _, gait = tuned_with(monkeypatch, 0.9)
+    assert gait.speeds == (-0.27, -0.1, 0.0, 0.2, 0.45), "the ends alone"
+    _, gait = tuned_with(monkeypatch, 0.96977)
+    assert gait.speeds == (-0.291, -0.1, 0.0, 0.2, 0.485), "to 1 mm/s"
+    _, gait = tuned_with(monkeypatch, 0.971)
+    assert gait.speeds == (-0.3, -0.1, 0.0, 0.2, 0.5), "within 3 %"
+
+
+def test_each_search_says_what_it_reached(monkeypatch):
     lines = []
-    gait = gait_tuning.tune_commanded_gait(13.0, (0.1, 0.2, 0.4), (-0.2,), 3, lines.append)
-    assert gait.angular_frequency == 13.0
-    assert gait.speeds == (-0.2, 0.0, 0.1, 0.2, 0.25)
-    # The column for a speed is the one that was found for it; at 0 the legs stand.
-    assert gait.fore.hip_amplitude == pytest.approx((0.3, 0.0, 0.2, 0.3, 0.5), abs=1e-3)
-    assert gait.hind.hip_amplitude == pytest.approx((0.31, 0.0, 0.21, 0.31, 0.51), abs=1e-3)
-    assert gait.fore.hip_offset == pytest.approx((0.6, STANCE[0], 0.6, 0.6, 0.6), abs=1e-3)
-    assert gait.hind.knee_offset == pytest.approx((-0.69, STANCE[1], -0.69, -0.69, -0.69), abs=1e-3)
-    speeds, starts, spreads = zip(*fake_search.calls, strict=True)
-    assert speeds == (0.1, 0.2, 0.4, -0.2)
-    assert spreads == (0.15, 0.08, 0.08, 0.15), "a search from a neighbour's result is narrower"
-    np.testing.assert_allclose(starts[1][:5], [0.2, 0.6, 0.15, -0.1, -0.7], atol=1e-3)
-    step = np.array([0.1, 0.0, 0.15, -0.1, 0.0] * 2)
-    stance = np.array([0.0, STANCE[0], 0.0, 0.0, STANCE[1]] * 2)
-    np.testing.assert_allclose(starts[0], stance + step)
-    np.testing.assert_allclose(
-        starts[3], stance + step * ([1, 1, -1, 1, 1] * 2), err_msg="backwards the shank reverses"
+    tuned_with(monkeypatch, 0.9, lines.append)
+    assert len(lines) == 10
+    assert lines[2] == "+0.50 m/s: reached +0.450 m/s and +0.00 of 0 rad/s, every foot lifted by 12 mm"
+    assert lines[9] == (
+        "-0.30 m/s in turns: reached -0.270 m/s and +0.36 of 0.4 rad/s, every foot lifted by 12 mm; "
+        "-0.270 m/s and +0.72 of 0.8 rad/s, every foot lifted by 12 mm"
     )
-    assert lines[2].startswith("+0.40 m/s: reached +0.250 m/s, every foot lifted by 12 mm, with [0.5, 0.6, 0.15, ")
 
 
-def test_presets_are_searched_at_their_frequency_and_speed(fake_search):
+def test_presets_are_searched_at_their_frequency_and_speed(monkeypatch):
+    monkeypatch.setattr(gait_tuning, "search", searches := FakeSearch(1.0))
     lines = []
     tuned = gait_tuning.tune_presets(3, lines.append)
-    assert [speed for speed, *_ in fake_search.calls] == [0.4, 0.25, 0.35, 0.3]
-    assert list(tuned) == ["trot", "walk", "bound", "pace"]
-    assert tuned["trot"] == [0.5, 0.6, 0.15, -0.1, -0.7, 0.51, 0.61, 0.16, -0.09, -0.69], "to a thousandth"
-    assert lines[1].startswith("walk at 12.0 rad/s: reached +0.250 m/s")
+    asked = [(call.angular_frequency, call.turns, call.speed) for call in searches.calls]
+    speeds = {"trot": (14.0, 0.4), "walk": (12.0, 0.25), "bound": (14.0, 0.35), "pace": (14.0, 0.3)}
+    assert asked == [(frequency, LEG_PHASES[name], speed) for name, (frequency, speed) in speeds.items()]
+    assert list(tuned) == list(speeds)
+    # A small step from the stance: the leg folds in its swing.
+    leg = [0.1, STANCE[0], 0.15, -0.1, STANCE[1]]
+    for call in searches.calls:
+        np.testing.assert_allclose(call.start, np.concatenate([[[leg, leg]], NO_TURN]))
+        assert (call.spread, call.generations, call.yaw_rates) == (0.15, 3, (0.0,))
+    assert tuned["walk"] == [0.02, 0.021, 0.022, 0.023, 0.024, 0.025, 0.026, 0.027, 0.028, 0.029], "to a thousandth"
+    assert lines[1] == "walk at 12.0 rad/s: reached +0.250 m/s and +0.00 of 0 rad/s, every foot lifted by 12 mm"
 
 
-def test_half_track_is_the_one_that_turns_as_commanded(monkeypatch):
-    """A gait that turns with 0.34 m of half track as much as commanded; with more it turns too far."""
-    asked = []
-
+def test_row_of_the_table_of_results_shows_each_quantity_in_its_column(monkeypatch):
     def measured(gait, commands):
-        asked.append(commands.tolist())
-        turned = commands[:, 1] * gait.half_track / 0.34
-        return SimpleNamespace(yaw_rate=turned, forward_velocity=commands[:, 0] + 0.01)
+        assert gait is TUNED
+        values = {name: np.full(len(commands), float(i)) for i, name in enumerate(gait_tuning.Achieved.__annotations__)}
+        values |= {"forward_velocity": 0.9 * commands[:, 0], "yaw_rate": 0.8 * commands[:, 1]}
+        values |= {"lateral_velocity": np.full(len(commands), -0.0125), "power": np.full(len(commands), 7.25)}
+        values |= {"clearance": np.full(len(commands), 0.0114), "fallen": commands[:, 1] == 0.3}
+        return gait_tuning.Achieved(**values)
 
     monkeypatch.setattr(gait_tuning, "measure_commands", measured)
-    lines = []
-    assert gait_tuning._with_tuned_track(TUNED, lines.append).half_track == 0.34
-    assert lines == ["half track 0.34 m: mean error 0.010 (rad/s + m/s)"]
-    assert len(asked) == 13, "0.10 to 0.58 m in steps of 0.04 m"
-    assert asked[0] == [[speed, rate] for speed in (0.0, 0.2, 0.3) for rate in (-0.6, -0.3, 0.3, 0.6)]
-
-
-@pytest.mark.parametrize(
-    ("quantity", "wanted"),
-    [
-        *(("forward_velocity", speed) for speed in (0.3, -0.2)),
-        *((name, 0.0) for name in ("lateral_velocity", "yaw_rate", "tilt", "power", "slip")),
-        *((name, "more") for name in ("clock", "lift")),
-    ],
-)
-def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity, wanted):
-    """The quantity is the offset of the fore hip less 0.6 rad; all others are the same for every candidate."""
-
-    def measure(offset, simulation, angular_frequency, turns):
-        values = np.zeros(len(offset))
-        found = dict.fromkeys(gait_tuning.Achieved.__annotations__, values) | {"fallen": values > 0.0}
-        if quantity != "forward_velocity":
-            found["forward_velocity"] = values + 0.3
-        return gait_tuning.Achieved(**found | {quantity: abs(offset) if quantity in POSITIVE else offset})
-
-    monkeypatch.setattr(gait_tuning, "measure", measure)
-    monkeypatch.setattr(gait_tuning, "BatchSimulation", lambda *arguments, **options: None)
-    monkeypatch.setattr(gait_tuning, "gait_targets", lambda candidates, *_: candidates[:, 1] - 0.6)
-    start = np.array([0.0, 0.72, 0.0, 0.0, -0.7] * 2)
-    speed = wanted if quantity == "forward_velocity" else 0.3
-    found = gait_tuning.search(speed, 10.0, LEG_PHASES["trot"], start, 0.15, 12).columns[1] - 0.6
-    if wanted == "more":
-        assert found > 0.3, "near the bound of the search, 1.1 rad"
-    else:
-        assert found == pytest.approx(wanted, abs=0.01)
-
-
-def test_candidates_are_kept_within_the_search_and_the_motors_speed():
-    free = np.array([0.1, 0.5, 0.2, -0.1, -0.8] * 2)
-    wide = np.array([0.6, 0.0, 0.4, 0.3, -2.0, -0.6, 1.5, 0.0, 0.0, 0.0])
-    # At 5 rad/s an amplitude of 1 rad would be as fast as the motors, beyond the bounds of the search.
-    found = gait_tuning._within_limits(np.stack([free, wide]), 5.0)
-    np.testing.assert_array_equal(found[0], free)
-    np.testing.assert_allclose(found[1], [0.5, 0.1, 0.4, 0.3, -1.3, -0.5, 1.1, 0.0, 0.0, -0.4])
-    # At 20 rad/s it is 0.25 rad, of the hip and of the knee's sine and cosine together: 0.4 and 0.3 make 0.5.
-    slow = gait_tuning._within_limits(wide[None], 20.0)[0]
-    np.testing.assert_allclose(slow, [0.25, 0.1, 0.2, 0.15, -1.3, -0.25, 1.1, 0.0, 0.0, -0.4], rtol=0.002)
-    assert (np.hypot(slow[[0, 2, 5]], [0.0, slow[3], 0.0]) * 20.0 < 5.0).all()
+    lines = gait_tuning.achieved_table(TUNED).splitlines()
+    assert len(lines) == 20
+    assert {line.count("|") for line in lines} == {8}
+    assert lines[2] == "| -0.4, +0.0 | -0.360 | +0.000 | -0.013 | 7.2 | 11 | no |"
+    assert lines[18] == "| +0.3, +0.3 | +0.270 | +0.240 | -0.013 | 7.2 | 11 | yes |"

@@ -42,7 +42,7 @@ def test_recipes_give_valid_trainings_and_tasks(asked, name):
 
 def test_recipes_are_what_their_names_say(asked):
     flat, robust, rough, fast = (task_of(asked("--recipe", name)) for name in ("flat", "robust", "rough", "fast"))
-    assert flat.randomization["friction"] is not None
+    assert flat.randomization == RandomizationConfig(friction=(0.6, 1.0)), "and nothing else"
     assert dataclasses.replace(flat, randomization=TaskConfig().randomization) == TaskConfig()
     assert robust.randomization == RandomizationConfig(preset="hard")
     assert robust.randomization.push_speed is not None

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from settings import TRAINING
 
 from quadruped_env import QuadrupedError
 from quadruped_env.training.config import STEPS_TO_WALK, TrainConfig, shortness
@@ -24,6 +25,11 @@ LIMITS = {
     "clip_range": ((SMALLEST, 1e300), (0.0, math.inf)),
     "ent_coef": ((0.0, 1e300), (-0.001, math.inf)),
     "max_grad_norm": ((SMALLEST, math.inf), (0.0,)),
+    "buffer_size": ((1,), (0,)),
+    "learning_starts": ((0,), (-1,)),
+    "gradient_steps": ((1,), (0,)),
+    "tau": ((SMALLEST, 1.0), (0.0, 1.001)),
+    "action_noise": ((0.0, 1e300), (-0.001, math.inf)),
     "hidden": (((), (1,), (1, 1)), ((0,), (8, 0))),
     "log_std_init": ((None, -9.0, 0.0), (math.nan, math.inf)),
     "final_log_std": ((-9.0, 0.0), (math.nan, -math.inf)),
@@ -33,11 +39,12 @@ LIMITS = {
 
 def test_defaults():
     config = TrainConfig()
-    assert (config.timesteps, config.seed, config.num_envs, config.n_steps) == (2_000_000, 0, 256, 16)
-    assert (config.batch_size, config.n_epochs, config.hidden) == (1024, 4, (64, 64))
-    assert (config.learning_rate, config.gamma, config.gae_lambda, config.clip_range) == (2e-3, 0.97, 0.95, 0.2)
-    assert (config.ent_coef, config.max_grad_norm, config.final_log_std) == (0.0, 1.0, -4.0)
+    assert {name: getattr(config, name) for name in TRAINING} == TRAINING
+    assert (config.recipe, config.algo, config.action_mode, config.seed) == ("flat", "ppo", "residual", 0)
     assert (config.checkpoint_seconds, config.seconds, config.symmetric) == (20.0, None, True)
+    assert (config.asymmetric_critic, config.activation, config.task) == (False, "elu", {})
+    assert (config.buffer_size, config.learning_starts, config.gradient_steps) == (500_000, 10_000, 16)
+    assert (config.tau, config.action_noise) == (0.005, 0.1)
 
 
 def test_exploration_begins_narrower_on_top_of_a_gait():

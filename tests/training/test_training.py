@@ -40,10 +40,11 @@ def test_run_records_its_settings_and_versions(tiny_run):
     document = json.loads((tiny_run / CONFIG_FILE).read_text())
     training = dict(document["training"])
     assert training["hidden"] == list(TrainConfig().hidden)
-    expected = TrainConfig(timesteps=2048, num_envs=16, n_steps=16, batch_size=64)
+    recipe = {"randomization": {"friction": [0.6, 1.0]}}
+    expected = TrainConfig(timesteps=2048, num_envs=16, n_steps=16, batch_size=64, task=recipe)
     assert TrainConfig(**{**training, "hidden": tuple(training["hidden"])}) == expected
     task = TaskConfig.from_dict(document["task"])
-    assert dataclasses.replace(task, action=TaskConfig().action) == TaskConfig()
+    assert dataclasses.replace(task, action=TaskConfig().action) == TaskConfig.from_dict(recipe)
     assert task.action.mode == training["action_mode"]
     assert document["versions"]["mini-quadruped"] == quadruped_env.__version__
     for library in ("python", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch"):

@@ -300,7 +300,11 @@ def tensorboard(directory):
 def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path):
     """Of the command that was in force, though commands change and episodes end all the time."""
     run = watched()
-    task = {"termination": {"max_tilt": 0.03}, "command": {"resample_interval": [0.04, 0.1]}}
+    task = {
+        "termination": {"max_tilt": 0.03},
+        "command": {"resample_interval": [0.04, 0.1]},
+        "reward": {"velocity_time_constant": 0.3},
+    }
     run.train(tmp_path, config(timesteps=2 * SAMPLES, task=task))
     env = gymnasium.make_vec(
         ENV_ID, num_envs=ENVS, action_mode="residual", config=task, autoreset_mode="Disabled", max_episode_steps=1000
@@ -311,7 +315,7 @@ def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path)
         command = info["command"]
         *_, terminated, truncated, info = env.step(actions)
         velocity = np.stack([info["base_linear_velocity"][:, 0], info["base_angular_velocity"][:, 2]], axis=1)
-        average += (1.0 - math.exp(-0.02 / 0.2)) * (velocity - average)
+        average += (1.0 - math.exp(-0.02 / 0.3)) * (velocity - average)
         squares.append((average - command) ** 2)
         done = terminated | truncated
         if done.any():

@@ -99,7 +99,7 @@ def test_results_of_another_suite_are_refused(result, field, value, words):
 
 
 @pytest.mark.parametrize(
-    ("field", "value"), [("impratio", 10.0), ("cone", 1), ("robot", {"name": "other", "sha256": "1"})]
+    ("field", "value"), [("impratio", 10.0), ("cone", 0), ("robot", {"name": "other", "sha256": "1"})]
 )
 def test_results_of_another_robot_or_physics_are_refused(result, field, value):
     other = copy.deepcopy(result[0])
