@@ -27,7 +27,8 @@ from quadruped_env.robot import Robot
 from quadruped_env.task import BUILT_IN, load_task_file, preset_values
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import algorithm, check_used
+from quadruped_env.training.algorithms import check_used
+from quadruped_env.training.config import defaults
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
 
 RUNS: Final = Path("runs")
@@ -37,14 +38,15 @@ _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the fields of `TrainConfig`, and the places of the runs."""
-    docs = field_docs(TrainConfig)
+    docs, position = field_docs(TrainConfig), defaults(TrainConfig.algo, "position")
     for field in dataclasses.fields(TrainConfig):
         option = f"--{field.name.replace('_', '-')}"
         default = field.default if field.default is not dataclasses.MISSING else {}
+        other = f"; {position[field.name]} in mode position" if field.name in position else ""
         # Without defaults: those of a resumed run are the run's.
         options: dict[str, Any] = {
             "default": argparse.SUPPRESS,
-            "help": f"{docs[field.name]} (default: {default})".replace("%", "%%"),
+            "help": f"{docs[field.name]} (default: {default}{other})".replace("%", "%%"),
         }
         if field.name == "recipe":
             listed = "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
@@ -64,7 +66,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         elif get_args(field.type) and isinstance(default, str):
             options.update(choices=get_args(field.type))
         else:
-            kind = {"seconds": float, "log_std_init": float}.get(field.name, type(default))
+            kind = {"seconds": float}.get(field.name, type(default))
             options.update(type=kind, metavar=_METAVARS[kind])
         parser.add_argument(option, **options)
     add_terrain(parser, "that of --task, or of the --recipe")
@@ -175,8 +177,8 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
     chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
     task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
     task = changed(task, own)
-    defaults = {"name": algo, **algorithm(algo).defaults}
-    return {**defaults, **recipe(name).training, **typed, **({"task": task} if task else {})}
+    own_defaults = {"name": algo, **defaults(algo, typed.get("action_mode", TrainConfig.action_mode))}
+    return {**own_defaults, **recipe(name).training, **typed, **({"task": task} if task else {})}
 
 
 def json_object(text: str) -> dict[str, Any]:

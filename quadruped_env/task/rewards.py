@@ -22,14 +22,14 @@ class tracking:  # noqa: N801  named like the other terms
     """Tracking of the velocity command.
 
     track_forward_velocity: exp(-((v~ - v_command) / 0.1 m/s)^2)
-    track_yaw_rate: exp(-((w~ - w_command) / 0.25 rad/s)^2)
+    track_yaw_rate: exp(-((w~ - w_command) / 0.2 rad/s)^2)
     """
 
     def __init__(
         self,
         context: TaskContext,
         forward_velocity_std: Annotated[float, Positive("m/s")] = 0.1,
-        yaw_rate_std: Annotated[float, Positive("rad/s")] = 0.25,
+        yaw_rate_std: Annotated[float, Positive("rad/s")] = 0.2,
     ) -> None:
         self._std = context.xp.constant([[forward_velocity_std, yaw_rate_std]])
 
@@ -38,7 +38,7 @@ class tracking:  # noqa: N801  named like the other terms
         return quantities.tracking_kernel(context.tracking_error, self._std, context.xp)
 
 
-@reward_group(pure=True, forward_progress=4.0, turn_progress=4.0)
+@reward_group(pure=True, forward_progress=4.0, turn_progress=6.0)
 class progress:  # noqa: N801
     """Share of the commanded velocity that is reached: share - 2 max(0, share - 1), in [-1, 1].
 

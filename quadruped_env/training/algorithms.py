@@ -13,6 +13,8 @@ _ON_POLICY: Final = frozenset(
 _OFF_POLICY: Final = frozenset(
     {"n_steps", "learning_rate", "gamma", "batch_size", "buffer_size", "learning_starts", "gradient_steps", "symmetric"}
 )
+_SHORT: Final[Mapping[str, Any]] = MappingProxyType({"n_steps": 16, "log_std_init": -2.0, "final_log_std": -4.0})
+"""Defaults of the other algorithms that learn from the last steps alone."""
 _REPLAY: Final[Mapping[str, Any]] = MappingProxyType(
     {"num_envs": 64, "n_steps": 1, "batch_size": 512, "learning_rate": 1e-3, "hidden": (128, 128)}
 )
@@ -33,7 +35,7 @@ class Algorithm:
     settings: frozenset[str]
     """Fields of `TrainConfig` that it uses, of those in `SETTINGS`."""
     defaults: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
-    """Its defaults of fields of `TrainConfig` that differ from PPO's."""
+    """Its defaults of fields of `TrainConfig` that differ from those of PPO."""
 
     @property
     def on_policy(self) -> bool:
@@ -60,7 +62,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "",
             "ActorCriticPolicy",
             _ON_POLICY | {"ent_coef", "max_grad_norm"},
-            MappingProxyType({"learning_rate": 7e-4}),
+            MappingProxyType({**_SHORT, "learning_rate": 7e-4}),
         ),
         "trpo": Algorithm(
             "sb3_contrib.trpo",
@@ -68,7 +70,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "",
             "ActorCriticPolicy",
             _ON_POLICY | {"batch_size"},
-            MappingProxyType({"learning_rate": 1e-3}),
+            MappingProxyType({**_SHORT, "batch_size": 1024}),
         ),
         "sac": _off_policy("stable_baselines3.sac", "SAC", "stable_baselines3.sac.policies", "SACPolicy", "tau"),
         "td3": _off_policy(

@@ -1,7 +1,9 @@
 """Settings of a training."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from quadruped_env.control.config import ACTION_MODES
@@ -15,9 +17,19 @@ STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 (docs/measurements.md)."""
 
 
+_FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
+    {"n_steps": 16, "batch_size": 1024, "learning_rate": 2e-3, "log_std_init": -1.0, "final_log_std": -4.0}
+)
+"""Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
+On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
+
+
 @dataclass(frozen=True)
 class TrainConfig:
-    """Settings of a training, the options of `mini-quadruped train`; an algorithm's have Stable-Baselines3's names."""
+    """Settings of a training, the options of `mini-quadruped train`; an algorithm's have Stable-Baselines3's names.
+
+    The defaults are those of PPO in mode `residual`; `defaults` has the others.
+    """
 
     recipe: Literal["flat", "robust", "rough", "fast"] = "flat"
     """Named settings of the training and its task, which other options change"""
@@ -39,13 +51,13 @@ class TrainConfig:
     """Seconds of wall-clock time between checkpoints"""
     task: dict[str, Any] = field(default_factory=dict)
     """Changes to the task's config, as nested values"""
-    n_steps: int = 16
+    n_steps: int = 64
     """Steps of each env between updates"""
-    batch_size: int = 1024
+    batch_size: int = 4096
     """Samples in a gradient step"""
     n_epochs: int = 4
     """Passes over the samples of an update"""
-    learning_rate: float = 2e-3
+    learning_rate: float = 1e-3
     """Adam's initial step size; it decreases linearly to a tenth"""
     gamma: float = 0.985
     """Discount per step of 0.02 s"""
@@ -75,18 +87,11 @@ class TrainConfig:
     """Make the policy left/right symmetric by construction, as the robot is"""
     asymmetric_critic: bool = False
     """Let the value function see privileged readings that only the simulation knows; the policy never sees them"""
-    log_std_init: float | None = None
-    """Logarithm of the exploration's initial standard deviation; default -1, or -2 on top of the scripted gait"""
-    final_log_std: float = -4.0
+    log_std_init: float = -3.0
+    """Logarithm of the exploration's initial standard deviation"""
+    final_log_std: float = -5.0
     """Upper bound of that logarithm at the end, reached linearly. Noise slows the robot down, and a policy that
     learned with it overshoots its commands without it"""
-
-    @property
-    def first_log_std(self) -> float:
-        """`log_std_init`, or its default for the action mode."""
-        if self.log_std_init is not None:
-            return self.log_std_init
-        return -2.0 if self.action_mode == "residual" else -1.0
 
     def __post_init__(self) -> None:
         if self.action_mode not in ACTION_MODES:
@@ -113,7 +118,7 @@ class TrainConfig:
             ("tau", 0 < self.tau <= 1, "more than 0, and at most 1"),
             ("action_noise", 0 <= self.action_noise < math.inf, "0 or more, and finite"),
             ("hidden", all(width >= 1 for width in self.hidden), "widths of 1 or more"),
-            ("log_std_init", math.isfinite(self.first_log_std), "a finite number"),
+            ("log_std_init", math.isfinite(self.log_std_init), "a finite number"),
             ("final_log_std", math.isfinite(self.final_log_std), "a finite number"),
         ):
             if not valid:
@@ -127,6 +132,17 @@ class TrainConfig:
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
                 f"(num_envs * n_steps); lower it or use more envs"
             )
+
+
+def defaults(algo: str, action_mode: str) -> dict[str, Any]:
+    """Defaults of an algorithm in an action mode, where they differ from those of `TrainConfig`.
+
+    Raises:
+        QuadrupedError: if there is no such algorithm.
+    """
+    if algo == TrainConfig.algo and action_mode == "position":
+        return dict(_FROM_SCRATCH)
+    return dict(algorithm(algo).defaults)
 
 
 def shortness(action_mode: str, timesteps: int) -> str:

@@ -90,7 +90,8 @@ def measure(
     fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
     phases = np.array(turns) * 2.0 * np.pi
     sums, height_in_swing = np.zeros((9, n)), np.zeros((n, 4))
-    steps, swings, contact = 0, np.zeros(4), np.ones((n, 4))
+    steps, swings = 0, np.zeros(4)
+    contact = np.ones((n, 4), dtype=np.bool_)
     for k in range(1, round(SECONDS / CONTROL_TIMESTEP) + 1):
         t = k * CONTROL_TIMESTEP
         ramp = min(1.0, t / _RAMP)
@@ -103,14 +104,14 @@ def measure(
             sums[2] += state.linear_velocity_b[:, 1]
             sums[3] += (state.up_b[:, :2] ** 2).sum(axis=1)
             sums[4] += mechanical_power(state.joint_torque, state.joint_velocity)
-            before, contact = contact, (state.foot_force > 1.0) * 1.0
+            before, contact = contact, state.foot_force > 1.0
             sliding = sliding_squared(state.foot_velocity, state.foot_angular_velocity, _SOLE)
-            sums[5] += np.vecdot(sliding, contact)
+            sums[5] += (sliding * contact).sum(axis=1)
             height = state.foot_position[..., 2]
             sine = np.sin(angular_frequency * t + phases)
             sums[6] += clock_agreement(foot_lift(height - ROBOT.foot_radius), sine)
             sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
-            sums[8] += (contact > before).mean(axis=1)
+            sums[8] += (contact & ~before).mean(axis=1)
             height_in_swing += height * (sine > _MIDDLE)
             swings += sine > _MIDDLE
     vx, wz, vy, tilt, power, slip, lift, clock, landings = sums / steps
@@ -133,8 +134,8 @@ _FORWARD: Final = np.array([[-0.05, 0.33, -0.15, -0.22, -0.95], [0.1, 0.42, 0.08
 _BACKWARD: Final = np.array([[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]])
 _TURNING: Final = np.array(
     [
-        [[-0.04, 0.11, 0.1, 0.01, -0.16], [-0.3, -0.54, -0.06, 0.14, -0.36]],
-        [[0.07, 0.02, 0.02, -0.03, 0.03], [-0.15, 0.03, 0.08, 0.1, 0.04]],
+        [[-0.16, 0.15, 0.06, 0.04, -0.41], [-0.17, -0.41, 0.06, 0.14, -0.06]],
+        [[-0.28, 0.0, 0.1, -0.12, -0.01], [-0.04, -0.06, 0.06, 0.14, 0.09]],
     ]
 )
 """Where the search of the commanded gait starts: with bent knees, the shank lifts the foot when it folds"""

@@ -174,7 +174,7 @@ def make_model(config: TrainConfig, env: Any) -> Any:
         own["mirror"], critic_mirror = mirrors(env)
     if entry.on_policy:
         policy: Any = ActorCritic
-        own |= {"net_arch": {"pi": hidden, "vf": hidden}, "log_std_init": config.first_log_std}
+        own |= {"net_arch": {"pi": hidden, "vf": hidden}, "log_std_init": config.log_std_init}
         if config.symmetric:
             own["critic_mirror"] = critic_mirror
     else:
@@ -197,7 +197,7 @@ def make_model(config: TrainConfig, env: Any) -> Any:
         **arguments,
     )
     if entry.on_policy:
-        model.log_std_bounds = (config.first_log_std, min(config.first_log_std, config.final_log_std))
+        model.log_std_bounds = (config.log_std_init, min(config.log_std_init, config.final_log_std))
     return model
 
 

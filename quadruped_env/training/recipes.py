@@ -26,7 +26,9 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
     {
         # With a friction of its own in each episode, the policy turns by its gyroscope.
         "flat": Recipe(
-            "level ground of any friction, and an undisturbed robot", task={"randomization": {"friction": [0.6, 1.0]}}
+            "level ground of any friction, and an undisturbed robot",
+            {"asymmetric_critic": True},
+            {"randomization": {"friction": [0.6, 1.0]}},
         ),
         "robust": Recipe(
             "another robot in each episode, with sensor noise, latency and pushes",

@@ -138,11 +138,8 @@ class Parent:
                 if difference is None:
                     continue
                 option, value, kept = difference
-            else:
-                if name == "log_std_init" and value is not None:
-                    kept = self.config.first_log_std
-                if value == kept:
-                    continue
+            elif value == kept:
+                continue
             raise QuadrupedError(
                 f"--{option}: found {short(value)}; {self.name} has {short(kept)}, and a resumed training keeps its "
                 f"task and network: leave the option out, or start a new training without --resume"

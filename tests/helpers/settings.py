@@ -12,7 +12,7 @@ REWARD_WEIGHTS: Final = {
     "track_forward_velocity": 8.0,
     "track_yaw_rate": 6.0,
     "forward_progress": 4.0,
-    "turn_progress": 4.0,
+    "turn_progress": 6.0,
     "gait_clock": 5.0,
     "contact_clock": 1.5,
     "upright": -2.0,
@@ -33,7 +33,7 @@ REWARD_PARAMETERS: Final = {
     "velocity_time_constant": 0.4,  # s
     "contact_threshold": 1.0,  # N
     "forward_velocity_std": 0.1,  # m/s
-    "yaw_rate_std": 0.25,  # rad/s
+    "yaw_rate_std": 0.2,  # rad/s
     "foot_lift": 0.02,  # m
     "base_height": 0.175,  # m
     "joint_speed_margin": 1.0,  # rad/s
@@ -43,17 +43,18 @@ REWARD_PARAMETERS: Final = {
 TRAINING: Final = {
     "timesteps": 2_000_000,
     "num_envs": 256,
-    "n_steps": 16,
-    "batch_size": 1024,
+    "n_steps": 64,
+    "batch_size": 4096,
     "n_epochs": 4,
     "hidden": (64, 64),
-    "learning_rate": 2e-3,
+    "learning_rate": 1e-3,
     "gamma": 0.985,
     "gae_lambda": 0.95,
     "clip_range": 0.2,
     "ent_coef": 0.0,
     "max_grad_norm": 1.0,
-    "final_log_std": -4.0,
+    "log_std_init": -3.0,
+    "final_log_std": -5.0,
 }
 """Defaults of a training with PPO."""
 

@@ -6,7 +6,8 @@ import pytest
 from settings import TRAINING
 
 from quadruped_env import QuadrupedError
-from quadruped_env.training.config import STEPS_TO_WALK, TrainConfig, shortness
+from quadruped_env.training.algorithms import algorithm
+from quadruped_env.training.config import STEPS_TO_WALK, TrainConfig, defaults, shortness
 
 SMALLEST = math.nextafter(0.0, 1.0)
 LIMITS = {
@@ -18,7 +19,7 @@ LIMITS = {
     "seed": ((0, 2**32 - 1), (-1, 2**32)),
     "seconds": ((None, SMALLEST), (0.0, -1.0)),
     "checkpoint_seconds": ((SMALLEST,), (0.0, -1.0)),
-    "batch_size": ((2, 256 * 16), (0, 1, 256 * 16 + 1)),
+    "batch_size": ((2, 256 * 64), (0, 1, 256 * 64 + 1)),
     "learning_rate": ((SMALLEST, 1e300), (0.0, -1.0, math.inf, math.nan)),
     "gamma": ((SMALLEST, 1.0), (0.0, 1.001)),
     "gae_lambda": ((0.0, 1.0), (-0.001, 1.001)),
@@ -31,7 +32,7 @@ LIMITS = {
     "tau": ((SMALLEST, 1.0), (0.0, 1.001)),
     "action_noise": ((0.0, 1e300), (-0.001, math.inf)),
     "hidden": (((), (1,), (1, 1)), ((0,), (8, 0))),
-    "log_std_init": ((None, -9.0, 0.0), (math.nan, math.inf)),
+    "log_std_init": ((-9.0, 0.0), (math.nan, math.inf)),
     "final_log_std": ((-9.0, 0.0), (math.nan, -math.inf)),
     "name": (("a", "..."), ("", ".", "..", "a/b")),
 }
@@ -47,10 +48,12 @@ def test_defaults():
     assert (config.tau, config.action_noise) == (0.005, 0.1)
 
 
-def test_exploration_begins_narrower_on_top_of_a_gait():
-    assert TrainConfig(action_mode="residual").first_log_std == -2.0
-    assert TrainConfig(action_mode="position").first_log_std == -1.0
-    assert TrainConfig(action_mode="position", log_std_init=-0.5).first_log_std == -0.5
+def test_from_scratch_ppo_explores_more_and_learns_from_shorter_rollouts():
+    assert defaults("ppo", "residual") == {}
+    from_scratch = TrainConfig(action_mode="position", **defaults("ppo", "position"))
+    assert (from_scratch.n_steps, from_scratch.batch_size, from_scratch.learning_rate) == (16, 1024, 2e-3)
+    assert (from_scratch.log_std_init, from_scratch.final_log_std) == (-1.0, -4.0)
+    assert defaults("sac", "position") == defaults("sac", "residual") == dict(algorithm("sac").defaults)
 
 
 @pytest.mark.parametrize("name", LIMITS)

@@ -14,7 +14,7 @@ from trainings import SCRIPT, TINY, command
 
 from quadruped_env import QuadrupedError
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig
+from quadruped_env.training.config import TrainConfig, defaults
 
 
 def assert_refused(tmp_path, arguments, message):
@@ -31,11 +31,13 @@ def test_help_shows_every_field_with_its_meaning_and_default():
     done = subprocess.run(command("runs", "--help"), capture_output=True, text=True, check=True)
     text = " ".join(done.stdout.partition("options:")[2].split())
     described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= -o DIR,| --[a-z-]+[ ,]|$)", text))
+    position = defaults("ppo", "position")
     for field in dataclasses.fields(TrainConfig):
         option = described[field.name.replace("_", "-")]
         default = {} if field.default is dataclasses.MISSING else field.default
-        assert option.endswith(f"(default: {default})"), field.name
-        assert len(option) > len(f"(default: {default})") + 20, field.name
+        other = f"; {position[field.name]} in mode position" if field.name in position else ""
+        assert option.endswith(f"(default: {default}{other})"), field.name
+        assert len(option) > len(f"(default: {default}{other})") + 20, field.name
     assert {"output", "resume"} < set(described)
 
 

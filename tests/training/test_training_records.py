@@ -40,6 +40,7 @@ def config(**changes):
         "seed": SEED,
         "learning_rate": LEARNING_RATE,
         "checkpoint_seconds": 1.75,
+        "log_std_init": -2.0,
         "final_log_std": -3.0,
         # Some fall, and others do not.
         "task": {"termination": {"max_tilt": 0.055}, "command": {"resample_interval": [100.0, 100.0]}},
@@ -149,8 +150,8 @@ def test_exploration_is_clamped_to_a_bound_that_falls_linearly(run):
     np.testing.assert_allclose(explorations(run), -3.0 + (-2.0 + 3.0) * left, atol=1e-6)
 
 
-def test_exploration_of_position_mode_begins_wider_and_is_never_widened(watched, tmp_path):
-    narrow = watched().train(tmp_path, config(action_mode="position", timesteps=4 * SAMPLES))
+def test_exploration_begins_as_asked_and_is_never_widened(watched, tmp_path):
+    narrow = watched().train(tmp_path, config(log_std_init=-1.0, timesteps=4 * SAMPLES))
     np.testing.assert_allclose(explorations(narrow), [-1.0, -1.5, -2.0, -2.5], atol=1e-6)
     flat = watched().train(tmp_path, config(log_std_init=-5.0, timesteps=2 * SAMPLES))
     np.testing.assert_allclose(explorations(flat), -5.0, atol=1e-6)

@@ -17,7 +17,7 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Policy, PolicyController
 from quadruped_env.task import TaskConfig
-from quadruped_env.training import TrainConfig
+from quadruped_env.training.config import TrainConfig, defaults
 from quadruped_env.training.models import export_policy, make_model
 
 COMMAND: Final = (0.5, 0.0)
@@ -79,7 +79,7 @@ def time_to_walk(
     action_mode: str, seed: int, limit: float, interval: float, say: Callable[[str], None], **training: Any
 ) -> Learned:
     """Train until the policy walks, or for `limit` s; the policy is tested every `interval` s of learning."""
-    config = TrainConfig(action_mode=action_mode, seed=seed, **training)  # type: ignore[arg-type]
+    config = TrainConfig(**{**defaults("ppo", action_mode), "action_mode": action_mode, "seed": seed, **training})
     env = make_sb3_vec_env(config.num_envs, seed=seed, action_mode=action_mode, config=config.task)
     model = make_model(config, env)
     watch = _Watch(env.task.config, config.activation, limit, interval, say)

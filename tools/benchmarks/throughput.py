@@ -222,10 +222,10 @@ def vector_over_sync() -> list[Measure]:
 def training_over_bare() -> list[Measure]:
     """PPO end to end over a bare `Batch.step` on all cores."""
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.config import TrainConfig, defaults
     from quadruped_env.training.models import make_model
 
-    config = TrainConfig(action_mode="position")
+    config = TrainConfig(action_mode="position", **defaults("ppo", "position"))
     env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position")
     model = make_model(config, env)
     steps = config.n_steps * config.num_envs
