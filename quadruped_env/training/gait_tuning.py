@@ -33,6 +33,8 @@ WARM_UP: Final = 1.0
 SECONDS: Final = 3.0
 CLEARANCE: Final = 0.015
 """Height that every sole must have in the middle of its swing, m."""
+HOP: Final = 0.035
+"""Height in the middle of its swing that no sole needs, m."""
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
 """Time over which a candidate's amplitude grows from the stance, s."""
@@ -134,8 +136,8 @@ _FORWARD: Final = np.array([[-0.05, 0.33, -0.15, -0.22, -0.95], [0.1, 0.42, 0.08
 _BACKWARD: Final = np.array([[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]])
 _TURNING: Final = np.array(
     [
-        [[-0.16, 0.15, 0.06, 0.04, -0.41], [-0.17, -0.41, 0.06, 0.14, -0.06]],
-        [[-0.28, 0.0, 0.1, -0.12, -0.01], [-0.04, -0.06, 0.06, 0.14, 0.09]],
+        [[-0.1552, 0.1485, 0.0564, 0.0425, -0.4074], [-0.1684, -0.4131, 0.0597, 0.1393, -0.0614]],
+        [[-0.2783, -0.0004, 0.0995, -0.1213, -0.0125], [-0.0393, -0.0574, 0.055, 0.1377, 0.0873]],
     ]
 )
 """Where the search of the commanded gait starts: with bent knees, the shank lifts the foot when it folds"""
@@ -267,6 +269,8 @@ def search(
                 + 2.0 * got.lift
                 - 3.0 * np.maximum(0.0, got.touchdowns - 1.0)
                 - 300.0 * np.maximum(0.0, CLEARANCE - got.clearance)
+                # A robot that hops is fast, and falls.
+                - 100.0 * np.maximum(0.0, got.clearance - HOP)
                 - 10.0 * got.fallen
             )
             .reshape(len(yaw_rates), CANDIDATES)
