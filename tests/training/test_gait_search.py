@@ -131,13 +131,17 @@ class SteppingSimulation(FakeSimulation):
         self.readings.foot_force[:] = self._forces[len(self.targets) - 1]
 
 
-def feet(landings, contact=1, least=math.nextafter(1.0, 2.0)):
+LIGHTEST = math.nextafter(1.0, 2.0)
+"""Force of the lightest contact, N"""
+
+
+def feet(landings, contact=1, force=LIGHTEST):
     """Forces on four feet (100, 4), N: each lands so often for some steps, and is unloaded to 1 N in between."""
     forces = np.ones((100, 4))
     for foot, count in enumerate(landings):
         for i in range(count):
             first = 2 + foot + 100 // count * i
-            forces[first : first + contact, foot] = least
+            forces[first : first + contact, foot] = force
     return forces
 
 
@@ -145,7 +149,7 @@ def test_touchdowns_are_counted_per_stride_and_foot_after_the_warm_up():
     """In 2 s at 2.5 Hz, five strides: a foot is on the ground above 1 N, and a contact that lasts counts once."""
     forces = np.ones((150, 4, 4))
     forces[1:50:2] = 30.0  # before the measurement all feet chatter
-    forces[50:, 0] = feet([5, 5, 5, 5], contact=10, least=20.0)
+    forces[50:, 0] = feet([5, 5, 5, 5], contact=10, force=20.0)
     forces[50:, 1] = feet([5, 10, 20, 0])
     forces[50:, 2] = 20.0  # as in the last step before
     turns, frequency = TROT, 2 * np.pi * 2.5
