@@ -248,7 +248,7 @@ class Trials:
 
 
 def hip_offset(candidates):
-    """What the quantities of these tests depend on: the fore legs' hip offset less 0.6 rad."""
+    """Input of these tests' quantities: the fore legs' hip offset less 0.6 rad."""
     return candidates[:, 0, 0, 1] - 0.6
 
 

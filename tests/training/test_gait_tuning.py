@@ -14,7 +14,7 @@ from quadruped_env.training import gait_tuning
 TUNED = CommandedGait.tuned()
 TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds if speed != 0.0])
 """At zero the commanded gait stands"""
-TURNS = np.array(
+TURN_COMMANDS = np.array(
     [(speed, side * yaw_rate) for speed in (0.0, 0.2, -0.2) for yaw_rate in (0.4, 0.7) for side in (1, -1)]
 )
 
@@ -47,10 +47,10 @@ def test_a_standing_robot_has_its_feet_on_the_ground():
 
 
 def test_the_tuned_gait_turns_at_the_commanded_rate_on_lifted_feet():
-    got = gait_tuning.measure_commands(TUNED, TURNS)
-    np.testing.assert_allclose(got.yaw_rate, TURNS[:, 1], atol=0.25)
-    assert (got.yaw_rate * np.sign(TURNS[:, 1]) > 0.4 * np.abs(TURNS[:, 1])).all()
-    np.testing.assert_allclose(got.forward_velocity, TURNS[:, 0], atol=0.12)
+    got = gait_tuning.measure_commands(TUNED, TURN_COMMANDS)
+    np.testing.assert_allclose(got.yaw_rate, TURN_COMMANDS[:, 1], atol=0.25)
+    assert (got.yaw_rate * np.sign(TURN_COMMANDS[:, 1]) > 0.4 * np.abs(TURN_COMMANDS[:, 1])).all()
+    np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.12)
     assert got.clearance.min() > 0.005
 
 
