@@ -261,9 +261,9 @@ class CommandedGait:
     straight: Waves = field(init=False, repr=False, compare=False)
     """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
     turn: Waves = field(init=False, repr=False, compare=False)
-    """What is added for a turn of either sign, per rad/s of its size, (K, J) each."""
+    """Change of the waves in a turn of either sign, per rad/s of its size, (K, J) each."""
     side: Waves = field(init=False, repr=False, compare=False)
-    """What is added times the size of the turn, per rad/s, (K, J) each."""
+    """Change of the waves times the signed size of the turn, per rad/s, (K, J) each."""
 
     def __post_init__(self) -> None:
         maps, legs = leg_maps(self.robot), corners(self.robot)

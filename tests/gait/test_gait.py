@@ -8,7 +8,7 @@ import pytest
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_LIMIT
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
-from quadruped_env.gait import LEG_PHASES, PRESETS
+from quadruped_env.gait import LEG_PHASES, PRESETS, turn_size
 from quadruped_env.gait.waves import wave_positions
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.task import TaskConfig
@@ -233,11 +233,52 @@ def test_the_tuned_gait_stays_within_the_robots_limits_at_every_command():
 
 
 def test_the_tuned_gait_changes_smoothly_with_the_command():
-    phase = np.linspace(0, math.tau, 50)
+    """In the forward velocity and in the size of the turn, whose slope over the yaw rate is infinite at zero."""
+    phase, largest = np.linspace(0, math.tau, 50), TUNED.largest_yaw_rate
     for start in draw_commands(20):
-        step = np.array([1e-4, -1e-4])
-        before, after = (TUNED.positions(phase, np.tile(c, (50, 1))) for c in (start, start + step))
-        assert abs(after - before).max() < 0.01
+        size = turn_size(start[1], largest) - 1e-4
+        end = [start[0] + 1e-4, size * abs(size) / largest]
+        before, after = (TUNED.positions(phase, np.tile(c, (50, 1))) for c in (start, end))
+        assert abs(after - before).max() < 0.003
+
+
+def test_size_of_a_turn_is_the_root_of_the_yaw_rate_times_the_largest():
+    np.testing.assert_allclose(turn_size(np.array([0.0, 0.2, 0.45, 0.8]), 0.8), [0.0, 0.4, 0.6, 0.8], rtol=1e-15)
+    np.testing.assert_allclose(turn_size(np.array([0.25, 0.5, 1.0]), 1.0), [0.5, math.sqrt(0.5), 1.0], rtol=1e-15)
+    yaw_rates = np.random.default_rng(0).uniform(-0.7, 0.7, (50, 3))
+    np.testing.assert_allclose(turn_size(yaw_rates, 0.7) ** 2 / 0.7, abs(yaw_rates), rtol=1e-14)
+    np.testing.assert_array_equal(turn_size(-yaw_rates, 0.7), -turn_size(yaw_rates, 0.7))
+    np.testing.assert_array_equal(np.sign(turn_size(yaw_rates, 0.7)), np.sign(yaw_rates))
+
+
+def test_turn_is_at_most_as_large_as_the_largest_yaw_rate():
+    beyond = np.array([0.7, math.nextafter(0.7, 1.0), 0.9, 5.0, math.inf])
+    assert turn_size(beyond, 0.7).tolist() == [0.7] * 5
+    assert turn_size(-beyond, 0.7).tolist() == [-0.7] * 5
+    assert turn_size(np.array([math.nextafter(0.0, 1.0)]), 0.7)[0] > 0.0
+    assert turn_size(np.zeros(3), 0.0).tolist() == [0.0] * 3, "a gait without turns"
+
+
+def test_turn_has_the_same_bits_alone_and_among_others():
+    commands = draw_commands(200)
+    sizes = turn_size(commands[:, 1], 0.7)
+    assert sizes.tolist() == [turn_size(np.array(yaw_rate), 0.7).item() for yaw_rate in commands[:, 1]]
+    together = TUNED.waves(commands)
+    for i, command in enumerate(commands):
+        for values, alone in zip(together, TUNED.waves([command]), strict=True):
+            np.testing.assert_array_equal(values[i], alone[0])
+
+
+@pytest.mark.parametrize("speed", [-0.25, 0.1, 0.3])
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+def test_tuned_gait_turns_by_the_size_of_the_turn(speed, sign):
+    """A quarter of the largest yaw rate is half of its turn, and a larger one is no more than that."""
+    largest = sign * TUNED.largest_yaw_rate
+    commands = [[speed, yaw_rate] for yaw_rate in (0.0, largest / 4, largest, 1.5 * largest)]
+    for straight, quarter, full, beyond in TUNED.waves(commands):
+        np.testing.assert_allclose(quarter - straight, 0.5 * (full - straight), atol=1e-14)
+        np.testing.assert_array_equal(beyond, full)
+        assert abs(full - straight).max() > 0.03
 
 
 def test_tuned_gait_turning_the_other_way_swaps_left_and_right():

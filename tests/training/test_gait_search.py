@@ -116,6 +116,45 @@ def test_measured_feet_slide_lift_and_keep_the_clock(measured):
     assert got.clock.tolist() == pytest.approx([contact_agreement] * 4)
     missing = np.maximum(0.0, 1.0 - heights / 0.02)
     assert got.lift.tolist() == pytest.approx([(sine * (1.0 - 2.0 * missing**2)).mean()] * 4)
+    assert got.touchdowns.tolist() == pytest.approx([1.0] * 4)
+
+
+class SteppingSimulation(FakeSimulation):
+    """Four robots whose feet have known normal forces (150, 4, 4), N."""
+
+    def __init__(self, forces):
+        super().__init__(2.5, TROT)
+        self._forces = forces
+
+    def step(self, target, substeps):
+        super().step(target, substeps)
+        self.readings.foot_force[:] = self._forces[len(self.targets) - 1]
+
+
+LIGHTEST = math.nextafter(1.0, 2.0)
+"""Force of the lightest contact, N"""
+
+
+def feet(landings, contact=1, force=LIGHTEST):
+    """Forces on four feet (100, 4), N: each lands so often for some steps, and is unloaded to 1 N in between."""
+    forces = np.ones((100, 4))
+    for foot, count in enumerate(landings):
+        for i in range(count):
+            first = 2 + foot + 100 // count * i
+            forces[first : first + contact, foot] = force
+    return forces
+
+
+def test_touchdowns_are_counted_per_stride_and_foot_after_the_warm_up():
+    """In 2 s at 2.5 Hz, five strides: a foot is on the ground above 1 N, and a contact that lasts counts once."""
+    forces = np.ones((150, 4, 4))
+    forces[1:50:2] = 30.0  # before the measurement all feet chatter
+    forces[50:, 0] = feet([5, 5, 5, 5], contact=10, force=20.0)
+    forces[50:, 1] = feet([5, 10, 20, 0])
+    forces[50:, 2] = 20.0  # as in the last step before
+    turns, frequency = TROT, 2 * np.pi * 2.5
+    got = gait_tuning.measure(lambda t: np.tile(STANCE, (4, 1)), SteppingSimulation(forces), frequency, turns)
+    assert got.touchdowns.tolist() == pytest.approx([1.0, (1 + 2 + 4 + 0) / 4, 0.0, 0.0], rel=1e-12)
 
 
 def test_clearance_is_that_of_the_foot_that_is_lifted_least_in_the_middle_of_its_swing(measured):
@@ -190,26 +229,26 @@ NEUTRAL = dict.fromkeys(Achieved.__annotations__, 0.0) | {"clearance": 1.0, "fal
 
 
 class Trials:
-    """Replaces the simulation in a search; `quantities` gives what (candidates, yaw rates) achieve."""
+    """Replaces the simulation in a search; `quantities` gives what (candidates, sizes of the turn) achieve."""
 
     def __init__(self, monkeypatch, quantities):
-        self.candidates, self.yaw_rates, self._quantities = [], [], quantities
+        self.candidates, self.sizes, self._quantities = [], [], quantities
         monkeypatch.setattr(gait_tuning, "BatchSimulation", lambda model, num_envs, robot: num_envs)
         monkeypatch.setattr(gait_tuning, "gait_targets", lambda *arguments: arguments)
         monkeypatch.setattr(gait_tuning, "measure", self._measure)
 
     def _measure(self, targets, num_envs, angular_frequency, turns):
-        candidates, yaw_rates, *clock = targets
-        assert len(candidates) == len(yaw_rates) == num_envs
+        candidates, sizes, *clock = targets
+        assert len(candidates) == len(sizes) == num_envs
         assert clock == [angular_frequency, turns]
         self.candidates.append(np.array(candidates))
-        self.yaw_rates.append(np.array(yaw_rates))
-        values = NEUTRAL | self._quantities(candidates, yaw_rates)
+        self.sizes.append(np.array(sizes))
+        values = NEUTRAL | self._quantities(candidates, sizes)
         return Achieved(**{name: np.broadcast_to(value, num_envs) for name, value in values.items()})
 
 
 def hip_offset(candidates):
-    """What the quantities of these tests depend on: the fore legs' hip offset less 0.6 rad."""
+    """Input of these tests' quantities: the fore legs' hip offset less 0.6 rad."""
     return candidates[:, 0, 0, 1] - 0.6
 
 
@@ -248,9 +287,31 @@ def test_search_wants_every_foot_lifted_by_15_mm_and_no_more(monkeypatch):
     assert found.achieved.clearance[0] == pytest.approx(0.015, abs=2e-4), "tilt speaks for less"
 
 
+def test_search_wants_every_foot_to_land_once_per_stride_and_no_less(monkeypatch):
+    def quantities(given, _):
+        return {"touchdowns": 1.5 + 10.0 * hip_offset(given), "tilt": -0.1 * hip_offset(given)}
+
+    Trials(monkeypatch, quantities)
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20)
+    assert found.achieved.touchdowns[0] == pytest.approx(1.0, abs=0.02), "tilt speaks for more"
+
+
+@pytest.mark.parametrize(("worth", "wanted"), [(0.1 / 0.02, 0.1), (0.1 / 0.03, 0.0)])
+def test_search_weighs_a_yaw_rate_by_how_fast_it_moves_the_feet(monkeypatch, worth, wanted):
+    """0.1 rad/s are worth 2 to 3 cm/s. Speed is met at an offset of 0, the yaw rate at 0.1 rad."""
+
+    def quantities(given, _):
+        offset = hip_offset(given)
+        return {"forward_velocity": offset, "yaw_rate": worth * (0.1 - offset)}
+
+    Trials(monkeypatch, quantities)
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20)
+    assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
+
+
 def test_search_prefers_to_stay_on_its_feet_at_every_yaw_rate(monkeypatch):
-    def quantities(given, yaw_rates):
-        return {"fallen": (yaw_rates > 0.4) & (given[:, 1, 0, 1] > 0.1), "yaw_rate": yaw_rates}
+    def quantities(given, sizes):
+        return {"fallen": (sizes > 0.4) & (given[:, 1, 0, 1] > 0.1), "yaw_rate": sizes}
 
     Trials(monkeypatch, quantities)
     start = candidate_of(LEG, [0.0, 0.12, 0.0, 0.0, 0.0])
@@ -260,8 +321,8 @@ def test_search_prefers_to_stay_on_its_feet_at_every_yaw_rate(monkeypatch):
 
 
 def test_search_of_a_turn_meets_each_yaw_rate_by_its_own(monkeypatch):
-    """A robot that turns by a share of the yaw rate, which is the fore legs' hip offset in turns."""
-    Trials(monkeypatch, lambda given, yaw_rates: {"yaw_rate": yaw_rates * (1.0 + given[:, 1, 0, 1])})
+    """A robot that turns with the square of the size, times what depends on the fore legs' hip offset in turns."""
+    Trials(monkeypatch, lambda given, sizes: {"yaw_rate": sizes**2 / 0.8 * (1.0 + given[:, 1, 0, 1])})
     found = gait_tuning.search(
         0.0, 10.0, TROT, candidate_of(LEG, [0.0, 0.1, 0.0, 0.0, 0.0]), 0.15, 12, yaw_rates=(0.4, 0.8)
     )
@@ -269,13 +330,17 @@ def test_search_of_a_turn_meets_each_yaw_rate_by_its_own(monkeypatch):
     np.testing.assert_allclose(found.achieved.yaw_rate, [0.4, 0.8], atol=0.01)
 
 
-def test_search_runs_all_candidates_at_each_yaw_rate(monkeypatch):
-    trials = Trials(monkeypatch, lambda given, yaw_rates: {"yaw_rate": yaw_rates})
-    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.1, 2, yaw_rates=(0.4, 0.6, 0.8))
-    for candidates, yaw_rates in zip(trials.candidates, trials.yaw_rates, strict=True):
-        assert yaw_rates.tolist() == [0.4] * 80 + [0.6] * 80 + [0.8] * 80
-        np.testing.assert_array_equal(candidates, np.tile(candidates[:80], (3, 1, 1, 1)))
-    assert found.achieved.yaw_rate.tolist() == [0.4, 0.6, 0.8]
+@pytest.mark.parametrize(
+    ("yaw_rates", "sizes"), [((0.2, 0.45, 0.8), [0.4, 0.6, 0.8]), ((0.1, 0.4), [0.2, 0.4]), ((0.0,), [0.0])]
+)
+def test_search_runs_all_candidates_in_turns_of_each_size(monkeypatch, yaw_rates, sizes):
+    """The size of a turn is the root of the yaw rate times the largest."""
+    trials = Trials(monkeypatch, lambda given, sizes: {"yaw_rate": sizes})
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.1, 2, yaw_rates=yaw_rates)
+    for candidates, tried in zip(trials.candidates, trials.sizes, strict=True):
+        np.testing.assert_allclose(tried, np.repeat(sizes, 80), rtol=1e-12)
+        np.testing.assert_array_equal(candidates, np.tile(candidates[:80], (len(sizes), 1, 1, 1)))
+    np.testing.assert_allclose(found.achieved.yaw_rate, sizes, rtol=1e-12)
 
 
 @pytest.mark.parametrize("yaw_rates", [(0.0,), (0.25, 0.5)])

@@ -14,7 +14,7 @@ from quadruped_env.training import gait_tuning
 TUNED = CommandedGait.tuned()
 TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds if speed != 0.0])
 """At zero the commanded gait stands"""
-TURNS = np.array(
+TURN_COMMANDS = np.array(
     [(speed, side * yaw_rate) for speed in (0.0, 0.2, -0.2) for yaw_rate in (0.4, 0.7) for side in (1, -1)]
 )
 
@@ -34,6 +34,8 @@ def test_the_tuned_gait_walks_at_the_speeds_of_its_table(walked):
 def test_the_tuned_gait_lifts_every_foot(walked):
     assert walked.clearance.min() > 0.012
     assert walked.clock.min() > 0.2
+    assert walked.touchdowns.min() > 0.9
+    assert walked.touchdowns.max() < 1.7
 
 
 def test_a_standing_robot_has_its_feet_on_the_ground():
@@ -41,13 +43,14 @@ def test_a_standing_robot_has_its_feet_on_the_ground():
     assert standing.clearance[0] == pytest.approx(0.0, abs=0.001)
     # Against the clock as often as with it.
     assert standing.clock[0] == pytest.approx(0.0, abs=0.05)
+    assert standing.touchdowns[0] == 0.0
 
 
 def test_the_tuned_gait_turns_at_the_commanded_rate_on_lifted_feet():
-    got = gait_tuning.measure_commands(TUNED, TURNS)
-    np.testing.assert_allclose(got.yaw_rate, TURNS[:, 1], atol=0.25)
-    assert (got.yaw_rate * np.sign(TURNS[:, 1]) > 0.4 * np.abs(TURNS[:, 1])).all()
-    np.testing.assert_allclose(got.forward_velocity, TURNS[:, 0], atol=0.12)
+    got = gait_tuning.measure_commands(TUNED, TURN_COMMANDS)
+    np.testing.assert_allclose(got.yaw_rate, TURN_COMMANDS[:, 1], atol=0.25)
+    assert (got.yaw_rate * np.sign(TURN_COMMANDS[:, 1]) > 0.4 * np.abs(TURN_COMMANDS[:, 1])).all()
+    np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.12)
     assert got.clearance.min() > 0.005
 
 
@@ -92,14 +95,15 @@ def test_candidates_give_the_joint_targets_of_their_gait():
         np.testing.assert_allclose(targets(t), np.tile(preset.positions(t), (2, 1)), atol=1e-12)
 
 
-def test_candidates_at_a_yaw_rate_are_the_commanded_gait_with_their_tables():
+def test_candidates_in_a_turn_are_the_commanded_gait_with_their_tables():
     rng = np.random.default_rng(0)
     candidates = {speed: rng.uniform(-0.3, 0.3, (3, 2, 5)).round(4) for speed in (0.1, 0.2, 0.4)}
     gait = gait_tuning.commanded_gait(candidates, 12.0, 0.8)
     assert gait.speeds == (0.1, 0.2, 0.4)
-    yaw_rates = np.array([-0.6, 0.0, 0.5])
-    targets = gait_tuning.gait_targets(np.array([candidates[0.2]] * 3), yaw_rates, 12.0, LEG_PHASES["trot"])
-    commands = np.column_stack([np.full(3, 0.2), yaw_rates])
+    # The size of a turn is the root of the yaw rate times the largest, 0.8 rad/s.
+    sizes = np.array([-0.6, 0.0, 0.4])
+    targets = gait_tuning.gait_targets(np.array([candidates[0.2]] * 3), sizes, 12.0, LEG_PHASES["trot"])
+    commands = np.column_stack([np.full(3, 0.2), [-0.45, 0.0, 0.2]])
     for t in (0.0, 0.13, 1.7):
         np.testing.assert_allclose(targets(t), gait.positions(np.full(3, 12.0 * t), commands), atol=1e-12)
 

@@ -24,7 +24,7 @@ def task_of(config):
 
 def test_flat_is_the_default(asked):
     assert asked() == asked("--recipe", "flat")
-    assert dataclasses.replace(asked(), task={}) == TrainConfig()
+    assert dataclasses.replace(asked(), task={}, asymmetric_critic=False) == TrainConfig()
 
 
 @pytest.mark.parametrize("name", RECIPES)
@@ -53,6 +53,8 @@ def test_recipes_are_what_their_names_say(asked):
     assert fast.command.yaw_rate[1] > default.yaw_rate[1]
     assert isinstance(fast.clock_frequency, CommandedFrequency)
     assert robust.clock_frequency == rough.clock_frequency == 2.6
+    critics = {name: asked("--recipe", name).asymmetric_critic for name in RECIPES}
+    assert critics == {"flat": True, "robust": True, "rough": True, "fast": False}
 
 
 def test_options_change_the_recipe(asked):

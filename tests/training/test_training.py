@@ -41,7 +41,8 @@ def test_run_records_its_settings_and_versions(tiny_run):
     training = dict(document["training"])
     assert training["hidden"] == list(TrainConfig().hidden)
     recipe = {"randomization": {"friction": [0.6, 1.0]}}
-    expected = TrainConfig(timesteps=2048, num_envs=16, n_steps=16, batch_size=64, task=recipe)
+    sizes = {"timesteps": 2048, "num_envs": 16, "n_steps": 16, "batch_size": 64}
+    expected = TrainConfig(**sizes, asymmetric_critic=True, task=recipe)
     assert TrainConfig(**{**training, "hidden": tuple(training["hidden"])}) == expected
     task = TaskConfig.from_dict(document["task"])
     assert dataclasses.replace(task, action=TaskConfig().action) == TaskConfig.from_dict(recipe)

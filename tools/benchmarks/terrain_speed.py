@@ -19,14 +19,11 @@ class Drive:
 
     Args:
         config: config of the task.
-        cone: friction cone of the model, one of MuJoCo's `mjtCone`.
         num_envs: number of robots.
     """
 
-    def __init__(self, config: TaskConfig, cone: int, num_envs: int) -> None:
-        model = build_model(config.physics_timestep, terrain=config.ground)
-        model.opt.cone = cone
-        simulation = BatchSimulation(model, num_envs)
+    def __init__(self, config: TaskConfig, num_envs: int) -> None:
+        simulation = BatchSimulation(build_model(config.physics_timestep, terrain=config.ground), num_envs)
         self._task = Task(simulation, config, MAX_EPISODE_STEPS)
         self._controller = CommandedGaitController()
         self._spent = 0.0
@@ -51,17 +48,15 @@ class Drive:
         return self._spent
 
 
-def ratios(num_envs: int, chunks: int) -> tuple[float, float, float]:
-    """Physics on tiles over a plane with the same friction cone, and over the default plane; time of its step, us.
+def ratios(num_envs: int, chunks: int) -> tuple[float, float]:
+    """Physics on tiles over that on the plane, and the time of a step on the plane, us.
 
     Args:
         num_envs: number of robots.
         chunks: how often the grounds take turns; the first does not count.
     """
     config = TaskConfig.from_dict({"action": {"mode": "residual"}})
-    on_tiles = config.on_terrain("tiles")
-    default, cone = build_model().opt.cone, build_model(terrain=on_tiles.ground).opt.cone
-    drives = [Drive(on_tiles, cone, num_envs), Drive(config, cone, num_envs), Drive(config, default, num_envs)]
-    tiles, same_cone, plane = np.array([[drive.seconds() for drive in drives] for _ in range(chunks + 1)])[1:].T
+    drives = [Drive(config.on_terrain("tiles"), num_envs), Drive(config, num_envs)]
+    tiles, plane = np.array([[drive.seconds() for drive in drives] for _ in range(chunks + 1)])[1:].T
     step = float(np.median(plane)) / (_STEPS * num_envs * config.decimation) * 1e6
-    return float(np.median(tiles / same_cone)), float(np.median(tiles / plane)), step
+    return float(np.median(tiles / plane)), step
