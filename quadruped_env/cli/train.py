@@ -178,7 +178,9 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
     task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
     task = changed(task, own)
     own_defaults = {"name": algo, **defaults(algo, typed.get("action_mode", TrainConfig.action_mode))}
-    return {**own_defaults, **recipe(name).training, **typed, **({"task": task} if task else {})}
+    entry = recipe(name)
+    chosen_settings = {**entry.training, **(entry.ppo if algo == TrainConfig.algo else {})}
+    return {**own_defaults, **chosen_settings, **typed, **({"task": task} if task else {})}
 
 
 def json_object(text: str) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
 from quadruped_env.training import TrainConfig, recipes
+from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.recipes import RECIPES, Recipe, task_values
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE
@@ -32,7 +33,7 @@ def test_recipes_give_valid_trainings_and_tasks(asked, name):
     config = asked("--recipe", name)
     assert config.recipe == name
     task = task_of(config)
-    for field, value in RECIPES[name].training.items():
+    for field, value in {**RECIPES[name].training, **RECIPES[name].ppo}.items():
         assert getattr(config, field) == value
     assert json.loads(json.dumps(config.task)) == json.loads(json.dumps(task_values(name, MINI_QUADRUPED))), (
         "plain values"
@@ -55,6 +56,14 @@ def test_recipes_are_what_their_names_say(asked):
     assert robust.clock_frequency == rough.clock_frequency == 2.6
     critics = {name: asked("--recipe", name).asymmetric_critic for name in RECIPES}
     assert critics == {"flat": True, "robust": True, "rough": True, "fast": False}
+
+
+def test_settings_of_ppo_are_not_those_of_another_algorithm(asked):
+    ppo, sac = asked("--recipe", "robust"), asked("--recipe", "robust", "--algo", "sac")
+    assert (ppo.timesteps, ppo.asymmetric_critic) == (sac.timesteps, sac.asymmetric_critic)
+    for name, value in RECIPES["robust"].ppo.items():
+        assert getattr(ppo, name) == value
+        assert getattr(sac, name) == {**vars(TrainConfig()), **ALGORITHMS["sac"].defaults}[name]
 
 
 def test_options_change_the_recipe(asked):
@@ -111,7 +120,7 @@ def test_run_keeps_the_recipes_values_whatever_becomes_of_it(tmp_path, monkeypat
     assert document["training"]["recipe"] == "robust"
     policy = load_policy(run)
     assert policy.card["recipe"] == "robust"
-    monkeypatch.setattr(recipes, "RECIPES", {"robust": Recipe("other", {}, {"decimation": 2}), "flat": Recipe("flat")})
+    monkeypatch.setattr(recipes, "RECIPES", {"robust": Recipe("other", task={"decimation": 2}), "flat": Recipe("flat")})
     parent = Parent.load(run)
     again = parent.resumed({"recipe": "robust"})
     assert TaskConfig.from_dict(again.task).randomization == RandomizationConfig(preset="moderate")
