@@ -31,7 +31,7 @@ TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
 CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
-SHIPPED: Final = ("flat", "robust", "rough")
+SHIPPED: Final = ("flat",)
 
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
 
