@@ -18,9 +18,11 @@ from typing import Final, NamedTuple
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+
+# isort: split
 import numpy as np
 
-import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env._python import pasteable
 from quadruped_env.control import CommandedGaitController, Controller
 from quadruped_env.errors import MissingExtraError

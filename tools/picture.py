@@ -4,11 +4,13 @@ import argparse
 import sys
 from pathlib import Path
 
-import numpy as np
-
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
+
+# isort: split
+import numpy as np
+
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.control.clock import frequency_at

@@ -33,7 +33,7 @@ WARM_UP: Final = 1.0
 SECONDS: Final = 3.0
 CLEARANCE: Final = 0.015
 """Height that every sole must have in the middle of its swing, m."""
-HOP: Final = 0.035
+HIGH_STEP: Final = 0.035
 """Height in the middle of its swing that no sole needs, m."""
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
@@ -71,6 +71,8 @@ class Achieved:
     """Touchdowns per stride, mean over the feet"""
     clearance: NDArray[np.float64]
     """Height of the soles in the middle of their swings, mean of the foot that is lifted least, m"""
+    highest: NDArray[np.float64]
+    """The same of the foot that is lifted most, m"""
     fallen: NDArray[np.bool_]
 
 
@@ -118,8 +120,9 @@ def measure(
             swings += sine > _MIDDLE
     vx, wz, vy, tilt, power, slip, lift, clock, landings = sums / steps
     touchdowns = landings / CONTROL_TIMESTEP * 2.0 * np.pi / angular_frequency
-    clearance = (height_in_swing / swings).min(axis=1) - ROBOT.foot_radius
-    return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, touchdowns, clearance, fallen)
+    lifted = height_in_swing / swings - ROBOT.foot_radius
+    lifts = lifted.min(axis=1), lifted.max(axis=1)
+    return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, touchdowns, *lifts, fallen)
 
 
 # A candidate is an array (3, 2, 5): the straight gait, what a turn of size 1 rad/s adds on both sides, and what it adds
@@ -268,9 +271,9 @@ def search(
                 + 5.0 * got.clock
                 + 2.0 * got.lift
                 - 3.0 * np.maximum(0.0, got.touchdowns - 1.0)
-                - 300.0 * np.maximum(0.0, CLEARANCE - got.clearance)
-                # A robot that hops is fast, and falls.
-                - 100.0 * np.maximum(0.0, got.clearance - HOP)
+                - 600.0 * np.maximum(0.0, CLEARANCE - got.clearance)
+                # High steps are fast and clean, and a robot that hops falls.
+                - 100.0 * np.maximum(0.0, got.highest - HIGH_STEP)
                 - 10.0 * got.fallen
             )
             .reshape(len(yaw_rates), CANDIDATES)

@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 from renamed_robot import ROBOT
+from settings import CLOCK_FREQUENCY
 
 from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.main import main
@@ -41,7 +42,6 @@ from quadruped_env.task import TaskConfig
 CONFIG = TaskConfig().for_robot(ROBOT)
 LABELS = [name.removesuffix("_joint").replace("_", " ") for name in ROBOT.joint_names]
 COMMANDS = ((0.3, 0.0), (0.0, 0.4))
-FREQUENCY = 2.2
 """Stride frequency of the tuned gait, Hz"""
 
 
@@ -142,7 +142,7 @@ class TestMetrics:
         for kind in ("electrical", "mechanical"):
             expected = values[f"{kind}_power"] / (ROBOT.total_mass * GRAVITY * np.abs(values["forward_velocity"]))
             np.testing.assert_allclose(values[f"{kind}_cost_of_transport"][:2], expected[:2])
-        np.testing.assert_allclose(values["stride_frequency"][:2], FREQUENCY, rtol=0.05)
+        np.testing.assert_allclose(values["stride_frequency"][:2], CLOCK_FREQUENCY, rtol=0.05)
 
     def test_limits_are_those_of_the_robot(self):
         assert METRICS["peak_torque"].limit_of(ROBOT) == 14.0

@@ -217,7 +217,7 @@ def test_episodes_are_reported_with_their_length_and_return(run):
         for start, end in itertools.pairwise([0, *ends]):
             episode = run.episodes[end - 1][i]
             assert episode["l"] == end - start
-            assert episode["r"] == pytest.approx(rewards[start:end, i].sum(), rel=1e-5)
+            assert episode["r"] == pytest.approx(rewards[start:end, i].sum(), rel=1e-5, abs=1e-6)
             lengths.add(end - start)
         assert sum(step[i] is not None for step in run.episodes) == len(ends)
     assert len(lengths) > 1

@@ -54,7 +54,7 @@ def test_reset_zeroes_the_clock_and_puts_every_robot_at_the_start(control):
     controller.set_command(0.5, 0.3)
     for _ in range(10):
         controller.advance(0.1)
-    assert now(controller).base_pose[0] > 0.2
+    assert now(controller).base_pose[0] > 0.1
     controller.reset()
     view = controller.view()
     assert view.time == 0.0
