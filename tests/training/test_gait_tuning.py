@@ -9,7 +9,7 @@ from built_in import STANCE, VELOCITY_LIMIT
 from quadruped_env import CommandedGait, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES
 from quadruped_env.simulation import BatchSimulation, build_model
-from quadruped_env.training import gait_tuning
+from quadruped_env.training import gait_trial, gait_tuning
 
 TUNED = CommandedGait.tuned()
 TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds if speed != 0.0])
@@ -112,7 +112,7 @@ def test_candidates_in_a_turn_are_the_commanded_gait_with_their_tables():
 def small_search(monkeypatch):
     monkeypatch.setattr(gait_tuning, "CANDIDATES", 30)
     monkeypatch.setattr(gait_tuning, "ELITE", 6)
-    monkeypatch.setattr(gait_tuning, "SECONDS", 2.0)
+    monkeypatch.setattr(gait_trial, "SECONDS", 2.0)
 
 
 def test_search_improves_the_straight_gait_and_stays_within_the_motors_speed(small_search):
