@@ -70,7 +70,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "",
             "ActorCriticPolicy",
             _ON_POLICY | {"batch_size"},
-            MappingProxyType({**_SHORT, "batch_size": 1024}),
+            MappingProxyType({**_SHORT, "batch_size": 1024, "learning_rate": 1e-3}),
         ),
         "sac": _off_policy("stable_baselines3.sac", "SAC", "stable_baselines3.sac.policies", "SACPolicy", "tau"),
         "td3": _off_policy(
