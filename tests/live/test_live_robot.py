@@ -27,6 +27,9 @@ from quadruped_env.viewer import ViewController
 
 pytest.importorskip("cyclonedds")
 
+SPREAD = 0.06
+"""Between starts, m/s: the policy cannot measure its velocity."""
+
 
 @pytest.fixture(scope="module")
 def in_environment():
@@ -39,7 +42,7 @@ def test_live_controller_walks_as_fast_as_in_the_environment(velocity):
     loop = Loop()
     loop.run(3.0)
     speeds, _ = loop.run(20.0, (velocity, 0.0))
-    assert np.mean(speeds[800:]) == pytest.approx(speed_in_environment("flat", velocity), abs=0.02)
+    assert np.mean(speeds[800:]) == pytest.approx(speed_in_environment("flat", velocity), abs=SPREAD)
 
 
 def test_live_controller_walks_turns_and_stands(in_environment):
@@ -47,7 +50,7 @@ def test_live_controller_walks_turns_and_stands(in_environment):
     loop.run(3.0)
     assert loop.live_controller.mode is Mode.WALKING
     speeds, upright = loop.run(6.0, (0.5, 0.0))
-    assert np.mean(speeds[400:]) == pytest.approx(in_environment, abs=0.02)
+    assert np.mean(speeds[400:]) == pytest.approx(in_environment, abs=SPREAD)
     assert upright.min() > 0.95
     before = loop.robot.state.orientation[0].copy()
     loop.run(2.0, (0.0, 0.6))
@@ -64,7 +67,7 @@ def test_live_controller_stops_while_states_are_missing_and_walks_again(silence,
     assert loop.robot.limp == (silence > 1.0)
     assert (loop.live_controller.mode is Mode.WALKING) == (silence < 0.2)
     speeds, after = loop.run(12.0, (0.5, 0.0))
-    assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=0.02)
+    assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=SPREAD)
     assert min(during.min(), after.min()) > 0.75, "it fell"
 
 
@@ -80,7 +83,7 @@ def test_watchdog_without_commands_makes_the_robot_limp_and_a_new_controller_get
     loop.run(8.0)
     assert loop.robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=0.02)
     speeds, _ = loop.run(5.0, (0.5, 0.0))
-    assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=0.02)
+    assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=SPREAD)
 
 
 def test_live_controller_with_a_scripted_gait_walks():

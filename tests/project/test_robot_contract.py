@@ -29,7 +29,7 @@ ENTRY_POINTS = {
     "simulation/single.py": "default of a public class",
     "task/definition.py": "robot of the built-in task",
     "task/presets.py": "the robot for which the presets' ranges are",
-    "training/gait_tuning.py": "the robot whose gaits are searched",
+    "training/gait_trial.py": "the robot whose gaits are searched",
     "trajectory/joint_trajectory.py": "default of public methods",
     "trajectory/saving.py": "default of public options",
     "viewer/controller.py": "default of a public class",
