@@ -94,7 +94,7 @@ def test_colcon_installs_what_the_launch_files_use(workspace, ros2, sourced):
     share = Path(answer.stdout.strip())
     assert share.is_relative_to(workspace / "install")
     state, node, rviz = launch_files.started(share / "launch" / "display.launch.py", share)
-    assert '<robot name="mini_quadruped">' in state.parameters["robot_description"]
+    assert 'name="mini_quadruped"' in state.parameters["robot_description"]
     assert Path(rviz.arguments[rviz.arguments.index("-d") + 1]).is_file()
     package, executable = node.executable.split("/")
     assert os.access(share.parents[1] / "lib" / package / executable, os.X_OK)

@@ -101,7 +101,7 @@ def test_invalid_arguments_are_refused(arguments, message):
 @pytest.mark.slow
 def test_a_small_study_runs_to_its_end(tmp_path):
     shares = []
-    study = timestep_study.run_study(["walk"], starts=2, seconds=3.0, progress=lambda label: shares.append)
+    study = timestep_study.run_study(["tuned"], starts=2, seconds=3.0, progress=lambda label: shares.append)
     assert [outcome.setting for outcome in study.outcomes].count(CHOSEN) == 1
     assert shares[-1] == pytest.approx(1.0)
     study.save(tmp_path / "deep" / "study.json")

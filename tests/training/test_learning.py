@@ -7,7 +7,8 @@ from settings import settings
 
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig, ppo
+from quadruped_env.training import ppo
+from quadruped_env.training.config import TrainConfig, defaults
 
 SPEED = 0.4
 TASK = settings(forward_velocity=(0.3, 0.5), shares=(0.0, 1.0))
@@ -29,7 +30,9 @@ def evaluate(act):
 
 @pytest.mark.slow
 def test_ppo_with_a_small_budget_learns_to_walk_forward(tmp_path):
-    config = TrainConfig(action_mode="position", hidden=(32, 32), task=TASK, seed=0, **BUDGET)
+    config = TrainConfig(
+        action_mode="position", hidden=(32, 32), task=TASK, seed=0, **defaults("ppo", "position") | BUDGET
+    )
     directory, finished = ppo.train(config, tmp_path, "a test")
     assert finished
     # A fresh policy does what the zero action does, and stands: 3.0 per second at 0.00 m/s.

@@ -33,7 +33,7 @@ TOLERANCE: Final = 0.03
 TIMESTEPS: Final = (0.010, 0.005, 0.004, 0.0025, 0.002, 0.001)
 """Physics time steps, s."""
 ROBOT: Final = MINI_QUADRUPED
-ITERATIONS: Final = ((2, 4), (4, 8), (10, 20), (100, 50))
+ITERATIONS: Final = ((4, 8), (10, 20), (100, 50))
 """Newton iterations, and line search iterations in each."""
 CONVERGED: Final = ITERATIONS[-1]
 CONES: Final = ("pyramidal", "elliptic")
