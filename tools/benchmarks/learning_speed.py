@@ -1,8 +1,8 @@
 """Learning speed: wall-clock time from the start of learning until the policy walks.
 
 A policy walks if, with a command of 0.5 m/s straight ahead, deterministic actions and 64 episodes of 10 s that differ
-in their starts alone, it falls at most twice, its mean forward speed is within 0.05 m/s of the command, and the mean over
-episodes of the absolute mean yaw rate is at most 0.1 rad/s. The time of these tests is not counted.
+in their starts alone, it falls at most twice, its mean forward speed is within 0.05 m/s of the command, and the mean
+over episodes of the absolute mean yaw rate is at most 0.1 rad/s. The time of these tests is not counted.
 """
 
 import time
