@@ -54,10 +54,6 @@ class Namespace(Protocol):
         """Sum of x * y over the last axis, in one call."""
         ...
 
-    def reverse(self, x: Any, /) -> Any:
-        """Elements in reverse order along the last axis."""
-        ...
-
     def number(self, mask: Any, /) -> Any:
         """1.0 where true, else 0.0."""
         ...
@@ -88,10 +84,6 @@ class _NumPy:
     @staticmethod
     def any(x: Any, /) -> Any:
         return np.logical_or.reduce(x, -1)
-
-    @staticmethod
-    def reverse(x: Any, /) -> Any:
-        return x[..., ::-1]
 
     @staticmethod
     def number(mask: Any, /) -> Any:

@@ -15,6 +15,8 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 Call = tuple[Callable[..., Any], tuple[Any, ...]]
+Operation = tuple[Any, ...]
+"""Name, method and inputs of an operation, each input as `_location` describes it."""
 
 _NO_POSITIONAL_RESULT: Final = (np.maximum, np.minimum)
 """Ufuncs for which NumPy deprecates the result as a positional argument, which is otherwise faster than a keyword."""
@@ -25,12 +27,14 @@ class NotCapturableError(TypeError):
 
 
 class Capture:
-    """Recorded operations, which `repeat` carries out in their order."""
+    """Recorded operations, which `repeat` carries out in their order. An operation that recurs is recorded once."""
 
     def __init__(self) -> None:
         self._calls: list[Call] = []
         self._last: tuple[Callable[..., Any], tuple[Any, ...], NDArray[Any]] | None = None
         """The last operation, its arguments, and its result if this is a new array."""
+        self._results: dict[Operation, NDArray[Any]] = {}
+        """Results of the operations recorded so far, until something else is written there or into their inputs."""
 
     def repeat(self) -> None:
         """Compute the results of all recorded functions again, from the current values of their arrays."""
@@ -46,12 +50,13 @@ class Capture:
         Raises:
             NotCapturableError: if the function is not pure; in that case nothing is recorded.
         """
-        kept = len(self._calls)
+        kept, results = len(self._calls), self._results.copy()
         self._last = None
         try:
             return self._array(function(*arguments))
         except (AttributeError, TypeError, ValueError) as error:
             del self._calls[kept:]
+            self._results = results
             raise NotCapturableError(f"{function} cannot be captured: {error}") from error
 
     def record_into(self, to: NDArray[Any], function: Callable[..., Any], *arguments: Any) -> None:
@@ -65,6 +70,7 @@ class Capture:
         if alike and self._last is not None and self._last[2] is result:
             ufunc, inputs, _ = self._last
             self._calls[-1] = _call(ufunc, inputs, to)
+            self._overwritten(result)
         else:
             self._calls.append((np.copyto, (to, result)))
 
@@ -89,21 +95,45 @@ class Capture:
         arrays = [np.array(x) if isinstance(x, float) else self._array(x) for x in inputs]
         function: Callable[..., Any] = ufunc
         arguments: tuple[Any, ...] = tuple(arrays)
+        if "out" in options:
+            result = ufunc(*arrays, out=self._array(options["out"][0]))
+            self._calls.append(_call(function, arguments, result))
+            self._last = None
+            self._overwritten(result)
+            return _StandIn(self, result)
+        operation = (ufunc.__name__, method, options.get("axis"), *map(_location, inputs, arrays))
+        known = self._results.get(operation)
+        if known is not None:
+            self._last = None
+            return _StandIn(self, known)
         if method == "reduce":
             function, arguments = ufunc.reduce, (arrays[0], options["axis"], None)
             result = ufunc.reduce(arrays[0], options["axis"])
         else:
-            result = ufunc(*arrays, out=self._array(options["out"][0]) if "out" in options else None)
+            result = ufunc(*arrays)
         self._calls.append(_call(function, arguments, result))
-        self._last = None if "out" in options else (function, arguments, result)
+        self._last = function, arguments, result
+        self._results[operation] = result
         return _StandIn(self, result)
 
     def copied(self, array: NDArray[Any], dtype: DTypeLike) -> "_StandIn":
         """Record a conversion of an array to another type."""
-        result = array.astype(dtype)
-        self._calls.append((np.copyto, (result, array)))
         self._last = None
-        return _StandIn(self, result)
+        operation = ("astype", np.dtype(dtype).str, _location(array, array))
+        if operation not in self._results:
+            self._results[operation] = array.astype(dtype)
+            self._calls.append((np.copyto, (self._results[operation], array)))
+        return _StandIn(self, self._results[operation])
+
+    def _overwritten(self, array: NDArray[Any]) -> None:
+        """Forget the operations with an array as their result or one of their inputs."""
+        low, high = np.lib.array_utils.byte_bounds(array)
+
+        def apart(operation: Operation, result: NDArray[Any]) -> bool:
+            inputs = [part[:2] for part in operation if isinstance(part, tuple)]
+            return all(end <= low or start >= high for start, end in (*inputs, np.lib.array_utils.byte_bounds(result)))
+
+        self._results = {operation: result for operation, result in self._results.items() if apart(operation, result)}
 
     def _array(self, value: Any) -> NDArray[Any]:
         if isinstance(value, _StandIn):
@@ -111,6 +141,13 @@ class Capture:
         if isinstance(value, np.ndarray):
             return value
         raise NotCapturableError(f"{type(value).__name__} in place of an array")
+
+
+def _location(value: Any, array: NDArray[Any]) -> Any:
+    """What identifies an input: a number itself, or where an array begins and ends, and how it lies there."""
+    if isinstance(value, float):
+        return value
+    return (*np.lib.array_utils.byte_bounds(array), array.shape, array.strides, array.ctypes.data, array.dtype.str)
 
 
 def _call(function: Callable[..., Any], arguments: tuple[Any, ...], result: NDArray[Any]) -> Call:

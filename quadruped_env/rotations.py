@@ -29,15 +29,13 @@ def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
     """
     half = 0.5 * np.asarray(angles, dtype=np.float64)
     (cr, cp, cy), (sr, sp, sy) = _components(np.cos(half)), _components(np.sin(half))
-    return np.stack(
-        [
-            cr * cp * cy + sr * sp * sy,
-            sr * cp * cy - cr * sp * sy,
-            cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy,
-        ],
-        axis=-1,
-    )
+    cc, cs, sc, ss = cr * cp, cr * sp, sr * cp, sr * sp
+    quaternions = np.empty((*half.shape[:-1], 4))
+    quaternions[..., 0] = cc * cy + ss * sy
+    quaternions[..., 1] = sc * cy - cs * sy
+    quaternions[..., 2] = cs * cy + sc * sy
+    quaternions[..., 3] = cc * sy - ss * cy
+    return quaternions
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> Floats:

@@ -102,12 +102,12 @@ class ControlInterface:
         self.__dict__.update(state)
         self.command = self.commands[:, :VELOCITY]
 
-    def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0) -> None:
-        """Reset some envs (R,): zero actions and commands, and the gait clock at a phase (R,) in rad."""
+    def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0, command: Floats | None = None) -> None:
+        """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero."""
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
-        # Clock and scripted gait of the zero command, too.
-        self.set_command(env_ids, np.zeros((len(env_ids), VELOCITY)))
+        # Also for zero: clock and scripted gait follow the command.
+        self.set_command(env_ids, np.zeros((len(env_ids), VELOCITY)) if command is None else command)
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""

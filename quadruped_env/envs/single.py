@@ -165,7 +165,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.task.reset(_ENV_IDS, command=command)
         if self.render_mode == "human":
             self.render()
-        return self.task.observe()[0], spaces.readings(self.task, 0)
+        return self.task.observe()[0], self._readings()
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step."""
@@ -175,7 +175,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
                 f"action: expected shape {self.action_space.shape}, one value per joint; found {action.shape}"
             )
         transition = self.task.step(action[None])
-        info: dict[str, Any] = spaces.readings(self.task, 0)
+        info: dict[str, Any] = self._readings()
         # A 0-d array: from a NumPy bool, Gymnasium's vector environments would create an array of objects.
         info["diverged"] = transition.diverged.reshape(())
         info.update(zip(self.task.reward_keys, transition.terms[0], strict=True))
@@ -183,6 +183,10 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
             self.render()
         terminated = bool(transition.terminated[0])
         return transition.observation[0], float(transition.reward[0]), terminated, False, info
+
+    def _readings(self) -> dict[str, NDArray[Any]]:
+        state = spaces.state(self.task)
+        return spaces.readings(self.task, {name: values[0].copy() for name, values in state.items()})
 
     def render(self) -> NDArray[np.uint8] | None:
         """Image (height, width, 3) in `rgb_array` mode; updates the window in `human` mode."""

@@ -161,7 +161,6 @@ def roll_out(
         raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     robot = config.robot
     recorder = Recorder(Rollout, robot, steps, np.float32)
-    sole = np.array([-robot.foot_radius, robot.foot_radius])
     alive = np.ones(len(command), dtype=np.bool_)
     commanded = np.broadcast_to(command, (steps, *command.shape))
     if before_step is not None:
@@ -172,7 +171,7 @@ def roll_out(
             commanded[recorder.written :] = task.command
         alive &= ~transition.terminated
         readings, contact = task.simulation.readings, task.context.foot_contact
-        slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, sole)
+        slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, robot.foot_radius)
         recorder.write(
             readings,
             valid=alive,

@@ -41,6 +41,7 @@ class BatchSimulation:
         self._num_threads = num_threads
         # Persistent: the next step reuses the stages that the last one has computed.
         self.batch = Batch(model, num_envs, num_threads, persistent=True)
+        self._initial = self.batch.state[0].copy()
         self.sensordata = self.batch.bind("sensordata")
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
         self._qpos = self.batch.bind("qpos")
@@ -52,7 +53,7 @@ class BatchSimulation:
         self._warnings = self.batch.warning[:, DIVERGENCE_WARNINGS, _WARNING_COUNT]
         self._failed = np.zeros(num_envs, dtype=np.bool_)
         self._varied_fields: set[str] = set()
-        self._force_columns = force_columns(model)
+        self._force_columns = np.flatnonzero(force_columns(model))
         self.sensor_columns = sensor_columns(model, robot)
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
@@ -75,7 +76,7 @@ class BatchSimulation:
             history = self._history[env_ids]
             fill_command_history(self.model, history, qpos[:, 7:])
             self._history[env_ids] = history
-        if not all((np.abs(start) <= mujoco.mjMAXVAL).all() for start in (qpos, qvel)):
+        if not all(np.abs(start).max() <= mujoco.mjMAXVAL for start in (qpos, qvel)):
             self.batch.forward(env_ids, stage=SETTLED)  # reports and replaces a bad start; the next line does not
         self.batch.forward(env_ids)
 
@@ -83,20 +84,25 @@ class BatchSimulation:
         """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
         if self._varied_fields:
             self.batch.set_const(env_ids)
-        self.batch.reset(env_ids, stage=mujoco.mjtStage.mjSTAGE_NONE)
+        # All that the batch's `reset` does if a `forward` follows, in a tenth of the time.
+        self.batch.state[env_ids] = self._initial
+        self.batch.warning[env_ids] = 0
         self._failed[env_ids] = False
 
     def diverged(self) -> NDArray[np.bool_]:
         """See `Simulation.diverged`."""
+        if not np.count_nonzero(self._warnings):
+            return self._failed.copy()
         return self._warnings.any(axis=1) | self._failed
 
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""
         self._qvel[env_ids, :3] += velocity
-        before = self.sensordata[env_ids]
+        forces = env_ids[:, None], self._force_columns
+        before = self.sensordata[forces]
         self.batch.forward(env_ids, stage=SETTLED)
         # For an env whose state was just set, the batch still holds the forces of the state before.
-        self._write_readings(env_ids, np.where(self._force_columns, before, self.sensordata[env_ids]))
+        self._write_readings(forces, before)
 
     def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
         """See `Simulation.set_force`."""
@@ -148,10 +154,10 @@ class BatchSimulation:
         self._write_readings(env_ids, readings)
         self._failed[env_ids] = diverged
 
-    def _write_readings(self, env_ids: NDArray[np.intp], readings: NDArray[np.float64]) -> None:
+    def _write_readings(self, at: Any, readings: NDArray[np.float64]) -> None:
         # The batch makes its outputs read-only, as the next call overwrites them; these values are valid until then.
         self.sensordata.flags.writeable = True
-        self.sensordata[env_ids] = readings
+        self.sensordata[at] = readings
         self.sensordata.flags.writeable = False
 
     def __getstate__(self) -> dict[str, Any]:

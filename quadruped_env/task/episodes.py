@@ -133,12 +133,13 @@ class Randomizer:
         units = {r.name: r.unit for r in starting}
         check_physical(fields, self._simulation, units.__getitem__)
 
-    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None) -> Floats:
+    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> Floats:
         """Set some envs (R,) to random initial states, and return their commands (R, C).
 
         Args:
             env_ids: indices of the envs.
             place: position (R, 2) of each start, m; None: the origin.
+            command: commands (R, C); None: random.
         """
         draws = self._draws.uniform(self._at_start, env_ids, np.zeros(len(env_ids), dtype=np.int64))
         control, robot = self._control, self._control.robot
@@ -168,12 +169,14 @@ class Randomizer:
         if self.sensors is not None:
             self.sensors.after_start(env_ids)
         self.memory.clear(env_ids)
-        control.reset(env_ids, math.tau * draws[:, self._at_start.slices["phase"].start])
         for entry in self._recurring:
             column = self._at_start.slices[f"{entry.name}/interval"].start
             entry.due[env_ids] = self._in_steps(between(entry.interval, draws[:, column]))
-        command, seconds = self._commands.sample(draws[:, self._command_columns])
+        sampled, seconds = self._commands.sample(draws[:, self._command_columns])
         self.command_due[env_ids] = self._in_steps(seconds)
+        if command is None:
+            command = sampled
+        control.reset(env_ids, math.tau * draws[:, self._at_start.slices["phase"].start], command)
         return command
 
     def next_command(self, env_ids: EnvIds) -> Floats:

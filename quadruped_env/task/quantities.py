@@ -91,7 +91,7 @@ def electrical_power(torque: Any, velocity: Any, joule_coefficient: Any, xp: Nam
     return mechanical_power(torque, velocity, xp) + heat
 
 
-def sliding_squared(foot_velocity: Any, foot_angular_velocity: Any, sole: Any, xp: Namespace = NUMPY) -> Any:
+def sliding_squared(foot_velocity: Any, foot_angular_velocity: Any, radius: Any) -> Any:
     """Squared horizontal velocity of each foot's lowest point (N, L), m^2/s^2.
 
     The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r).
@@ -99,8 +99,8 @@ def sliding_squared(foot_velocity: Any, foot_angular_velocity: Any, sole: Any, x
     Args:
         foot_velocity: velocity of the ball's centre (N, L, 3), m/s.
         foot_angular_velocity: angular velocity of the foot (N, L, 3), rad/s.
-        sole: (-r, r), the factors from angular velocity about (y, x) to velocity along (x, y), m.
-        xp: array functions.
+        radius: r, m.
     """
-    sliding = foot_velocity[..., :2] + xp.reverse(foot_angular_velocity[..., :2]) * sole
-    return xp.dot(sliding, sliding)
+    along_x = foot_velocity[..., 0] - foot_angular_velocity[..., 1] * radius
+    along_y = foot_velocity[..., 1] + foot_angular_velocity[..., 0] * radius
+    return along_x * along_x + along_y * along_y

@@ -152,15 +152,12 @@ class foot_slip:  # noqa: N801
     """Sum over the feet on the ground of the squared velocity of the sole's lowest point."""
 
     def __init__(self, context: TaskContext) -> None:
-        radius = context.robot.foot_radius
-        self._sole = context.xp.constant([[[-radius, radius]] * context.robot.num_legs])
+        self._radius = context.xp.constant(context.robot.foot_radius)
 
     def __call__(self, context: TaskContext) -> Any:
         """Values (N,)."""
         readings = context.readings
-        sliding = quantities.sliding_squared(
-            readings.foot_velocity, readings.foot_angular_velocity, self._sole, context.xp
-        )
+        sliding = quantities.sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, self._radius)
         return context.xp.dot(sliding, context.contact)
 
 

@@ -22,7 +22,6 @@ SECONDS: Final = 3.0
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
 """Time over which a candidate's amplitude grows from the stance, s."""
-_SOLE: Final = np.array([-ROBOT.foot_radius, ROBOT.foot_radius])
 _MIDDLE: Final = 0.8
 """Threshold of the clock's sine above which a foot is in the middle of its swing."""
 
@@ -90,7 +89,7 @@ def measure(
             sums[3] += (state.up_b[:, :2] ** 2).sum(axis=1)
             sums[4] += mechanical_power(state.joint_torque, state.joint_velocity)
             before, contact = contact, state.foot_force > 1.0
-            sliding = sliding_squared(state.foot_velocity, state.foot_angular_velocity, _SOLE)
+            sliding = sliding_squared(state.foot_velocity, state.foot_angular_velocity, ROBOT.foot_radius)
             sums[5] += (sliding * contact).sum(axis=1)
             height = state.foot_position[..., 2]
             sine = np.sin(angular_frequency * t + phases)

@@ -11,9 +11,9 @@ from quadruped_env.task import TaskConfig, quantities
 def test_slip_speed_is_that_of_the_lowest_point_of_each_foot_on_the_ground(monkeypatch):
     read = []
 
-    def sliding_squared(velocity, angular_velocity, sole):
+    def sliding_squared(velocity, angular_velocity, radius):
         read.append((velocity.copy(), angular_velocity.copy()))
-        return quantities.sliding_squared(velocity, angular_velocity, sole)
+        return quantities.sliding_squared(velocity, angular_velocity, radius)
 
     monkeypatch.setattr(rollout, "sliding_squared", sliding_squared)
     walked = rollout.roll_out(CommandedGaitController(), [(0.3, 0.2)], [rollout.FIRST_SEED], 1.0)

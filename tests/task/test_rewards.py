@@ -93,8 +93,7 @@ def test_sliding_is_that_of_each_foots_lowest_point():
     velocity[3, 1, 1], spin[3, 1, 0] = 0.2, -0.2 / FOOT_RADIUS  # rolls sideways
     expected = np.zeros((4, 4))
     expected[0, 0], expected[1, 2] = 0.25, 25.0
-    sole = np.array([-FOOT_RADIUS, FOOT_RADIUS])
-    np.testing.assert_allclose(quantities.sliding_squared(velocity, spin, sole), expected, atol=1e-12)
+    np.testing.assert_allclose(quantities.sliding_squared(velocity, spin, FOOT_RADIUS), expected, atol=1e-12)
 
 
 def still_readings(**changes):
