@@ -105,6 +105,63 @@ def test_result_that_a_function_writes_to_one_of_its_arrays_is_in_both_arrays():
     np.testing.assert_array_equal(total, a)
 
 
+def test_operation_that_recurs_is_recorded_once():
+    a = np.ones((4, 3))
+    capture, results = Capture(), np.empty((2, 4, 3))
+    functions = (lambda x: np.sin(x * 2.0) + 1.0, lambda x: np.sin(x * 2.0) * (x > 0.5).astype(np.float64))
+    for function, result in zip(functions, results, strict=True):
+        capture.record_into(result, function, capture.stand_in(a))
+    assert [getattr(call, "__name__", "") for call, _ in capture._calls].count("sin") == 1
+    a[:] = np.random.default_rng(0).standard_normal(a.shape)
+    capture.repeat()
+    for function, result in zip(functions, results, strict=True):
+        assert_same_bits(result, function(a))
+
+
+RECURRING = {
+    "other view of one array": (lambda a: a[:, :2] * 2.0, lambda a: a[:, 1:] * 2.0),
+    "other number": (lambda a: a * 2.0, lambda a: a * 3.0),
+    "other axis": (lambda a: np.add.reduce(a, 0), lambda a: np.add.reduce(a, 1)),
+    "other order": (lambda a: a - 2.0, lambda a: 2.0 - a),
+    "last operation": (lambda a: a * 2.0, lambda a: a * 2.0),
+    "last operation, then its input": (lambda a: a * 2.0, lambda a: np.sin(a * 2.0)),
+    "input, then last operation": (lambda a: np.sin(a * 2.0), lambda a: a * 2.0),
+    "result that is changed in place": (lambda a: _doubled(a + 1.0), lambda a: np.sin(a + 1.0)),
+    "array that is changed in place": (lambda a: np.sin(a + 1.0), lambda a: _doubled(a + 1.0) * np.sin(a + 1.0)),
+    "result that is overwritten": (lambda a: np.sin(a, a * 2.0), lambda a: np.cos(a * 2.0)),
+    "comparison and its conversion": (lambda a: (a > 0.0).astype(np.float64), lambda a: (a > 0.0).astype(np.int64)),
+}
+
+
+@pytest.mark.parametrize("functions", RECURRING.values(), ids=RECURRING)
+@pytest.mark.parametrize("contiguous", [True, False])
+def test_recurring_operations_give_the_results_of_calls(functions, contiguous):
+    rng = np.random.default_rng(0)
+    a = rng.standard_normal((3, 3))
+    results = [np.full((*np.shape(f(a)), 2), np.nan)[..., 0] for f in functions]
+    if contiguous:
+        results = [np.ascontiguousarray(result) for result in results]
+    capture = Capture()
+    for function, result in zip(functions, results, strict=True):
+        capture.record_into(result, function, capture.stand_in(a))
+    for _ in range(3):
+        a[:] = rng.standard_normal(a.shape)
+        capture.repeat()
+        for function, result in zip(functions, results, strict=True):
+            np.testing.assert_array_equal(result, function(a))
+
+
+def test_operation_of_a_refused_function_is_not_taken_for_recorded():
+    a, result = np.ones((2, 3)), np.empty((2, 3))
+    capture = Capture()
+    with pytest.raises(NotCapturableError):
+        capture.record(lambda x: (x * 2.0).clip(0.0), capture.stand_in(a))
+    capture.record_into(result, lambda x: np.sin(x * 2.0), capture.stand_in(a))
+    a[:] = 3.0
+    capture.repeat()
+    np.testing.assert_array_equal(result, np.sin(a * 2.0))
+
+
 def test_functions_that_cannot_be_captured_are_called_at_every_update():
     a, calls = np.ones((2, 3)), []
 

@@ -86,7 +86,8 @@ class ControlInterface:
         self._low, self._high = robot.joint_position_low[None], robot.joint_position_high[None]
         self._scale = np.array(config.action.scale)
         self._observation_scale = self.layout.scale[None]
-        self._observation_low, self._observation_high = self.layout.low[None], self.layout.high[None]
+        self._observation_low = self.layout.low[None].astype(np.float32)
+        self._observation_high = self.layout.high[None].astype(np.float32)
         self._clock = np.zeros((num_envs, 2))
         self._raw = np.zeros((num_envs, self.layout.width))
         self._observed: Readings | None = None
@@ -192,9 +193,10 @@ class ControlInterface:
         if noise is not None:
             raw += noise
         np.multiply(raw, self._observation_scale, raw)
-        np.minimum(raw, self._observation_high, out=raw)
-        np.maximum(raw, self._observation_low, out=raw)
+        # Clipping after the conversion gives the same numbers, as rounding keeps their order, and takes half the time.
         present = raw.astype(np.float32)
+        np.minimum(present, self._observation_high, out=present)
+        np.maximum(present, self._observation_low, out=present)
         return present if self.layout.history == 1 else self._stacked(present)
 
     def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
