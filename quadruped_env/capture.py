@@ -144,7 +144,7 @@ class Capture:
 
 
 def _location(value: Any, array: NDArray[Any]) -> Any:
-    """What identifies an input: a number itself, or where an array begins and ends, and how it lies there."""
+    """A number itself, or beginning, end and layout of an array in memory: the same for the same input."""
     if isinstance(value, float):
         return value
     return (*np.lib.array_utils.byte_bounds(array), array.shape, array.strides, array.ctypes.data, array.dtype.str)
