@@ -1,68 +1,122 @@
 """Actor and critic: left/right symmetric by construction, with a critic that may see privileged readings.
 
-With one network f, the mean action is (f(x) + mirror(f(mirror(x)))) / 2, and so is the value. Learning from scratch
-takes a fraction of the samples that a free network takes (`evaluate/learning_speed.py`), and no side is preferred.
-Symmetry in learned locomotion: Mittal et al. 2024, https://arxiv.org/abs/2403.04359. A critic that sees what only the
-simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
+Every layer of a symmetric network commutes with the mirror: hidden units come in pairs, each the mirror image of the
+other, and the weights of mirror images are the same. One pass gives a mean action that mirrors with the observation,
+and a value that does not change. Learning from scratch takes a fraction of the samples that a free network takes
+(`evaluate/learning_speed.py`), and no side is preferred. Symmetry in learned locomotion: Mittal et al. 2024,
+https://arxiv.org/abs/2403.04359; equivariant perceptrons: Su et al. 2024, https://arxiv.org/abs/2403.17320. A critic
+that sees what only the simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
 """
 
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Self
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import MlpExtractor
+from torch.nn.utils.parametrize import register_parametrization
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
+from quadruped_env.errors import QuadrupedError
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
 
 
-class _Extractor(MlpExtractor):
-    """SB3's hidden layers, for an actor that sees only the first columns, and run on mirror images, too.
+@dataclass(frozen=True, eq=False)
+class Mirrored:
+    """Mirror of a layer's inputs or outputs: a permutation with signs, its own inverse."""
+
+    order: NDArray[np.intp]
+    sign: NDArray[np.float32]
+
+    @classmethod
+    def pairs(cls, width: int) -> Self:
+        """Of hidden units, of which the second half mirrors the first.
+
+        Raises:
+            QuadrupedError: if the width is odd.
+        """
+        if width % 2:
+            raise QuadrupedError(
+                f"--hidden: a symmetric network has pairs of units, so widths are even; found {width}; expected "
+                f"{width + 1}, or --no-symmetric"
+            )
+        return cls(np.roll(np.arange(width), width // 2), np.ones(width, dtype=np.float32))
+
+    @classmethod
+    def same(cls, width: int) -> Self:
+        """Of what does not change."""
+        return cls(np.arange(width), np.ones(width, dtype=np.float32))
+
+
+class _Tied(torch.nn.Module):
+    """Makes a layer's weights (out, in) or biases (out,) commute with the mirror: half the sum with their mirror image.
 
     Args:
-        actor_width: number of columns that the actor sees, of all those that the critic sees.
-        mirror: how the observation changes when the robot is mirrored; None: nothing is mirrored.
-        critic_mirror: the same for all columns.
+        outputs: mirror of the layer's outputs.
+        inputs: mirror of its inputs; None for biases.
+    """
+
+    def __init__(self, outputs: Mirrored, inputs: Mirrored | None = None) -> None:
+        super().__init__()
+        order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
+        # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
+        if inputs is not None:
+            width = len(inputs.order)
+            order = order[:, None] * width + torch.as_tensor(inputs.order)
+            sign = sign[:, None] * torch.as_tensor(inputs.sign)
+        self.register_buffer("order", order.reshape(-1), persistent=False)
+        self.register_buffer("sign", sign, persistent=False)
+
+    def forward(self, free: torch.Tensor) -> torch.Tensor:
+        """Tied values of free ones, of the same shape."""
+        return 0.5 * (free + free.flatten()[self.order].view_as(free) * self.sign)
+
+    def right_inverse(self, tied: torch.Tensor) -> torch.Tensor:
+        """Free values of given ones, which tying projects."""
+        return tied
+
+
+def _tie(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> None:
+    """Make a layer's output the mirror image when its input is."""
+    with torch.no_grad():
+        # The mean of a random weight and its mirror image is smaller than either.
+        layer.weight.mul_(np.sqrt(2.0))
+    register_parametrization(layer, "weight", _Tied(outputs, inputs), unsafe=True)
+    register_parametrization(layer, "bias", _Tied(outputs), unsafe=True)
+
+
+def _tie_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: Mirrored) -> None:
+    layers = [module for module in modules if isinstance(module, torch.nn.Linear)]
+    for layer in layers[:-1]:
+        hidden = Mirrored.pairs(layer.out_features)
+        _tie(layer, inputs, hidden)
+        inputs = hidden
+    _tie(layers[-1], inputs, outputs)
+
+
+class _Extractor(MlpExtractor):
+    """SB3's hidden layers, for an actor that sees only the first columns of those that the critic sees.
+
+    Args:
+        actor_width: number of columns that the actor sees.
         feature_dim, net_arch, activation_fn, device: of `MlpExtractor`.
     """
 
-    def __init__(
-        self,
-        actor_width: int,
-        mirror: MirrorMap | None,
-        critic_mirror: MirrorMap | None,
-        feature_dim: int,
-        **kwargs: Any,
-    ) -> None:
+    def __init__(self, actor_width: int, feature_dim: int, **kwargs: Any) -> None:
         super().__init__(actor_width, **kwargs)
         if feature_dim != actor_width:
             critic = MlpExtractor(feature_dim, **kwargs)
             self.value_net, self.latent_dim_vf = critic.value_net, critic.latent_dim_vf
         self.actor_width = actor_width
-        self.mirrored = mirror is not None
-        for name, columns in (("actor", mirror), ("critic", critic_mirror)):
-            if columns is not None:
-                self.register_buffer(f"{name}_order", torch.as_tensor(columns.observation_order), persistent=False)
-                self.register_buffer(f"{name}_sign", torch.as_tensor(columns.observation_sign), persistent=False)
 
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
-        """(N, hidden), or for a symmetric policy (2, N, hidden): of the observation and of its mirror image."""
-        seen = features[..., : self.actor_width]
-        if self.mirrored:
-            seen = torch.stack([seen, seen.index_select(-1, self.actor_order) * self.actor_sign])
-        return self.policy_net(seen)
-
-    def forward_critic(self, features: torch.Tensor) -> torch.Tensor:
-        """(N, hidden); of a symmetric policy the mean over both, which the linear layer turns into the mean value."""
-        if not self.mirrored:
-            return self.value_net(features)
-        both = torch.stack([features, features.index_select(-1, self.critic_order) * self.critic_sign])
-        return self.value_net(both).mean(0)
+        """(N, hidden), of the observation alone."""
+        return self.policy_net(features[..., : self.actor_width])
 
 
 class ActorCritic(ActorCriticPolicy):
@@ -93,23 +147,27 @@ class ActorCritic(ActorCriticPolicy):
     def _build_mlp_extractor(self) -> None:
         self.mlp_extractor = _Extractor(
             self.actor_width,
-            self.mirror,
-            self.critic_mirror,
             self.features_dim,
             net_arch=self.net_arch,
             activation_fn=self.activation_fn,
             device=self.device,
         )
-        if self.mirror is not None:
-            self.register_buffer("action_order", torch.as_tensor(self.mirror.action_order), persistent=False)
 
-    def _get_action_dist_from_latent(self, latent_pi: torch.Tensor) -> Any:
-        if self.mirror is None:
-            return super()._get_action_dist_from_latent(latent_pi)
-        one, other = self.action_net(latent_pi)
-        return self.action_dist.proba_distribution(
-            0.5 * (one + other.index_select(-1, self.action_order)), self.log_std
+    def _build(self, lr_schedule: Any) -> None:
+        super()._build(lr_schedule)
+        if self.mirror is None or self.critic_mirror is None:
+            return
+        actions = Mirrored(self.mirror.action_order, np.ones(len(self.mirror.action_order), dtype=np.float32))
+        _tie_perceptron([*self.mlp_extractor.policy_net, self.action_net], _observations(self.mirror), actions)
+        _tie_perceptron(
+            [*self.mlp_extractor.value_net, self.value_net], _observations(self.critic_mirror), Mirrored.same(1)
         )
+        # Again, because the layers have other parameters now.
+        self.optimizer = self.optimizer_class(self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs)
+
+
+def _observations(mirror: MirrorMap) -> Mirrored:
+    return Mirrored(mirror.observation_order, mirror.observation_sign)
 
 
 def mirrors(env: MiniQuadrupedSB3VecEnv) -> tuple[MirrorMap, MirrorMap]:

@@ -175,6 +175,7 @@ def make_model(config: TrainConfig, env: Any) -> Any:
     if entry.on_policy:
         policy: Any = ActorCritic
         own |= {"net_arch": {"pi": hidden, "vf": hidden}, "log_std_init": config.log_std_init}
+        own["optimizer_kwargs"] = {"fused": True, "eps": 1e-5}
         if config.symmetric:
             own["critic_mirror"] = critic_mirror
     else:
@@ -220,7 +221,7 @@ def export_policy(model: Any, task: TaskConfig, activation: str, card: dict[str,
             f"hold it; train with another --algo"
         )
     layers = linear_layers(modules, activation)
-    if model.policy.mirror is not None:
+    if output == "tanh" and model.policy.mirror is not None:
         layers = symmetrized(layers, model.policy.mirror)
     return Policy(
         weights=tuple(weight for weight, _ in layers),

@@ -137,14 +137,13 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
 
 
 def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
-    from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
-
+    from quadruped_env.training.fast_ppo import FastPPO
     from quadruped_env.training.models import native
 
     ppo = native("ppo")
 
     seen = []
-    collect, update = OnPolicyAlgorithm.collect_rollouts, ppo.train
+    collect, update = FastPPO.collect_rollouts, ppo.train
 
     def watched_collect(self, *args, **kwargs):
         seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
@@ -154,7 +153,7 @@ def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_pare
         update(self)
         seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
 
-    monkeypatch.setattr(OnPolicyAlgorithm, "collect_rollouts", watched_collect)
+    monkeypatch.setattr(FastPPO, "collect_rollouts", watched_collect)
     monkeypatch.setattr(ppo, "train", watched_update)
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
