@@ -20,7 +20,6 @@ from torch.nn.utils.parametrize import register_parametrization
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
-from quadruped_env.errors import QuadrupedError
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
@@ -35,16 +34,7 @@ class Mirrored:
 
     @classmethod
     def pairs(cls, width: int) -> Self:
-        """Of hidden units, of which the second half mirrors the first.
-
-        Raises:
-            QuadrupedError: if the width is odd.
-        """
-        if width % 2:
-            raise QuadrupedError(
-                f"--hidden: a symmetric network has pairs of units, so widths are even; found {width}; expected "
-                f"{width + 1}, or --no-symmetric"
-            )
+        """Of an even number of hidden units, of which the second half mirrors the first."""
         return cls(np.roll(np.arange(width), width // 2), np.ones(width, dtype=np.float32))
 
     @classmethod

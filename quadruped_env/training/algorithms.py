@@ -54,7 +54,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "FastPPO",
             "",
             "ActorCriticPolicy",
-            _ON_POLICY | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm"},
+            _ON_POLICY | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm", "noise_correlation"},
         ),
         "a2c": Algorithm(
             "stable_baselines3.a2c",

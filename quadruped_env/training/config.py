@@ -69,6 +69,8 @@ class TrainConfig:
     """Weight of the entropy bonus"""
     max_grad_norm: float = 1.0
     """Maximum norm of the gradient"""
+    noise_correlation: float = 0.0
+    """Correlation of PPO's exploration noise from one step to the next"""
     buffer_size: int = 500_000
     """Environment steps in the replay buffer of sac, td3, ddpg, tqc and crossq"""
     learning_starts: int = 10_000
@@ -114,10 +116,16 @@ class TrainConfig:
             ("clip_range", 0 < self.clip_range < math.inf, "more than 0, and finite"),
             ("ent_coef", 0 <= self.ent_coef < math.inf, "0 or more, and finite"),
             ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
+            ("noise_correlation", 0 <= self.noise_correlation < 1, "0 to below 1"),
             ("learning_starts", self.learning_starts >= 0, "0 or more"),
             ("tau", 0 < self.tau <= 1, "more than 0, and at most 1"),
             ("action_noise", 0 <= self.action_noise < math.inf, "0 or more, and finite"),
             ("hidden", all(width >= 1 for width in self.hidden), "widths of 1 or more"),
+            (
+                "hidden",
+                not (self.symmetric and entry.on_policy) or all(width % 2 == 0 for width in self.hidden),
+                "even widths, or --no-symmetric: a symmetric network has pairs of units",
+            ),
             ("log_std_init", math.isfinite(self.log_std_init), "a finite number"),
             ("final_log_std", math.isfinite(self.final_log_std), "a finite number"),
         ):

@@ -46,6 +46,7 @@ _DIRECT: Final = frozenset(
         "clip_range",
         "ent_coef",
         "max_grad_norm",
+        "noise_correlation",
         "buffer_size",
         "learning_starts",
         "gradient_steps",

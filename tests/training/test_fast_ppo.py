@@ -1,5 +1,7 @@
 """PPO with less work around it: the same buffers and updates as those of Stable-Baselines3's own PPO."""
 
+import itertools
+
 import numpy as np
 import pytest
 import torch
@@ -132,14 +134,29 @@ def test_update_is_that_of_sb3():
     assert len(names) == 11
 
 
+def test_noise_is_standard_normal_and_correlated_over_steps_and_rollouts_as_asked():
+    """An AR(1) process: correlation rho^k at lag k, also across the end of a rollout, and none between joints."""
+    model = fresh(noise_correlation=0.8)
+    rollouts = [model._noise(40, 50, 8).numpy().copy() for _ in range(10)]
+    noise = np.concatenate(rollouts)
+    # 160,000 values, of which each is worth about a ninth of an independent one.
+    assert noise.mean() == pytest.approx(0.0, abs=0.03)
+    assert noise.var() == pytest.approx(1.0, abs=0.04)
+    for lag in (1, 3):
+        assert (noise[lag:] * noise[:-lag]).mean() == pytest.approx(0.8**lag, abs=0.04)
+    across = np.mean([(one[-1] * two[0]).mean() for one, two in itertools.pairwise(rollouts)])
+    assert across == pytest.approx(0.8, abs=0.08)
+    assert (noise[..., 0] * noise[..., 1]).mean() == pytest.approx(0.0, abs=0.05)
+    white = fresh()._noise(40, 50, 8).numpy()
+    assert (white[1:] * white[:-1]).mean() == pytest.approx(0.0, abs=0.04)
+
+
 def test_every_sample_is_used_once_in_each_epoch(monkeypatch):
     model = fresh(batch_size=60, n_epochs=3)
     collected(model, FastPPO.collect_rollouts)
     model.rollout_buffer.returns[:] = np.arange(STEPS * ENVS).reshape(STEPS, ENVS)
     seen = []
-    monkeypatch.setattr(
-        model, "_gradient_step", lambda *batch: seen.append(batch[4].numpy().copy()) or torch.zeros(6)
-    )
+    monkeypatch.setattr(model, "_gradient_step", lambda *batch: seen.append(batch[4].numpy().copy()) or torch.zeros(6))
     model.train()
     sizes = [len(batch) for batch in seen]
     assert sizes == [60, 60, 60] * 3
