@@ -13,10 +13,19 @@ _ON_POLICY: Final = frozenset(
 _OFF_POLICY: Final = frozenset(
     {"n_steps", "learning_rate", "gamma", "batch_size", "buffer_size", "learning_starts", "gradient_steps", "symmetric"}
 )
-_SHORT: Final[Mapping[str, Any]] = MappingProxyType({"n_steps": 16, "log_std_init": -2.0, "final_log_std": -4.0})
+_SHORT: Final[Mapping[str, Any]] = MappingProxyType(
+    {"timesteps": 3_000_000, "n_steps": 16, "log_std_init": -2.0, "final_log_std": -4.0}
+)
 """Defaults of the other algorithms that learn from the last steps alone."""
 _REPLAY: Final[Mapping[str, Any]] = MappingProxyType(
-    {"num_envs": 64, "n_steps": 1, "batch_size": 512, "learning_rate": 1e-3, "hidden": (128, 128)}
+    {
+        "timesteps": 3_000_000,
+        "num_envs": 64,
+        "n_steps": 1,
+        "batch_size": 512,
+        "learning_rate": 1e-3,
+        "hidden": (128, 128),
+    }
 )
 """Defaults of the algorithms with a replay buffer: an update after each step of all envs."""
 

@@ -18,7 +18,7 @@ STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 
 
 _FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
-    {"n_steps": 16, "batch_size": 1024, "log_std_init": -1.0, "final_log_std": -4.0}
+    {"timesteps": 3_000_000, "n_steps": 16, "batch_size": 1024, "log_std_init": -1.0, "final_log_std": -4.0}
 )
 """Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
 On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
@@ -37,7 +37,7 @@ class TrainConfig:
     """Algorithm of Stable-Baselines3 or, for trpo, tqc and crossq, of sb3-contrib"""
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
-    timesteps: int = 3_000_000
+    timesteps: int = 1_500_000
     """Budget in environment steps, summed over all envs"""
     seconds: float | None = None
     """Budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit"""
