@@ -32,7 +32,7 @@ from quadruped_env.training.algorithms import check_used
 from quadruped_env.training.config import defaults
 from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.job import Job
-from quadruped_env.training.distributed.launch import launch
+from quadruped_env.training.distributed.launch import LAUNCHERS, launch
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
 
 RUNS: Final = Path("runs")
@@ -76,6 +76,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_terrain(parser, "that of --task, or of the --recipe")
     add_randomization(parser, "that of --task, or of the --recipe")
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
+    parser.add_argument(
+        "--launcher",
+        choices=LAUNCHERS,
+        default=LAUNCHERS[0],
+        help="what starts the other --ranks: processes of this machine, or a Ray cluster, which needs the extra "
+        "'sweep'; torchrun starts all itself (docs/distributed.md) (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--address",
+        metavar="HOST:PORT",
+        help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
+    )
     parser.add_argument(
         "--resume",
         type=Path,
@@ -125,7 +137,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.policies import load_policy
     from quadruped_env.training.config import shortness
 
-    result = launch(Job(config, runs, invocation.line, resume, task_file), here)
+    job = Job(config, runs, invocation.line, resume, task_file)
+    result = launch(job, here, arguments.launcher, arguments.address)
     if result is None:
         return 0  # one of torchrun's other ranks
     directory, finished = result

@@ -1,8 +1,11 @@
 """The ranks of a training, and the sum over them, from which all else that they exchange is made."""
 
 import datetime
+import fcntl
 import hashlib
 import os
+import socket
+import struct
 from collections.abc import Iterable
 from typing import Any, Final
 
@@ -14,6 +17,8 @@ TIMEOUT: Final = datetime.timedelta(minutes=5)
 """Longest wait for another rank: for its start, or for the slower one of two updates."""
 LOOPBACK: Final = "lo"
 """Network interface of ranks on one machine. Gloo would listen on that of the host's name otherwise."""
+_SIOCGIFADDR: Final = 0x8915
+"""Linux's request for the address of a network interface, of <linux/sockios.h>."""
 
 
 class RankLostError(QuadrupedError):
@@ -122,10 +127,43 @@ def on_this_machine(store: str, rank: int, ranks: int, threads: int) -> TorchGro
 
     Args:
         store: file that the ranks share, which must not exist before.
-        rank, ranks, threads: see `Group`.
+        rank: index of this rank.
+        ranks: number of ranks.
+        threads: threads of this rank.
     """
     os.environ["GLOO_SOCKET_IFNAME"] = LOOPBACK
     return TorchGroup(rank, ranks, threads, {"store": torch.distributed.FileStore(store, ranks)})
+
+
+def over_network(host: str, port: int, rank: int, ranks: int, threads: int) -> TorchGroup:
+    """A rank of several machines. Gloo uses the interface that leads to rank 0, unless GLOO_SOCKET_IFNAME names one.
+
+    Args:
+        host: address of rank 0, which listens there.
+        port: free port of that machine.
+        rank: index of this rank.
+        ranks: number of ranks.
+        threads: threads of this rank.
+    """
+    if (interface := _interface_to(host, port)) is not None:
+        # By itself, gloo takes the address of the host's name, which on many machines is a loopback one.
+        os.environ.setdefault("GLOO_SOCKET_IFNAME", interface)
+    return TorchGroup(rank, ranks, threads, {"init_method": f"tcp://{host}:{port}"})
+
+
+def _interface_to(host: str, port: int) -> str | None:
+    """Name of the network interface on the way to a host; None where that is not known."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.connect((host, port))  # sends nothing
+        own = probe.getsockname()[0]
+        for _, name in socket.if_nameindex():
+            try:
+                answer = fcntl.ioctl(probe, _SIOCGIFADDR, struct.pack("256s", name.encode()))
+            except OSError:
+                continue  # has no address
+            if socket.inet_ntoa(answer[20:24]) == own:
+                return name
+    return None
 
 
 def flat(tensors: Iterable[torch.Tensor]) -> torch.Tensor:

@@ -11,6 +11,7 @@ from pathlib import Path
 from quadruped_env.training.ppo import learn, prepare, train
 
 # isort: split
+import torch
 from stable_baselines3.common.logger import Logger
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
@@ -34,6 +35,8 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
         RankLostError: if another rank ended or does not answer.
         DifferentWeightsError: if the weights of the ranks differ after an update.
     """
+    # From the beginning, since the bits of the network's first weights depend on it.
+    torch.set_num_threads(group.threads)
     if group.rank == 0:
         print(job.description(group.threads), flush=True)
         return train(job.config, job.runs, job.command, job.resume, job.task_file, group)
