@@ -131,7 +131,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         parent = Parent.load(resume, definition)
         config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
-        print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+        if here is None or here.rank == 0:
+            print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
     check_used(config.algo, typed)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
     from quadruped_env.policies import load_policy

@@ -22,6 +22,7 @@ from quadruped_env.training.distributed.model import moments, normalized
 from quadruped_env.training.models import make_model
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.statistics import StepStatistics
 
 RANKS = 2
 BUFFERS = ("observations", "actions", "rewards", "returns", "values", "log_probs", "advantages", "episode_starts")
@@ -139,6 +140,72 @@ def test_different_weights_are_an_error_on_every_rank_that_names_them():
             group.check_same([values], "after 96 steps")
 
     on_ranks(3, run)
+
+
+def test_weights_are_compared_after_every_update():
+    config = TrainConfig(**SMALL)
+    whole, shared = collected(config), dataclasses.replace(config, ranks=2)
+
+    def update(group):
+        model = share_of(whole, shared, group)
+        model.train()
+        if group.rank == 1:
+            model.policy.log_std.data += 1e-6
+        with pytest.raises(DifferentWeightsError, match="weights of 1 differ"):
+            model.train()
+
+    on_ranks(2, update)
+
+
+# --- statistics ---
+
+
+class Recorded(StepStatistics):
+    """Statistics that keep what this rank had before the exchange, and may be stopped after some rollouts."""
+
+    def __init__(self, group, rollouts):
+        super().__init__(group)
+        self.own, self.shared, self.rollouts = [], [], rollouts
+
+    def _on_rollout_end(self):
+        self.own.append(self._own.copy())
+        self.stopped = len(self.own) == self.rollouts
+        super()._on_rollout_end()
+        self.shared.append((np.concatenate([np.ravel(part) for part in self.sums]), self.mean_levels()))
+        self.steps, self.budget_left = self.num_timesteps, self.model.agreed_budget_left
+        self.tiles = self._task.tiles
+        self._clear()
+
+
+def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
+    # Some fall; the terrain has levels.
+    task = {"termination": {"max_tilt": 0.08}, "terrain": {"name": "tiles", "curriculum": True}}
+    config = TrainConfig(**SMALL | {"ranks": 2, "timesteps": 50 * STEPS, "n_steps": 40, "task": task})
+
+    def run(group):
+        _, _, _, model = ppo.prepare(config, None, None, group)
+        model.set_logger(ppo.configure(None, []))
+        # Rank 1 alone is asked to stop.
+        found = Recorded(group, 3 if group.rank else 99)
+        ppo.learn(config, model, found, fresh=True)
+        return found
+
+    one, other = on_ranks(2, run)
+    assert len(one.own) == len(other.own) == 3
+    assert one.ended
+    assert other.ended
+    assert one.stopped
+    assert one.steps == other.steps == 3 * config.num_envs * config.n_steps
+    assert one.budget_left == other.budget_left == 1.0 - one.steps / config.timesteps
+    for index in range(3):
+        expected = (one.own[index] + other.own[index]) / 2.0
+        expected[-1] *= 2.0
+        for found in (one, other):
+            np.testing.assert_allclose(found.shared[index][0], expected, rtol=1e-12)
+    assert sum(own[-1] for own in one.own) > 0
+    levels = np.concatenate([one.tiles.level, other.tiles.level])
+    assert one.shared[-1][1]["mean_level"] == levels.mean()
+    assert one.shared[-1][1] == other.shared[-1][1]
 
 
 # --- settings ---

@@ -179,6 +179,28 @@ def torchrun(runs, *arguments):
     ]
 
 
+def test_rank_of_torchrun_that_dies_ends_the_run_with_one_error(tmp_path):
+    process = subprocess.Popen(
+        torchrun(tmp_path, *ENDLESS), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=importing()
+    )
+    try:
+        file = tmp_path / "latest" / "progress.csv"
+        wait_until(lambda: file.exists() and len(progress(tmp_path / "latest")) >= 2, "progress", alive=process)
+        ranks = psutil.Process(process.pid).children()
+        other = [rank for rank in ranks if rank.environ()["RANK"] == "1"]
+        assert len(ranks) == 2
+        other[0].kill()
+        _, errors = output_of(process)
+    finally:
+        process.kill()
+        process.communicate()
+    assert process.returncode != 0
+    assert_gone(ranks)
+    lines = [line for line in errors.splitlines() if line.startswith("ppo.py: error: ")]
+    assert len(lines) == 1, errors
+    assert "another of the 2 ranks was lost" in lines[0]
+
+
 def test_torchrun_trains_like_ranks(run, tmp_path):
     done = subprocess.run(
         torchrun(tmp_path, *TINY, "--recipe", "rough"),

@@ -1,11 +1,11 @@
 """The ranks of a training, and the sum over them, from which all else that they exchange is made."""
 
 import datetime
-import fcntl
 import hashlib
 import os
 import socket
 import struct
+import sys
 from collections.abc import Iterable
 from typing import Any, Final
 
@@ -15,7 +15,7 @@ from quadruped_env.errors import QuadrupedError
 
 TIMEOUT: Final = datetime.timedelta(minutes=5)
 """Longest wait for another rank: for its start, or for the slower one of two updates."""
-LOOPBACK: Final = "lo"
+LOOPBACK: Final = "lo0" if sys.platform == "darwin" else "lo"
 """Network interface of ranks on one machine. Gloo would listen on that of the host's name otherwise."""
 _SIOCGIFADDR: Final = 0x8915
 """Linux's request for the address of a network interface, of <linux/sockios.h>."""
@@ -87,20 +87,19 @@ ALONE: Final = Group()
 
 
 class TorchGroup(Group):
-    """A rank that is connected to the others by `torch.distributed`.
+    """A rank that is connected to the others by `torch.distributed`: gloo for tensors on the CPU, NCCL on a GPU.
 
     Args:
         rank, ranks, threads: see `Group`.
         rendezvous: how the ranks find each other: `init_method` or `store` of `init_process_group`.
-        device: where the networks are, `cpu` (gloo) or `cuda` (NCCL).
 
     Raises:
         RankLostError: if the others do not come within `TIMEOUT`.
     """
 
-    def __init__(self, rank: int, ranks: int, threads: int, rendezvous: dict[str, Any], device: str = "cpu") -> None:
+    def __init__(self, rank: int, ranks: int, threads: int, rendezvous: dict[str, Any]) -> None:
         super().__init__(rank, ranks, threads)
-        backend = "cpu:gloo,cuda:nccl" if device == "cuda" else "gloo"
+        backend = "cpu:gloo,cuda:nccl" if torch.cuda.is_available() else "gloo"
         try:
             torch.distributed.init_process_group(backend, rank=rank, world_size=ranks, timeout=TIMEOUT, **rendezvous)
         except (RuntimeError, ValueError) as error:
@@ -153,6 +152,8 @@ def over_network(host: str, port: int, rank: int, ranks: int, threads: int) -> T
 
 def _interface_to(host: str, port: int) -> str | None:
     """Name of the network interface on the way to a host; None where that is not known."""
+    import fcntl  # which Windows does not have
+
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.connect((host, port))  # sends nothing
         own = probe.getsockname()[0]

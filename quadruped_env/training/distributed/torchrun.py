@@ -78,17 +78,22 @@ def train_here(job: Job, here: Place) -> tuple[Path, bool] | None:
 
     Raises:
         QuadrupedError: if a rank fails.
+        SystemExit: on other ranks than 0, after an error that rank 0 reports.
     """
     from quadruped_env.training.distributed.rank import run_rank
 
     # isort: split
-    from quadruped_env.training.distributed.group import LOOPBACK, TorchGroup
+    from quadruped_env.training.distributed.group import LOOPBACK, DifferentWeightsError, RankLostError, TorchGroup
 
     if here.on_one_machine:
         os.environ.setdefault("GLOO_SOCKET_IFNAME", LOOPBACK)
     group = TorchGroup(here.rank, here.ranks, here.threads, {"init_method": "env://"})
     try:
         return run_rank(job, group)
+    except (RankLostError, DifferentWeightsError):
+        if here.rank:
+            raise SystemExit(1) from None
+        raise
     finally:
         group.close()
 
