@@ -37,7 +37,7 @@ class Job:
         return cls(config, Path(values["runs"]), values["command"], resume, task_file)
 
     def description(self, threads: int) -> str:
-        """How the ranks share the envs and the batches, and the schedule of the learning rate."""
+        """Shares of the ranks in envs and batches, and the schedule of the learning rate."""
         config = self.config
         samples = config.num_envs * config.n_steps
         steps = -(-samples // config.batch_size) * config.n_epochs
