@@ -41,7 +41,7 @@ def main() -> int:
     parser.add_argument(
         "--timesteps",
         type=int,
-        default=2_000_000,
+        default=1_000_000,
         help="budget with which the schedules end, and after which a seed has failed to walk (default: %(default)s)",
     )
     parser.add_argument(
