@@ -7,6 +7,7 @@ mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
+mini-quadruped train --ranks 2                share the envs and the updates between two processes
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 
@@ -29,6 +30,9 @@ from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
 from quadruped_env.training.config import defaults
+from quadruped_env.training.distributed import torchrun
+from quadruped_env.training.distributed.job import Job
+from quadruped_env.training.distributed.launch import LAUNCHERS, launch
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
 
 RUNS: Final = Path("runs")
@@ -73,6 +77,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_randomization(parser, "that of --task, or of the --recipe")
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
     parser.add_argument(
+        "--launcher",
+        choices=LAUNCHERS,
+        default=LAUNCHERS[0],
+        help="what starts the other --ranks: processes of this machine, or a Ray cluster, which needs the extra "
+        "'sweep'; torchrun starts all itself (docs/distributed.md) (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--address",
+        metavar="HOST:PORT",
+        help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
+    )
+    parser.add_argument(
         "--resume",
         type=Path,
         metavar="RUN",
@@ -102,6 +118,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         typed_task = changed({"randomization": preset_values(arguments.randomization, definition.robot)}, typed_task)
     if typed_task:
         typed["task"] = typed_task
+    here = torchrun.place()
+    if here is not None:
+        torchrun.check_ranks(typed.setdefault("ranks", here.ranks), here)
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
     if resume is None:
@@ -112,14 +131,18 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         parent = Parent.load(resume, definition)
         config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
-        print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+        if here is None or here.rank == 0:
+            print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
     check_used(config.algo, typed)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
     from quadruped_env.policies import load_policy
     from quadruped_env.training.config import shortness
-    from quadruped_env.training.ppo import train
 
-    directory, finished = train(config, runs, invocation.line, resume, task_file)
+    job = Job(config, runs, invocation.line, resume, task_file)
+    result = launch(job, here, arguments.launcher, arguments.address)
+    if result is None:
+        return 0  # one of torchrun's other ranks
+    directory, finished = result
     steps = load_policy(directory, task_file).card["timesteps"]
     advice = shortness(config.action_mode, steps) if config.algo == TrainConfig.algo else ""
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")

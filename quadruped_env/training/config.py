@@ -45,6 +45,8 @@ class TrainConfig:
     """Seed of the envs (each further env has the next one), the network and the exploration"""
     num_envs: int = 256
     """Number of parallel envs"""
+    ranks: int = 1
+    """Number of processes that share the envs and average their gradients (ppo only; docs/distributed.md)"""
     name: str = "ppo"
     """Last part of the run directory's name"""
     checkpoint_seconds: float = 20.0
@@ -102,7 +104,16 @@ class TrainConfig:
             )
         recipe(self.recipe)
         entry = algorithm(self.algo)
-        for name in ("timesteps", "num_envs", "n_steps", "batch_size", "n_epochs", "buffer_size", "gradient_steps"):
+        for name in (
+            "timesteps",
+            "num_envs",
+            "ranks",
+            "n_steps",
+            "batch_size",
+            "n_epochs",
+            "buffer_size",
+            "gradient_steps",
+        ):
             if getattr(self, name) < 1:
                 raise QuadrupedError(f"--{name.replace('_', '-')}: expected 1 or more; found {getattr(self, name)}")
         for name, valid, rule in (
@@ -139,6 +150,34 @@ class TrainConfig:
             raise QuadrupedError(
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
                 f"(num_envs * n_steps); lower it or use more envs"
+            )
+        if self.ranks > 1:
+            self._check_ranks()
+
+    def _check_ranks(self) -> None:
+        if self.algo != "ppo":
+            raise QuadrupedError(
+                f"--ranks: found {self.ranks} with --algo {self.algo}; only ppo averages gradients over ranks: leave "
+                f"--ranks out, or choose --algo ppo"
+            )
+        if self.ranks > self.num_envs:
+            raise QuadrupedError(
+                f"--ranks: found {self.ranks}, more than the {self.num_envs} envs that they share; lower it, or give "
+                f"more --num-envs"
+            )
+        for name in ("num_envs", "batch_size"):
+            value, option = getattr(self, name), f"--{name.replace('_', '-')}"
+            if value % self.ranks:
+                below, above = value - value % self.ranks, value + self.ranks - value % self.ranks
+                fixes = " or ".join(f"{option} {fix}" for fix in (below, above) if fix)
+                raise QuadrupedError(
+                    f"--ranks: found {self.ranks}, which does not divide {option} {value} into equal shares; choose "
+                    f"{fixes}, or another number of ranks"
+                )
+        if self.batch_size < 2 * self.ranks:
+            raise QuadrupedError(
+                f"--ranks: found {self.ranks} with --batch-size {self.batch_size}; expected 2 or more samples per "
+                f"rank: lower --ranks, or choose --batch-size {2 * self.ranks} or more"
             )
 
 

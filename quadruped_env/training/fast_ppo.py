@@ -175,9 +175,13 @@ class FastPPO(PPO):
         loss = policy_loss + self.ent_coef * entropy_loss + self.vf_coef * value_loss
         policy.optimizer.zero_grad()
         loss.backward()
-        torch.nn.utils.clip_grad_norm_(policy.parameters(), self.max_grad_norm)
+        self._limit_gradients()
         policy.optimizer.step()
         with torch.no_grad():
             kl = (ratio - 1.0 - log_ratio).mean()
             clip_fraction = ((ratio - 1.0).abs() > clip_range).float().mean()
             return torch.stack([policy_loss, value_loss, entropy_loss, loss, kl, clip_fraction])
+
+    def _limit_gradients(self) -> None:
+        """Scale the gradients so that their norm is `max_grad_norm` or less."""
+        torch.nn.utils.clip_grad_norm_(self.policy.parameters(), self.max_grad_norm)

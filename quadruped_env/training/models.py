@@ -65,6 +65,10 @@ class NativeModel:
     budget_seconds: float | None = None
     budget_left_at_start: float = 1.0
     """Share of the schedules that is left at the start; they reach their ends with the budget's"""
+    agreed_budget_left: float | None = None
+    """The share that all ranks of a training use after a rollout, whatever their own clocks say; None: one rank"""
+    update_threads: int = 0
+    """Threads of an update; 0: one per core"""
     log_std_bounds: tuple[float, float] | None = None
     """Upper bounds of the exploration's log standard deviation, at the start and at the end of the budget"""
     _started: float = 0.0
@@ -86,7 +90,7 @@ class NativeModel:
 
     def train(self, *args: Any, **kwargs: Any) -> None:
         """See SB3."""
-        torch.set_num_threads(os.cpu_count() or 1)
+        torch.set_num_threads(self.update_threads or os.cpu_count() or 1)
         super().train(*args, **kwargs)  # type: ignore[misc]
 
     def _setup_learn(self, *args: Any, **kwargs: Any) -> Any:
@@ -94,7 +98,8 @@ class NativeModel:
         return super()._setup_learn(*args, **kwargs)  # type: ignore[misc]
 
     def _update_current_progress_remaining(self, num_timesteps: int, total_timesteps: int) -> None:
-        self._current_progress_remaining = self.budget_left()
+        agreed = self.agreed_budget_left
+        self._current_progress_remaining = self.budget_left() if agreed is None else agreed
 
     def budget_left(self) -> float:
         """Share of the schedules that is left, from 1 at the start of a first training to 0."""
@@ -156,8 +161,14 @@ class LinearSchedule:
         return self.start * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * progress_remaining)
 
 
-def make_model(config: TrainConfig, env: Any) -> Any:
-    """A fresh model for a training, of the class `native(config.algo)`.
+def make_model(config: TrainConfig, env: Any, kind: type[Any] | None = None, **changes: Any) -> Any:
+    """A fresh model for a training.
+
+    Args:
+        config: settings of the training.
+        env: its Stable-Baselines3 env.
+        kind: class of the model. None: `native(config.algo)`.
+        changes: arguments of the class that replace those that `config` gives.
 
     Raises:
         MissingExtraError: if the algorithm is in sb3-contrib, which is not installed.
@@ -188,16 +199,9 @@ def make_model(config: TrainConfig, env: Any) -> Any:
         if "action_noise" in entry.settings:
             joints = env.action_space.shape[0]
             arguments["action_noise"] = NormalActionNoise(np.zeros(joints), np.full(joints, config.action_noise))
-    model = native(config.algo)(
-        policy,
-        env,
-        seed=config.seed,
-        device="cpu",
-        verbose=0,
-        learning_rate=LinearSchedule(config.learning_rate),
-        policy_kwargs=own,
-        **arguments,
-    )
+    arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
+    arguments["learning_rate"] = LinearSchedule(config.learning_rate)
+    model = (kind or native(config.algo))(policy, env, **arguments | changes)
     if entry.on_policy:
         model.log_std_bounds = (config.log_std_init, min(config.log_std_init, config.final_log_std))
     return model

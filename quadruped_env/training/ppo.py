@@ -27,11 +27,12 @@ from quadruped_env.files import unwritable, whole, write_whole
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.distributed.group import ALONE, DifferentWeightsError, Group, RankLostError
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run, check_latest
+from quadruped_env.training.statistics import StepStatistics
 
 try:
-    from stable_baselines3.common.callbacks import BaseCallback
     from stable_baselines3.common.logger import configure
     from tqdm import tqdm
 except ImportError as error:  # pragma: no cover
@@ -39,10 +40,17 @@ except ImportError as error:  # pragma: no cover
 
 _LOG_INTERVAL = 1.0
 """Interval of the progress bar, progress.csv and TensorBoard, s."""
+_BETWEEN_RANKS = (RankLostError, DifferentWeightsError)
+"""Errors after which this rank's policy is not that of a whole update of all ranks."""
 
 
 def train(
-    config: TrainConfig, runs: Path, command: str, resume: Path | None = None, task_file: Path | None = None
+    config: TrainConfig,
+    runs: Path,
+    command: str,
+    resume: Path | None = None,
+    task_file: Path | None = None,
+    group: Group = ALONE,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -52,6 +60,7 @@ def train(
         command: what the user typed, for the record.
         resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
         task_file: a user's file of terms, which is executed.
+        group: rank 0 of the training, if it has several.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -61,31 +70,13 @@ def train(
             written; then what was saved before is kept.
     """
     check_latest(runs)
-    definition = BUILT_IN if task_file is None else load_task_file(task_file)
-    parent = None if resume is None else Parent.load(resume, definition)
-    if parent is not None:
-        parent.check(asdict(config))
-        config = replace(config, task=parent.config.task)
-    env = make_sb3_vec_env(
-        config.num_envs,
-        seed=config.seed,
-        action_mode=config.action_mode,
-        config=config.task,
-        task_file=task_file,
-        privileged=config.asymmetric_critic,
-    )
+    config, parent, env, model = prepare(config, resume, task_file, group)
     task = env.task.config
-    check_training_seeds("config.terrain.seed", task.terrain["seed"])
-    model = make_model(config, env)
-    if parent is not None:
-        model.go_on_from(parent)
-    model.budget_seconds = config.seconds
-
     if parent is None:
         run = Run(runs, config, task.to_dict(), command)
     else:
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
-    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds)
+    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group)
     try:
         with ExitStack() as stack:
             # In the end the last of these comes first, and each though another fails.
@@ -94,14 +85,73 @@ def train(
             stack.callback(run.close)
             model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
             stack.callback(recorder.finish)
-            stack.callback(recorder.save)
-            with _stop_on_signal(recorder):
-                timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
-                model.learn(timesteps, callback=recorder, reset_num_timesteps=parent is None)
+            stack.push(recorder.save_after)
+            learn(config, model, recorder, fresh=parent is None)
     except (OSError, QuadrupedError) as error:
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
-        raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
+        kind = type(cause) if isinstance(cause, _BETWEEN_RANKS) else QuadrupedError
+        raise kind(f"{cause}; what was saved before is kept in {run.directory}") from error
     return run.directory, not recorder.stopped
+
+
+def prepare(
+    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE
+) -> tuple[TrainConfig, Parent | None, MiniQuadrupedSB3VecEnv, Any]:
+    """Everything that a training, or one rank of it, needs to learn.
+
+    Args:
+        config: settings of the training.
+        resume: a run or checkpoint to go on from.
+        task_file: a user's file of terms, which is executed.
+        group: this rank.
+
+    Returns:
+        The settings with the whole task, the run to go on from, the rank's share of the envs, and the model.
+
+    Raises:
+        QuadrupedError: if a setting is not possible, or the run to resume is not complete.
+    """
+    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    parent = None if resume is None else Parent.load(resume, definition)
+    if parent is not None:
+        parent.check(asdict(config))
+        config = replace(config, task=parent.config.task)
+    share = config.num_envs // group.ranks
+    threads = {"num_threads": group.threads} if group.threads else {}
+    env = make_sb3_vec_env(
+        share,
+        seed=config.seed + group.rank * share,
+        action_mode=config.action_mode,
+        config=config.task,
+        task_file=task_file,
+        privileged=config.asymmetric_critic,
+        **threads,
+    )
+    check_training_seeds("config.terrain.seed", env.task.config.terrain["seed"])
+    if group is ALONE:
+        model = make_model(config, env)
+    else:
+        from quadruped_env.training.distributed.model import DistributedPPO
+
+        model = make_model(config, env, DistributedPPO, group=group, batch_size=config.batch_size // group.ranks)
+    if parent is not None:
+        model.go_on_from(parent)
+    model.budget_seconds = config.seconds
+    return config, parent, env, model
+
+
+def learn(config: TrainConfig, model: Any, statistics: StepStatistics, fresh: bool) -> None:
+    """Train a model until its budget is used, or a signal stops it.
+
+    Args:
+        config: settings of the training.
+        model: of `prepare`.
+        statistics: callback that knows when to stop.
+        fresh: False if the training goes on from a run.
+    """
+    with _stop_on_signal(statistics):
+        timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
+        model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
 
 
 @contextmanager
@@ -124,8 +174,8 @@ def _quiet_threads() -> Iterator[None]:
 class _stop_on_signal:  # noqa: N801
     """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
 
-    def __init__(self, recorder: "Recorder") -> None:
-        self._recorder = recorder
+    def __init__(self, statistics: StepStatistics) -> None:
+        self._statistics = statistics
         self._previous: dict[int, Any] = {}
 
     def __enter__(self) -> None:
@@ -140,11 +190,11 @@ class _stop_on_signal:  # noqa: N801
             signal.signal(number, handler)
 
     def _stop(self, number: int, frame: FrameType | None) -> None:
-        self._recorder.stopped = True
+        self._statistics.stopped = True
         signal.signal(number, self._previous[number])
 
 
-class Recorder(BaseCallback):
+class Recorder(StepStatistics):
     """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget.
 
     Args:
@@ -152,13 +202,15 @@ class Recorder(BaseCallback):
         config: settings of the training.
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
+        group: rank 0 of the training, if it has several.
     """
 
-    def __init__(self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0) -> None:
-        super().__init__()
+    def __init__(
+        self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0, group: Group = ALONE
+    ) -> None:
+        super().__init__(group)
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
-        self.stopped = False
         self.elapsed = 0.0
 
     @property
@@ -168,8 +220,7 @@ class Recorder(BaseCallback):
 
     def _on_training_start(self) -> None:
         self._start = time.perf_counter()
-        self._env = cast(MiniQuadrupedSB3VecEnv, self.training_env)
-        self._task = self._env.task
+        super()._on_training_start()
         self._next_log = _LOG_INTERVAL
         self._next_checkpoint = self._config.checkpoint_seconds
         start = self.model.num_timesteps
@@ -183,27 +234,16 @@ class Recorder(BaseCallback):
             disable=None,
             dynamic_ncols=True,
         )
-        self._clear()
-
-    def _clear(self) -> None:
-        self._squares = np.zeros(2)
-        self._terms = np.zeros(len(self._task.term_names))
-        self._steps = 0
-        self._falls = 0
 
     def _on_step(self) -> bool:
-        error = self._task.tracking_error
-        self._squares += (error * error).mean(axis=0)
-        self._terms += self._env.last_terms.mean(axis=0)
-        self._steps += 1
-        if self.locals["dones"].any():
-            self._falls += sum(
-                not self.locals["infos"][row]["TimeLimit.truncated"] for row in np.flatnonzero(self.locals["dones"])
-            )
         self.elapsed = time.perf_counter() - self._start
-        return not (self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds))
+        return super()._on_step()
+
+    def _over(self) -> bool:
+        return self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds)
 
     def _on_rollout_end(self) -> None:
+        super()._on_rollout_end()
         self._bar.update(self.num_timesteps - self._bar.n)
         if self.elapsed >= self._next_log:
             self._next_log = self.elapsed + _LOG_INTERVAL
@@ -213,14 +253,15 @@ class Recorder(BaseCallback):
             self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
 
     def _log(self) -> None:
-        errors = np.sqrt(self._squares / self._steps)
+        squares, terms, falls = self.sums
+        errors = np.sqrt(squares / self._steps)
         # Robots that do not fall finish their episodes all at once and seldom: rates are known all the time.
         episodes = self._steps * self._config.num_envs / MAX_EPISODE_STEPS
         row = {
             "timesteps": self.num_timesteps,
             "seconds": round(self.seconds, 3),
-            "return": float(self._terms.sum() / self._steps * MAX_EPISODE_STEPS),
-            "fall_rate": self._falls / episodes,
+            "return": float(terms.sum() / self._steps * MAX_EPISODE_STEPS),
+            "fall_rate": falls / episodes,
             "forward_velocity_error": float(errors[0]),
             "yaw_rate_error": float(errors[1]),
         }
@@ -229,9 +270,9 @@ class Recorder(BaseCallback):
             if name != "timesteps":
                 self.logger.record(f"progress/{name}", value)
         rate = 1.0 / self._task_config.control_timestep
-        for name, value in zip(self._task.term_names, self._terms / self._steps * rate, strict=True):
+        for name, value in zip(self._task.term_names, terms / self._steps * rate, strict=True):
             self.logger.record(f"reward_per_second/{name}", float(value))
-        for name, value in ({} if self._task.tiles is None else self._task.tiles.mean_levels()).items():
+        for name, value in self.mean_levels().items():
             self.logger.record(f"terrain/{name}", value)
         self.logger.dump(self.num_timesteps)
         self._bar.set_postfix_str(
@@ -243,6 +284,11 @@ class Recorder(BaseCallback):
     def _remaining(self) -> str:
         """Rest of a budget in seconds; the bar itself shows that of a budget in steps."""
         return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
+
+    def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
+        """Save at the end of a training, but not a policy that the ranks do not share."""
+        if not isinstance(error, _BETWEEN_RANKS):
+            self.save()
 
     def save(self) -> None:
         """Write the policy as data into the run directory, and the files that resuming needs.

@@ -34,6 +34,8 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
+_ADDED: Final = ("ranks",)
+"""Fields of `TrainConfig` that runs of earlier versions do not have: they were trained with the defaults."""
 
 
 @dataclass(frozen=True)
@@ -190,6 +192,8 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
     training, task = _section(path, document, "training"), _section(path, document, "task")
     values = {}
     for field in fields(TrainConfig):
+        if field.name in _ADDED and field.name not in training:
+            continue
         if field.name not in training:
             raise QuadrupedError(f"{path}: field 'training.{field.name}' is missing; start a new training")
         value = training[field.name]

@@ -1,0 +1,84 @@
+"""One rank of a training, and the process that runs it for `processes`."""
+
+import os
+import sys
+import threading
+import warnings
+from contextlib import ExitStack
+from pathlib import Path
+
+# First, because it sets a variable that torch reads when it is loaded.
+from quadruped_env.training.ppo import learn, prepare, train
+
+# isort: split
+import torch
+from stable_baselines3.common.logger import Logger
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
+from quadruped_env.training.distributed.group import DifferentWeightsError, Group, RankLostError, on_this_machine
+from quadruped_env.training.distributed.job import Job, Report, read_process, write_plain
+from quadruped_env.training.statistics import StepStatistics
+
+
+def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
+    """Train as one of several ranks.
+
+    Args:
+        job: the training.
+        group: this rank.
+
+    Returns:
+        On rank 0, which alone writes the run directory, the result of `train`; None on the others.
+
+    Raises:
+        QuadrupedError: as `train`.
+        RankLostError: if another rank ended or does not answer.
+        DifferentWeightsError: if the weights of the ranks differ after an update.
+    """
+    # From the beginning, since the bits of the network's first weights depend on it.
+    torch.set_num_threads(group.threads)
+    if group.rank == 0:
+        print(job.description(group.threads), flush=True)
+        return train(job.config, job.runs, job.command, job.resume, job.task_file, group)
+    config, parent, env, model = prepare(job.config, job.resume, job.task_file, group)
+    with ExitStack() as stack:
+        stack.callback(env.close)
+        model.set_logger(Logger(None, []))
+        learn(config, model, StepStatistics(group), fresh=parent is None)
+    return None
+
+
+def main() -> int:
+    """Run the rank of the file that the first argument names, as `processes` starts it; the exit status."""
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    process = read_process(Path(sys.argv[1]))
+    if process.rank:
+        # Those of all ranks are the same.
+        warnings.simplefilter("ignore", QuadrupedWarning)
+    try:
+        group = on_this_machine(process.store, process.rank, process.job.config.ranks, process.threads)
+        try:
+            result = run_rank(process.job, group)
+        finally:
+            group.close()
+    except (QuadrupedError, MissingExtraError) as error:
+        fault = "lost" if isinstance(error, RankLostError) else "own"
+        if isinstance(error, DifferentWeightsError):
+            fault = "weights"
+        write_plain(process.report, Report(fault, str(error)).to_dict())
+        return 1
+    if result is not None:
+        directory, finished = result
+        write_plain(process.report, Report("", str(directory), finished).to_dict())
+    return 0
+
+
+def _end_with_parent() -> None:
+    # The other end of this pipe closes when the process that started this one ends, in whatever way.
+    while os.read(sys.stdin.fileno(), 1):
+        pass
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

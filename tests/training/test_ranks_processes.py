@@ -1,0 +1,218 @@
+"""A training on several ranks as processes: its files, what listens where, and ranks that die."""
+
+import contextlib
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import psutil
+import pytest
+from paths import importing
+from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
+from waiting import DEADLINE, output_of, wait_until
+
+from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.policies import load_policy
+from quadruped_env.training.resume import Parent
+
+pytestmark = pytest.mark.slow
+
+RANKS = ("--ranks", "2")
+STEPS = int(TINY[1])
+"""Environment steps of a tiny training"""
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """A finished tiny training on two ranks."""
+    return train(tmp_path_factory.mktemp("runs"), *TINY, *RANKS, "--recipe", "rough")
+
+
+def ranks_of(process):
+    """The processes of the ranks, in their order."""
+    found = []
+    for child in psutil.Process(process.pid).children(recursive=True):
+        with contextlib.suppress(psutil.Error):
+            if "quadruped_env.training.distributed.rank" in child.cmdline():
+                found.append(child)
+    return sorted(found, key=lambda child: child.cmdline()[-1])
+
+
+def with_checkpoint(runs):
+    checkpoints = runs / "latest" / CHECKPOINTS
+    return checkpoints.is_dir() and len(list(checkpoints.iterdir())) >= 2
+
+
+def assert_gone(processes):
+    wait_until(lambda: not any(process.is_running() and process.status() != "zombie" for process in processes), "exit")
+
+
+def test_run_of_two_ranks_is_complete_and_counts_the_steps_of_all(run):
+    policy = assert_complete(run)
+    assert policy.card["timesteps"] == STEPS
+    parent = Parent.load(run)
+    assert parent.config.ranks == 2
+    assert len(list(run.parent.iterdir())) == 2, "one directory, and the link to it"
+    assert int(progress(run)[-1]["timesteps"]) == STEPS
+    assert "terrain/mean_level" in scalars(run)
+
+
+def test_training_on_two_ranks_can_be_repeated_bit_for_bit(run, tmp_path):
+    again = train(tmp_path, *TINY, *RANKS, "--recipe", "rough")
+    assert (again / "policy.safetensors").read_bytes() == (run / "policy.safetensors").read_bytes()
+    rows = [[{**row, "seconds": ""} for row in progress(directory)] for directory in (run, again)]
+    assert rows[0][-1]["timesteps"] == rows[1][-1]["timesteps"]
+
+
+def test_run_of_two_ranks_resumes_on_one_and_that_on_two(run, tmp_path):
+    one = train(tmp_path / "one", "--resume", run, "--ranks", "1", "--timesteps", STEPS)
+    assert load_policy(one).card["timesteps"] == 2 * STEPS
+    two = train(tmp_path / "two", "--resume", one, "--ranks", "2", "--timesteps", STEPS)
+    assert load_policy(two).card["timesteps"] == 3 * STEPS
+
+
+def test_ranks_of_one_machine_listen_on_loopback_alone(tmp_path):
+    with running(tmp_path, *ENDLESS, *RANKS) as process:
+        processes = [psutil.Process(process.pid), *ranks_of(process)]
+        assert len(processes) == 3
+        connections = [connection for each in processes for connection in each.net_connections("inet")]
+        assert connections, "the ranks are connected"
+        assert {connection.laddr.ip for connection in connections} <= {"127.0.0.1", "::1"}
+
+
+@pytest.mark.parametrize("rank", [0, 1])
+def test_rank_that_dies_ends_the_run_with_one_error_and_a_whole_checkpoint(rank, tmp_path):
+    with running(tmp_path, *ENDLESS, *RANKS, "--checkpoint-seconds", "0.5") as process:
+        wait_until(lambda: with_checkpoint(tmp_path), "two checkpoints", alive=process)
+        ranks = ranks_of(process)
+        ranks[rank].kill()
+        _, errors = output_of(process)
+    assert process.returncode == 2
+    assert_gone(ranks)
+    lines = [line for line in errors.splitlines() if "error" in line]
+    assert len(lines) == 1, errors
+    assert f"rank {rank} was killed by SIGKILL" in lines[0]
+    assert "Traceback" not in errors
+    directory = (tmp_path / "latest").resolve()
+    assert f"--resume {directory}" in lines[0]
+    for checkpoint in (directory / CHECKPOINTS).iterdir():
+        assert_complete_checkpoint(checkpoint)
+    with pytest.warns(UserWarning, match="checkpoint"):
+        assert Parent.load(directory).timesteps > 0
+
+
+def assert_complete_checkpoint(directory):
+    assert directory.suffix != ".part"
+    policy = load_policy(directory)
+    assert Parent.load(directory).timesteps == policy.card["timesteps"]
+    assert np.isfinite(policy.weights[0]).all()
+
+
+def test_ranks_end_with_the_process_that_watches_them(tmp_path):
+    with running(tmp_path, *ENDLESS, *RANKS) as process:
+        ranks = ranks_of(process)
+        assert len(ranks) == 2
+        process.kill()
+        assert_gone(ranks)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signal_stops_all_ranks_after_a_rollout_and_saves(number, tmp_path):
+    with running(tmp_path, *ENDLESS, *RANKS) as process:
+        ranks = ranks_of(process)
+        process.send_signal(number)
+        output, errors = output_of(process)
+    assert process.returncode == 0, errors
+    assert "stopped, and saved what was learned" in output
+    assert_gone(ranks)
+    assert assert_complete((tmp_path / "latest").resolve()).card["timesteps"] > 0
+
+
+TASK = """
+import sys
+from quadruped_env import QuadrupedError
+from quadruped_env.task import reward
+
+@reward(weight=1.0, unit="1")
+def broken(context):
+    if sys.argv[-1].endswith("rank-1.json"):
+        raise QuadrupedError("broken: cannot be computed")
+    return 0.0 * context.velocity[:, 0]
+"""
+"""A reward that the second rank alone cannot compute"""
+
+
+def test_error_of_a_rank_is_the_error_of_the_program(tmp_path):
+    task = tmp_path / "task.py"
+    task.write_text(TASK)
+    done = subprocess.run(
+        command(tmp_path / "runs", *TINY, *RANKS, "--task", task),
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=DEADLINE,
+    )
+    assert done.returncode == 2
+    lines = [line for line in done.stderr.splitlines() if "error" in line]
+    assert len(lines) == 1, done.stderr
+    assert "rank 1: reward broken: QuadrupedError: broken: cannot be computed" in lines[0]
+
+
+def test_budget_in_seconds_ends_all_ranks(tmp_path):
+    directory = train(tmp_path, "--seconds", "2", *TINY[2:], *RANKS)
+    assert assert_complete(directory).card["seconds"] >= 2
+
+
+# --- torchrun ---
+
+
+def torchrun(runs, *arguments):
+    return [
+        sys.executable,
+        "-m",
+        "torch.distributed.run",
+        "--standalone",
+        "--nproc-per-node",
+        "2",
+        *command(runs, *arguments)[1:],
+    ]
+
+
+def test_rank_of_torchrun_that_dies_ends_the_run_with_one_error(tmp_path):
+    process = subprocess.Popen(
+        torchrun(tmp_path, *ENDLESS), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=importing()
+    )
+    try:
+        file = tmp_path / "latest" / "progress.csv"
+        wait_until(lambda: file.exists() and len(progress(tmp_path / "latest")) >= 2, "progress", alive=process)
+        ranks = psutil.Process(process.pid).children()
+        other = [rank for rank in ranks if rank.environ()["RANK"] == "1"]
+        assert len(ranks) == 2
+        other[0].kill()
+        _, errors = output_of(process)
+    finally:
+        process.kill()
+        process.communicate()
+    assert process.returncode != 0
+    assert_gone(ranks)
+    lines = [line for line in errors.splitlines() if line.startswith("ppo.py: error: ")]
+    assert len(lines) == 1, errors
+    assert "another of the 2 ranks was lost" in lines[0]
+
+
+def test_torchrun_trains_like_ranks(run, tmp_path):
+    done = subprocess.run(
+        torchrun(tmp_path, *TINY, "--recipe", "rough"),
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=DEADLINE,
+        env=importing(),
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("trained ->") == 1
+    directory = (tmp_path / "latest").resolve()
+    assert_complete(directory)
+    assert Parent.load(directory).config.ranks == 2
+    assert (directory / "policy.safetensors").read_bytes() == (run / "policy.safetensors").read_bytes()

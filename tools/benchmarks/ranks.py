@@ -1,0 +1,234 @@
+"""Two ranks against one, with the same envs in total: steps per second, time to walk, and what an update exchanges.
+
+Every measurement runs in processes of its own, and the ranks are those of `quadruped_env.training.distributed`.
+"""
+
+import itertools
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, Final
+
+from quadruped_env.training.distributed.job import threads_per_rank
+
+NEVER: Final = float("inf")
+
+
+def run_ranks(measure: str, ranks: int, **values: Any) -> dict[str, Any]:
+    """The result of a function of this module's `MEASURES` on rank 0, run on all ranks in processes of this machine."""
+    with TemporaryDirectory() as folder:
+        processes = []
+        for rank in range(ranks):
+            # One rank is plain training, which uses all cores.
+            place = {"rank": rank, "ranks": ranks, "threads": threads_per_rank(ranks) if ranks > 1 else 0}
+            arguments = json.dumps({"measure": measure, **place, "store": f"{folder}/store", **values})
+            paths = str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH")
+            processes.append(
+                subprocess.Popen(  # noqa: S603
+                    [sys.executable, "-m", "benchmarks.ranks", arguments],
+                    stdout=subprocess.PIPE,
+                    text=True,
+                    env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))},
+                )
+            )
+        outputs = [process.communicate()[0] for process in processes]
+    for rank, process in enumerate(processes):
+        if process.returncode:
+            raise RuntimeError(f"rank {rank} of {measure} ended with status {process.returncode}")
+    return json.loads(outputs[0].strip().splitlines()[-1])
+
+
+@dataclass(frozen=True)
+class Speed:
+    """Speed of a training, without its start."""
+
+    ranks: int
+    steps_per_second: float
+    rollout_seconds: float
+    """Mean time of a rollout on rank 0, s"""
+    update_seconds: float
+    """Mean time of an update on rank 0, with its exchanges, s"""
+
+
+def speed(ranks: int, seconds: float) -> Speed:
+    """Measure the speed of the default training for some seconds."""
+    return Speed(ranks, **run_ranks("speed", ranks, seconds=seconds))
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """Sizes and times of what the ranks exchange."""
+
+    parameters: int
+    gradient_steps: int
+    """Gradient steps of an update"""
+    samples: int
+    """Environment steps between two updates"""
+    all_reduce_microseconds: Mapping[str, float]
+    """Median time of a sum over the ranks, us, by its number of values (float32)"""
+
+
+def exchange(ranks: int, rounds: int) -> Exchange:
+    """Measure sums over ranks on loopback, of the default network's gradients and of larger ones."""
+    return Exchange(**run_ranks("exchange", ranks, rounds=rounds))
+
+
+@dataclass(frozen=True)
+class Walked:
+    """Result of the training with one seed."""
+
+    ranks: int
+    seed: int
+    seconds: float
+    """Time of learning until the policy walked, s, without the tests; infinite if it never did"""
+    timesteps: float
+    """Environment steps until then"""
+
+
+def time_to_walk(ranks: int, seed: int, timesteps: int, every: int) -> Walked:
+    """Train from scratch until the policy walks, for `timesteps` at most; tested after every `every` steps."""
+    found = run_ranks("walk", ranks, seed=seed, timesteps=timesteps, every=every)
+    return Walked(ranks, seed, **{name: NEVER if value is None else value for name, value in found.items()})
+
+
+# --- in the processes ---
+
+
+def _prepared(group: Any, **settings: Any) -> tuple[Any, Any]:
+    from stable_baselines3.common.logger import Logger
+
+    from quadruped_env.training import ppo
+    from quadruped_env.training.config import TrainConfig
+
+    config = TrainConfig(ranks=group.ranks, **settings)
+    _, _, _, model = ppo.prepare(config, None, None, group)
+    model.set_logger(Logger(None, []))
+    return config, model
+
+
+def _measure_speed(group: Any, seconds: float) -> dict[str, float]:
+    from quadruped_env.training import ppo
+    from quadruped_env.training.statistics import StepStatistics
+
+    config, model = _prepared(group, seconds=1e9)
+    times: list[tuple[float, float, int]] = []
+
+    class Clock(StepStatistics):
+        def _on_rollout_start(self) -> None:
+            self._began = time.perf_counter()
+
+        def _on_rollout_end(self) -> None:
+            now = time.perf_counter()
+            times.append((self._began, now, self.num_timesteps))
+            # The first rollout and update load code and fill caches.
+            self.stopped = len(times) > 2 and now - times[1][0] > seconds
+            super()._on_rollout_end()
+
+    ppo.learn(config, model, Clock(group), fresh=True)
+    first, last = times[1], times[-1]
+    rollouts = [end - start for start, end, _ in times[1:]]
+    updates = [following[0] - end for (_, end, _), following in itertools.pairwise(times[1:])]
+    return {
+        "steps_per_second": (last[2] - first[2]) / (last[1] - first[1]),
+        "rollout_seconds": sum(rollouts) / len(rollouts),
+        "update_seconds": sum(updates) / len(updates),
+    }
+
+
+def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
+    import numpy as np
+    import torch
+
+    config, model = _prepared(group)
+    parameters = sum(parameter.numel() for parameter in model.policy.parameters())
+    found = {}
+    for size in (1, parameters, 10 * parameters, 100 * parameters):
+        values, times = torch.zeros(size), []
+        for _ in range(rounds):
+            start = time.perf_counter()
+            group.sum(values)
+            times.append(time.perf_counter() - start)
+        found[str(size)] = 1e6 * float(np.median(times))
+    samples = config.num_envs * config.n_steps
+    steps = -(-samples // config.batch_size) * config.n_epochs
+    return {
+        "parameters": parameters,
+        "gradient_steps": steps,
+        "samples": samples,
+        "all_reduce_microseconds": found,
+    }
+
+
+def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str, float | None]:
+    from benchmarks.learning_speed import walk_test
+    from quadruped_env.training import ppo
+    from quadruped_env.training.config import defaults
+    from quadruped_env.training.models import export_policy
+    from quadruped_env.training.statistics import StepStatistics
+
+    settings = {**defaults("ppo", "position"), "action_mode": "position", "seed": seed, "timesteps": timesteps}
+    config, model = _prepared(group, **settings)
+    result: dict[str, float | None] = {"seconds": None, "timesteps": None}
+
+    class Watch(StepStatistics):
+        def _on_training_start(self) -> None:
+            super()._on_training_start()
+            self._next, self._learned, self._resumed = every, 0.0, time.perf_counter()
+
+        def _on_rollout_start(self) -> None:
+            if group.rank or self.stopped or self.num_timesteps < self._next:
+                return
+            self._next += every
+            self._learned += time.perf_counter() - self._resumed
+            policy = export_policy(self.model, self._task.config, config.activation, {})
+            # Few episodes show that a policy does not walk; all of them would take as long as the training.
+            if walk_test(policy, episodes=8).walks and walk_test(policy).walks:
+                result.update(seconds=self._learned, timesteps=self.num_timesteps)
+                self.stopped = True
+            self._resumed = time.perf_counter()
+
+    ppo.learn(config, model, Watch(group), fresh=True)
+    return result
+
+
+MEASURES: Final[Mapping[str, Callable[..., dict[str, Any]]]] = {
+    "speed": _measure_speed,
+    "exchange": _measure_exchange,
+    "walk": _measure_walk,
+}
+
+
+def _main() -> None:
+    # First, because it sets a variable that torch reads when it is loaded.
+    import quadruped_env.training.ppo  # noqa: F401
+
+    # isort: split
+    from quadruped_env.training.distributed.group import ALONE, on_this_machine
+
+    values = json.loads(sys.argv[1])
+    measure, rank, ranks, threads, store = (
+        values.pop(name) for name in ("measure", "rank", "ranks", "threads", "store")
+    )
+    group = ALONE if ranks == 1 else on_this_machine(store, rank, ranks, threads)
+    try:
+        found = MEASURES[measure](group, **values)
+    finally:
+        if ranks > 1:
+            group.close()
+    if rank == 0:
+        print(json.dumps(found))
+
+
+def as_dict(result: Speed | Exchange | Walked) -> dict[str, Any]:
+    """A result as JSON has it, which has no infinity."""
+    return {name: None if value == NEVER else value for name, value in asdict(result).items()}
+
+
+if __name__ == "__main__":
+    _main()
