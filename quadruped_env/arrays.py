@@ -7,7 +7,7 @@ cost more than the arithmetic.
 from typing import Any, Final, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 
 class Namespace(Protocol):
@@ -20,6 +20,26 @@ class Namespace(Protocol):
 
     def constant(self, values: ArrayLike) -> Any:
         """Array of constants."""
+        ...
+
+    def asarray(self, values: Any, dtype: DTypeLike = np.float64) -> Any:
+        """Array of a type, from an array, a tensor or numbers; it may share their memory."""
+        ...
+
+    def zeros(self, shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
+        """New array of zeros."""
+        ...
+
+    def arange(self, stop: int) -> Any:
+        """Whole numbers from 0 (stop,)."""
+        ...
+
+    def take(self, array: Any, index: Any) -> Any:
+        """Entries of an array along its first axis."""
+        ...
+
+    def numpy(self, values: Any) -> NDArray[Any]:
+        """NumPy array of an array's values."""
         ...
 
     def exp(self, x: Any, /) -> Any:
@@ -74,6 +94,26 @@ class _NumPy:
     def constant(values: ArrayLike) -> Any:
         return np.array(values, dtype=np.float64)
 
+    @staticmethod
+    def asarray(values: Any, dtype: DTypeLike = np.float64) -> Any:
+        return np.asarray(values, dtype=dtype)
+
+    @staticmethod
+    def zeros(shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
+        return np.zeros(shape, dtype)
+
+    @staticmethod
+    def arange(stop: int) -> Any:
+        return np.arange(stop)
+
+    @staticmethod
+    def take(array: Any, index: Any) -> Any:
+        return array[index]
+
+    @staticmethod
+    def numpy(values: Any) -> NDArray[Any]:
+        return np.asarray(values)
+
     def positive(self, x: Any, /) -> Any:
         return np.maximum(x, self.zero)
 
@@ -91,3 +131,16 @@ class _NumPy:
 
 
 NUMPY: Final[Namespace] = _NumPy()
+
+
+def frozen(values: NDArray[Any]) -> NDArray[Any]:
+    """The same array, read-only from now on: a constant, which a GPU receives only once."""
+    values.setflags(write=False)
+    return values
+
+
+def floats(values: Any) -> Any:
+    """Array of float64, from numbers or a NumPy array; an array of another library as it is."""
+    if hasattr(values, "__array_function__") and not isinstance(values, np.ndarray):
+        return values
+    return np.asarray(values, dtype=np.float64)
