@@ -79,7 +79,9 @@ class Namespace(Protocol):
         ...
 
 
-class _NumPy:
+class NumPyArrays:
+    """NumPy's functions, called directly."""
+
     zero: Any = np.array(0.0)
     one: Any = np.array(1.0)
     minus_one: Any = np.array(-1.0)
@@ -130,7 +132,7 @@ class _NumPy:
         return mask.astype(np.float64)
 
 
-NUMPY: Final[Namespace] = _NumPy()
+NUMPY: Final[Namespace] = NumPyArrays()
 
 
 def frozen(values: NDArray[Any]) -> NDArray[Any]:

@@ -17,7 +17,7 @@ import numpy as np
 import torch
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from quadruped_env.arrays import NUMPY
+from quadruped_env.arrays import NumPyArrays
 
 _DTYPES: Final[Mapping[np.dtype[Any], torch.dtype]] = MappingProxyType(
     {
@@ -459,16 +459,12 @@ _FUNCTIONS: Final[Mapping[Callable[..., Any], Callable[..., Any]]] = MappingProx
 """Torch's counterparts of NumPy's other functions; the device is the first argument."""
 
 
-class TorchArrays:
+class TorchArrays(NumPyArrays):
     """Array functions for a task on torch tensors; see `quadruped_env.arrays.Namespace`.
 
     Args:
         device: torch's name of the device, such as `cpu` or `cuda:0`.
     """
-
-    zero, one, minus_one = NUMPY.zero, NUMPY.one, NUMPY.minus_one
-    exp, abs, maximum, minimum, dot = NUMPY.exp, NUMPY.abs, NUMPY.maximum, NUMPY.minimum, NUMPY.dot
-    positive, sum, any, number = NUMPY.positive, NUMPY.sum, NUMPY.any, NUMPY.number
 
     def __init__(self, device: str) -> None:
         self.device = torch.device(device)
