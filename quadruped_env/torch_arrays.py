@@ -142,13 +142,13 @@ class TensorArray(np.lib.mixins.NDArrayOperatorsMixin):
         """True where any element is true."""
         return _scalar_or_array(self.tensor.any() if axis is None else self.tensor.any(axis))
 
-    def sum(self, axis: int | None = None) -> Any:
+    def sum(self, axis: int | None = None, keepdims: bool = False) -> Any:
         """Sum of the elements."""
-        return _scalar_or_array(self.tensor.sum() if axis is None else self.tensor.sum(axis))
+        return _scalar_or_array(self.tensor.sum() if axis is None else self.tensor.sum(axis, keepdims))
 
-    def mean(self, axis: int | None = None) -> Any:
+    def mean(self, axis: int | None = None, keepdims: bool = False) -> Any:
         """Mean of the elements."""
-        return _scalar_or_array(self.tensor.mean() if axis is None else self.tensor.mean(axis))
+        return _scalar_or_array(self.tensor.mean() if axis is None else self.tensor.mean(axis, keepdims))
 
     def max(self, axis: int | None = None, keepdims: bool = False) -> Any:
         """Maximum of the elements."""

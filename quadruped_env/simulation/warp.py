@@ -270,7 +270,7 @@ class WarpSimulation:
 
     def field_values(self, name: str) -> TensorArray:
         """See `Simulation.field_values`."""
-        return self._fields.get(name) or self.xp.asarray(getattr(self.model, name)[None])
+        return self._fields[name] if name in self._fields else self.xp.asarray(getattr(self.model, name)[None])
 
     def restore_model_fields(self, env_ids: TensorArray) -> None:
         """See `Simulation.restore_model_fields`."""

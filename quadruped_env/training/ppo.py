@@ -24,6 +24,7 @@ from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable, whole, write_whole
+from quadruped_env.policies import Policy
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
@@ -66,6 +67,10 @@ def train(
     if parent is not None:
         parent.check(asdict(config))
         config = replace(config, task=parent.config.task)
+    if config.device != "cpu":
+        from quadruped_env.training import warp
+
+        return warp.train(config, runs, command, parent, task_file)
     env = make_sb3_vec_env(
         config.num_envs,
         seed=config.seed,
@@ -95,7 +100,7 @@ def train(
             model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
             stack.callback(recorder.finish)
             stack.callback(recorder.save)
-            with _stop_on_signal(recorder):
+            with stop_on_signal(recorder):
                 timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
                 model.learn(timesteps, callback=recorder, reset_num_timesteps=parent is None)
     except (OSError, QuadrupedError) as error:
@@ -121,7 +126,7 @@ def _quiet_threads() -> Iterator[None]:
         threading.excepthook = usual
 
 
-class _stop_on_signal:  # noqa: N801
+class stop_on_signal:  # noqa: N801
     """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
 
     def __init__(self, recorder: "Recorder") -> None:
@@ -153,6 +158,9 @@ class Recorder(BaseCallback):
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
     """
+
+    resume_file = RESUME_FILE
+    """File from which a training can go on."""
 
     def __init__(self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0) -> None:
         super().__init__()
@@ -275,8 +283,10 @@ class Recorder(BaseCallback):
         }
         archive = io.BytesIO()
         self.model.save(archive)
-        policy = export_policy(model, self._task_config, self._config.activation, card)
-        return {RESUME_FILE: archive.getvalue(), **policy.files()}
+        return {self.resume_file: archive.getvalue(), **self._policy(card).files()}
+
+    def _policy(self, card: dict[str, Any]) -> Policy:
+        return export_policy(self.model, self._task_config, self._config.activation, card)
 
     def finish(self) -> None:
         """Log the remaining steps, and close the progress bar."""
