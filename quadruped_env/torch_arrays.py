@@ -171,6 +171,9 @@ class TensorArray(np.lib.mixins.NDArrayOperatorsMixin):
 
     __index__ = __int__
 
+    def __format__(self, spec: str) -> str:
+        return format(self.item(), spec) if self.ndim == 0 else repr(self)
+
     def __repr__(self) -> str:
         return f"TensorArray({self.tensor!r})"
 
@@ -248,7 +251,7 @@ def _tensor(value: Any, device: torch.device) -> torch.Tensor:
 def _copied(values: NDArray[Any], device: torch.device) -> torch.Tensor:
     if values.dtype == _UINT64:
         values = values.view(np.int64)
-    return torch.tensor(values, device=device)
+    return torch.tensor(np.ascontiguousarray(values), device=device)
 
 
 def _constant(values: NDArray[Any], device: torch.device) -> torch.Tensor:
@@ -431,6 +434,10 @@ def _split(device: torch.device, x: TensorArray, sections: int, axis: int = 0) -
 _FUNCTIONS: Final[Mapping[Callable[..., Any], Callable[..., Any]]] = MappingProxyType(
     {
         np.copyto: _copyto,
+        np.sum: lambda _, x, axis=None, keepdims=False: x.sum(axis, keepdims),
+        np.mean: lambda _, x, axis=None, keepdims=False: x.mean(axis, keepdims),
+        np.max: lambda _, x, axis=None, keepdims=False: x.max(axis, keepdims),
+        np.linalg.norm: lambda _, x, axis=None: TensorArray(torch.linalg.vector_norm(x.tensor, dim=axis)),
         np.where: _where,
         np.clip: _clip,
         np.stack: _joined(torch.stack),

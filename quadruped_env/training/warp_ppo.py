@@ -18,6 +18,7 @@ _OUTPUT_GAIN = {"actor": 0.01, "critic": 1.0}
 """Gain of the last layer's initial weights, that of Stable-Baselines3: the first actions are close to zero."""
 _VALUE_LOSS = 0.5
 """Weight of the value function's loss, that of Stable-Baselines3."""
+_ADAM_EPS = 1e-5
 
 
 class Network(MLPModel):
@@ -64,10 +65,25 @@ class Network(MLPModel):
 
 
 class NativePPO(PPO):
-    """rsl-rl's PPO, which adds the value of the last observation to the reward where the time limit ends an episode.
+    """rsl-rl's PPO with three details of Stable-Baselines3's, for which the settings of a training were chosen.
 
-    rsl-rl adds the value of the observation before it. The two differ by one step's reward and progress.
+    - Where the time limit ends an episode, the value of its last observation is added to the reward. rsl-rl adds that of
+      the observation before.
+    - The gradients of policy and value function are clipped together. While the value function learns the scale of the
+      returns, its large gradient keeps the policy's steps small.
+    - Adam's `eps` is 1e-5.
     """
+
+    def __init__(self, *args: Any, max_grad_norm: float, **kwargs: Any) -> None:
+        super().__init__(*args, max_grad_norm=math.inf, **kwargs)
+        parameters = [*self.actor.parameters(), *self.critic.parameters()]
+        for group in self.optimizer.param_groups:
+            group["eps"] = _ADAM_EPS
+
+        def clip(*_: Any) -> None:
+            torch.nn.utils.clip_grad_norm_(parameters, max_grad_norm)
+
+        self.optimizer.register_step_pre_hook(clip)
 
     def process_env_step(
         self, obs: TensorDict, rewards: torch.Tensor, dones: torch.Tensor, extras: dict[str, Any]
