@@ -94,41 +94,51 @@ class NumPyArrays:
 
     @staticmethod
     def constant(values: ArrayLike) -> Any:
+        """See `Namespace`."""
         return np.array(values, dtype=np.float64)
 
     @staticmethod
     def asarray(values: Any, dtype: DTypeLike = np.float64) -> Any:
+        """See `Namespace`."""
         return np.asarray(values, dtype=dtype)
 
     @staticmethod
     def zeros(shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
+        """See `Namespace`."""
         return np.zeros(shape, dtype)
 
     @staticmethod
     def arange(stop: int) -> Any:
+        """See `Namespace`."""
         return np.arange(stop)
 
     @staticmethod
     def take(array: Any, index: Any) -> Any:
+        """See `Namespace`."""
         return array[index]
 
     @staticmethod
     def numpy(values: Any) -> NDArray[Any]:
+        """See `Namespace`."""
         return np.asarray(values)
 
     def positive(self, x: Any, /) -> Any:
+        """See `Namespace`."""
         return np.maximum(x, self.zero)
 
     @staticmethod
     def sum(x: Any, /) -> Any:
+        """See `Namespace`."""
         return np.add.reduce(x, -1)
 
     @staticmethod
     def any(x: Any, /) -> Any:
+        """See `Namespace`."""
         return np.logical_or.reduce(x, -1)
 
     @staticmethod
     def number(mask: Any, /) -> Any:
+        """See `Namespace`."""
         return mask.astype(np.float64)
 
 

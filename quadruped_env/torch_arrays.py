@@ -1,8 +1,8 @@
 """Torch tensors that NumPy's functions accept: the task's code runs on them unchanged, on the CPU or on a GPU.
 
 NumPy passes a call with an argument of another array type to that type (NEP 13 and NEP 18: `__array_ufunc__` and
-`__array_function__`). `TensorArray` computes it with torch on the device of its tensor. NumPy arrays among the arguments
-are copied to the device: arrays that are read-only are constants, and are copied once.
+`__array_function__`). `TensorArray` computes it with torch on the device of its tensor. NumPy arrays among the
+arguments are copied to the device: arrays that are read-only are constants, and are copied once.
 
 A tensor of int64 stands for uint64, which torch does not compute with: sums, products and bit operations have the same
 bits, and right shifts are logical.

@@ -88,7 +88,10 @@ class ControlInterface:
         self._joint_phases = xp.constant(self._joint_phases)
         self.stance: Floats = xp.constant(robot.stance[None])
         """Joint positions of the stance (1, J), rad."""
-        self._low, self._high = xp.constant(robot.joint_position_low[None]), xp.constant(robot.joint_position_high[None])
+        self._low, self._high = (
+            xp.constant(robot.joint_position_low[None]),
+            xp.constant(robot.joint_position_high[None]),
+        )
         self._scale = np.array(config.action.scale)
         self._observation_scale = xp.constant(self.layout.scale[None])
         self._observation_low = xp.asarray(self.layout.low[None], np.float32)

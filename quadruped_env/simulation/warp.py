@@ -62,7 +62,6 @@ class WarpSimulation:
         num_envs: number of envs, N; a world of MuJoCo Warp each.
         device: Warp's name of the device: `cuda`, `cuda:1` or, for tests, `cpu`.
         robot: robot that the model describes.
-        varied: names of the model's fields that may differ between envs.
         contacts: contacts per world for which memory is reserved.
         constraints: rows of constraints per world for which memory is reserved.
 
@@ -91,12 +90,12 @@ class WarpSimulation:
         self._reserved = {"contacts": contacts, "constraints": constraints}
         self.xp = TorchArrays(warp.device_to_torch(self._device))
         with warp.ScopedDevice(self._device):
-            self._model = mujoco_warp.put_model(self.model)
-            self._model.opt.warn_overflow = 0  # `step` raises an error
-            self._data = mujoco_warp.make_data(self.model, num_envs, nconmax=contacts, njmax=constraints)
+            self.warp_model = mujoco_warp.put_model(self.model)
+            self.warp_model.opt.warn_overflow = 0  # `step` raises an error
+            self.data = mujoco_warp.make_data(self.model, num_envs, nconmax=contacts, njmax=constraints)
             self._initial_qpos = warp.array(self.model.qpos0, dtype=float)
             self._failed = warp.zeros(num_envs, dtype=bool)
-        data = self._data
+        data = self.data
         self.sensordata = self.xp.zeros((num_envs, self.model.nsensordata))
         """Copy of the sensor data with the precision of the task."""
         self.readings = Readings.from_sensordata(self.model, self.sensordata, robot)
@@ -109,8 +108,9 @@ class WarpSimulation:
         self._diverged = _view(self._failed)
         self._overflow = _view(data.overflow)
         self._base = self.model.body(robot.base_name).id
-        forces = force_columns(self.model)
-        self._forces, self._others = (torch.as_tensor(np.flatnonzero(mask)).to(self._measured.device) for mask in (forces, ~forces))
+        others = np.flatnonzero(~force_columns(self.model))
+        self._no_forces = torch.as_tensor(others).to(self._measured.device)
+        """Columns of the sensor data that are neither forces nor accelerations."""
         self._fields: dict[str, TensorArray] = {}
         self._graphs: dict[Any, Any] = {}
         self._initial_history = self._filled_history()
@@ -132,7 +132,7 @@ class WarpSimulation:
 
     def _advance(self, substeps: int) -> None:
         """Physics steps from the second half of one to the first half of another, as in the other drivers."""
-        model, data = self._model, self._data
+        model, data = self.warp_model, self.data
         data.sensordata.zero_()
         for substep in range(substeps):
             if substep:
@@ -148,7 +148,7 @@ class WarpSimulation:
 
     def _first_half(self) -> None:
         """`mujoco_warp.step1` without clearing the forces, which are those of the last physics step."""
-        model, data = self._model, self._data
+        model, data = self.warp_model, self.data
         mujoco_warp.fwd_position(model, data)
         mujoco_warp.sensor_pos(model, data)
         mujoco_warp.fwd_velocity(model, data)
@@ -158,7 +158,7 @@ class WarpSimulation:
         self._launch("settle", self._first_half)
 
     def _launch(self, name: Any, function: Callable[[], None]) -> None:
-        """Call a function that launches kernels; on a GPU it is called once, and its kernels are repeated as a graph."""
+        """Call a function that launches kernels; on a GPU it is called once, then its kernels repeat as a graph."""
         with warp.ScopedDevice(self._device):
             if not self._device.is_cuda:
                 function()
@@ -205,8 +205,8 @@ class WarpSimulation:
         """Recompute what follows from the state and the fields of the model, in all envs."""
         if _INERTIA_FIELDS & set(self._fields):
             with warp.ScopedDevice(self._device):
-                mujoco_warp.set_const(self._model, self._data, _GROUPS)
-        self._launch("forward", lambda: mujoco_warp.forward(self._model, self._data))
+                mujoco_warp.set_const(self.warp_model, self.data, _GROUPS)
+        self._launch("forward", lambda: mujoco_warp.forward(self.warp_model, self.data))
 
     def _filled_history(self) -> torch.Tensor:
         """Buffers of delayed motors at the start (nhistory,), and the columns of each motor's commands."""
@@ -231,7 +231,7 @@ class WarpSimulation:
         self._qvel[index, :3] += self.xp.asarray(velocity).tensor.float()
         self._settle()
         rows = index[:, None]
-        self.sensordata.tensor[rows, self._others] = self._measured[rows, self._others].double()
+        self.sensordata.tensor[rows, self._no_forces] = self._measured[rows, self._no_forces].double()
 
     def set_force(self, env_ids: TensorArray, force: TensorArray) -> None:
         """See `Simulation.set_force`."""
@@ -250,7 +250,7 @@ class WarpSimulation:
     def _expand(self, names: list[str]) -> None:
         """Give each env its own values of fields of the model."""
         new = [name for name in names if name not in self._fields]
-        missing = [name for name in new if not hasattr(self._model, name)]
+        missing = [name for name in new if not hasattr(self.warp_model, name)]
         try:
             with warp.ScopedDevice(self._device):
                 batched = mujoco_warp.put_model(self.model, dict.fromkeys(new, self.num_envs))
@@ -260,7 +260,7 @@ class WarpSimulation:
                 f"set the randomization to null, or train with --device cpu"
             ) from error
         for name in new:
-            setattr(self._model, name, getattr(batched, name))
+            setattr(self.warp_model, name, getattr(batched, name))
             self._fields[name] = TensorArray(_view(getattr(batched, name)))
         self._graphs.clear()  # they refer to the arrays before
 
@@ -279,9 +279,10 @@ class WarpSimulation:
 
     def get_state(self, env_id: int) -> SimulationState:
         """See `Simulation.get_state`."""
-        state = warp.zeros((self.num_envs, mujoco.mj_stateSize(self.model, STATE_SPEC)), dtype=float, device=self._device)
+        shape = self.num_envs, mujoco.mj_stateSize(self.model, STATE_SPEC)
+        state = warp.zeros(shape, dtype=float, device=self._device)
         with warp.ScopedDevice(self._device):
-            mujoco_warp.get_state(self._model, self._data, state, int(STATE_SPEC))
+            mujoco_warp.get_state(self.warp_model, self.data, state, int(STATE_SPEC))
         fields = {name: values[env_id].numpy() for name, values in sorted(self._fields.items())}
         return SimulationState(
             _view(state)[env_id].cpu().numpy().astype(np.float64),
@@ -306,16 +307,16 @@ class WarpSimulation:
         active[index] = True
         with warp.ScopedDevice(self._device):
             if _INERTIA_FIELDS & set(self._fields):
-                mujoco_warp.set_const(self._model, self._data, _GROUPS)
+                mujoco_warp.set_const(self.warp_model, self.data, _GROUPS)
             mujoco_warp.set_state(
-                self._model, self._data, warp.from_torch(integration), int(STATE_SPEC), warp.from_torch(active)
+                self.warp_model, self.data, warp.from_torch(integration), int(STATE_SPEC), warp.from_torch(active)
             )
         self._settle()
         self.sensordata[env_ids] = np.stack([state.readings for state in states])
         self._diverged[index] = torch.tensor([state.diverged for state in states], device=device)
 
 
-_GROUPS: Final = int(mujoco_warp._src.types.SetConstGroup.FIXED | mujoco_warp._src.types.SetConstGroup.INERT0)
+_GROUPS: Final = int(mujoco_warp.SetConstGroup.FIXED | mujoco_warp.SetConstGroup.INERT0)
 
 
 def pinned(model: mujoco.MjModel) -> mujoco.MjModel:

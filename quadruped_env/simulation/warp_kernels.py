@@ -23,7 +23,7 @@ def restart_diverged(
 ) -> None:
     """Put worlds with an invalid state at rest in the model's initial position, as MuJoCo does, and mark them."""
     world = wp.tid()
-    valid = bool(True)
+    valid = bool(True)  # noqa: UP018  (a literal would be a constant of the kernel)
     for i in range(qpos.shape[1]):
         valid = valid and is_valid(qpos[world, i])
     for i in range(qvel.shape[1]):

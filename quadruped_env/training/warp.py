@@ -2,10 +2,8 @@
 
 import copy
 import io
-import sys
 import time
 from contextlib import ExitStack
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -106,8 +104,9 @@ class WarpModel:
             state = torch.load(path, map_location=self._env.device, weights_only=True)
             self.ppo.load(state, None, strict=True)
         except Exception as error:
-            # Torch and rsl-rl each fail in their own way on a damaged file.
-            raise QuadrupedError(f"{path}: cannot be read ({error}); start a new training") from error
+            # Torch and rsl-rl each fail in their own way on a damaged file, and torch then advises to unpickle it.
+            reason = type(error).__name__
+            raise QuadrupedError(f"{path}: cannot be read ({reason}); start a new training") from error
         self.num_timesteps = parent.timesteps
         self.budget_left_at_start = parent.budget_left
 
@@ -162,7 +161,12 @@ def train(
     """Train a policy on a GPU; see `quadruped_env.training.ppo.train`."""
     task = task_config(config.action_mode, config.task, task_file)
     check_training_seeds("config.terrain.seed", task.terrain["seed"])
-    env = WarpVecEnv(task, config.num_envs, WARP_DEVICES.get(config.device, config.device), config.seed, config.asymmetric_critic)
+    device = WARP_DEVICES.get(config.device, config.device)
+    print(
+        f"MuJoCo Warp loads its kernels for {device}; once per machine it compiles them, which takes minutes",
+        flush=True,
+    )
+    env = WarpVecEnv(task, config.num_envs, device, config.seed, config.asymmetric_critic)
     model = WarpModel(config, env)
     if parent is None:
         run = Run(runs, config, task.to_dict(), command)

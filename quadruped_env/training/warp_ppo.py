@@ -1,4 +1,4 @@
-"""PPO of rsl-rl with this project's networks: left/right symmetric, and with values of the right states at time limits."""
+"""PPO of rsl-rl with this project's networks and the details of Stable-Baselines3's PPO."""
 
 import math
 from typing import Any
@@ -67,8 +67,8 @@ class Network(MLPModel):
 class NativePPO(PPO):
     """rsl-rl's PPO with three details of Stable-Baselines3's, for which the settings of a training were chosen.
 
-    - Where the time limit ends an episode, the value of its last observation is added to the reward. rsl-rl adds that of
-      the observation before.
+    - Where the time limit ends an episode, the value of its last observation is added to the reward. rsl-rl adds that
+      of the observation before.
     - The gradients of policy and value function are clipped together. While the value function learns the scale of the
       returns, its large gradient keeps the policy's steps small.
     - Adam's `eps` is 1e-5.
@@ -101,15 +101,14 @@ def make_ppo(config: TrainConfig, env: WarpVecEnv) -> NativePPO:
     torch.manual_seed(config.seed)
     observations = env.get_observations()
     groups = {"actor": [OBSERVATION], "critic": [OBSERVATION, *([PRIVILEGED] if config.asymmetric_critic else [])]}
-    common: dict[str, Any] = {"hidden_dims": config.hidden, "activation": config.activation}
     gaussian = {
         "class_name": "GaussianDistribution",
         "init_std": math.exp(config.log_std_init),
         "std_type": "log",
     }
-    actor = Network(
-        observations, groups, "actor", env.num_actions, distribution_cfg=gaussian, **common, **_mirror(config, env, False)
-    )
+    common: dict[str, Any] = {"hidden_dims": config.hidden, "activation": config.activation}
+    own: dict[str, Any] = {"distribution_cfg": gaussian, **common, **_mirror(config, env, False)}
+    actor = Network(observations, groups, "actor", env.num_actions, **own)
     critic = Network(observations, groups, "critic", 1, **common, **_mirror(config, env, True))
     storage = RolloutStorage("rl", env.num_envs, config.n_steps, observations, [env.num_actions], env.device)
     return NativePPO(

@@ -223,10 +223,10 @@ def test_world_that_diverges_is_marked_and_restarts():
     [({"constraints": 6}, r"more than 6 constraint rows .*constraints=12"), ({"contacts": 1}, r"more than 1 contacts")],
 )
 def test_overflow_is_an_error_that_names_the_fix(reserved, message):
+    simulation = standing(2, **reserved)
+    target = simulation.xp.asarray(np.tile(MINI_QUADRUPED.stance, (2, 1)))
     with pytest.raises(QuadrupedError, match=message):
-        simulation = standing(2, **reserved)
-        for _ in range(10):
-            simulation.step(simulation.xp.asarray(np.tile(MINI_QUADRUPED.stance, (2, 1))), 4)
+        simulation.step(target, 40)
 
 
 def test_reserved_memory_suffices_for_robots_that_fall():
@@ -236,8 +236,10 @@ def test_reserved_memory_suffices_for_robots_that_fall():
     rng, rows, most = np.random.default_rng(3), 0, 0
     for _ in range(60):
         task.step(rng.uniform(-1.0, 1.0, (64, 8)))
-        rows = max(rows, task.simulation.data.nefc.numpy().max())
-        most = max(most, np.bincount(task.simulation.data.contact.worldid.numpy()[: task.simulation.data.nacon.numpy()[0]]).max())
+        data = task.simulation.data
+        rows = max(rows, data.nefc.numpy().max())
+        of_worlds = data.contact.worldid.numpy()[: data.nacon.numpy()[0]]
+        most = max(most, np.bincount(of_worlds).max(initial=0))
     assert rows <= 80, rows
     assert most <= 16, most
 
@@ -275,7 +277,7 @@ def test_pinned_model_keeps_the_cone():
 
 def test_uneven_ground_is_refused():
     config = TaskConfig.from_dict({"terrain": {"name": "rough"}})
-    with pytest.raises(QuadrupedError, match=r"terrain: .*a height field, .*train on level ground, or with --device cpu"):
+    with pytest.raises(QuadrupedError, match=r"terrain: .*a height field, .*train on level ground, or with"):
         WarpSimulation(config.compiled_model(), 1, "cpu")
 
 
@@ -292,7 +294,11 @@ def test_step_of_some_worlds_is_refused():
 
 @pytest.mark.parametrize(
     ("name", "message"),
-    [("gpu", "unknown; expected cuda"), ("cuda", "finds no CUDA GPU .*nvidia-smi .*--device cpu"), ("cuda:7", "cuda:7")],
+    [
+        ("gpu", "unknown; expected cuda"),
+        ("cuda", "finds no CUDA GPU .*nvidia-smi .*--device cpu"),
+        ("cuda:7", "cuda:7"),
+    ],
 )
 def test_device_that_is_missing_is_an_error(name, message, monkeypatch):
     monkeypatch.setattr("warp.is_cuda_available", lambda: False)

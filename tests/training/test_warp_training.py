@@ -99,7 +99,7 @@ def test_run_directory_is_that_of_a_training_on_the_cpu(tmp_path):
     assert (directory / RSL_FILE).is_file()
     assert not (directory / RESUME_FILE).exists()
     parent = Parent.load(directory)
-    with pytest.raises(QuadrupedError, match="--device: found cpu; .* was trained with warp-cpu"):
+    with pytest.raises(QuadrupedError, match=r"--device: found cpu; .* was trained with warp-cpu"):
         parent.resumed({"device": "cpu"})
     resumed = learn(tmp_path, parent.resumed({"timesteps": 32}), directory)
     assert load_policy(resumed).card["timesteps"] == 96
@@ -118,7 +118,7 @@ def test_resume_file_that_is_damaged_is_an_error(tmp_path):
 
 @needs_warp
 def test_uneven_ground_is_refused_before_a_run_is_left(tmp_path):
-    with pytest.raises(QuadrupedError, match="terrain: .*height field"):
+    with pytest.raises(QuadrupedError, match=r"terrain: .*height field"):
         learn(tmp_path / "runs", TrainConfig(**TINY, task={"terrain": {"name": "rough"}}))
     assert not list((tmp_path / "runs").glob("*"))
 
@@ -150,7 +150,7 @@ def test_time_limit_adds_the_value_of_the_last_observation():
     from quadruped_env.training.warp import WarpModel
     from quadruped_env.training.warp_env import FINAL, TIME_OUTS, WarpVecEnv
 
-    config = TrainConfig(**{**TINY, "n_steps": 3})
+    config = TrainConfig(**{**TINY, "n_steps": 3, "batch_size": 12})
     env = WarpVecEnv(TaskConfig(), 4, "cpu", 0, False)
     env.task.max_episode_steps = 2
     model = WarpModel(config, env)
