@@ -310,11 +310,11 @@ class CommandedGait:
 
     def waves(self, command: ArrayLike, xp: Namespace = NUMPY) -> Waves:
         """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
-        command = xp.asarray(command)
-        speed, size = command[:, 0], turn_size(command[:, 1], self.largest_yaw_rate)[:, None]
+        velocity = xp.asarray(command)
+        speed, size = velocity[:, 0], turn_size(velocity[:, 1], self.largest_yaw_rate)[:, None]
         row = np.interp(speed, self.speeds, np.arange(len(self.speeds)))
         below = np.minimum(row.astype(np.int64), len(self.speeds) - 2)
-        share, fade = (row - below)[:, None], self.fade(command)[:, None]
+        share, fade = (row - below)[:, None], self.fade(velocity)[:, None]
 
         def interpolated(table: NDArray[np.float64]) -> NDArray[np.float64]:
             low = xp.take(table, below)

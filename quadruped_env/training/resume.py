@@ -205,7 +205,7 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
     """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
     document = read_json(path, "start a new training")
     training, task = _section(path, document, "training"), _section(path, document, "task")
-    values = {}
+    values: dict[str, Any] = {}
     for field in fields(TrainConfig):
         if field.name in _ADDED and field.name not in training:
             values[field.name] = field.default

@@ -5,7 +5,7 @@ import io
 import time
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training.models import LinearSchedule, linear_layers
@@ -32,6 +32,22 @@ try:
     from quadruped_env.training.warp_ppo import make_ppo
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("--device cuda", "gpu") from error
+
+
+class Watcher(Protocol):
+    """Object that watches a training and may end it, such as a `Recorder`."""
+
+    def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
+        """Called before the first step."""
+        ...
+
+    def on_step(self) -> bool:
+        """Called after each control step of all envs; False ends the training."""
+        ...
+
+    def on_rollout_end(self) -> None:
+        """Called before each update."""
+        ...
 
 
 class WarpModel:
@@ -64,7 +80,7 @@ class WarpModel:
             used = (self.num_timesteps - self._first) / self._config.timesteps
         return self.budget_left_at_start * max(0.0, 1.0 - used)
 
-    def learn(self, recorder: "WarpRecorder") -> None:
+    def learn(self, recorder: Watcher) -> None:
         """Train until the budget is used, or the recorder stops it."""
         ppo, env, config = self.ppo, self._env, self._config
         self._first, self._started = self.num_timesteps, time.perf_counter()
@@ -174,7 +190,7 @@ def train(
         model.go_on_from(parent)
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
     recorder = WarpRecorder(run, config, task, 0.0 if parent is None else parent.seconds)
-    recorder.init_callback(model)  # type: ignore[arg-type]
+    recorder.init_callback(model)
     try:
         with ExitStack() as stack:
             stack.callback(run.close)

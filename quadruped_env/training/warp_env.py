@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 import torch
 from rsl_rl.env import VecEnv
 from tensordict import TensorDict
@@ -37,7 +38,7 @@ class WarpVecEnv(VecEnv):
     """
 
     def __init__(self, config: TaskConfig, num_envs: int, device: str, seed: int, privileged: bool) -> None:
-        simulation = WarpSimulation(config.compiled_model(), num_envs, device, config.robot)
+        simulation: Any = WarpSimulation(config.compiled_model(), num_envs, device, config.robot)
         self.task = task = Task(simulation, config, MAX_EPISODE_STEPS)
         self._privileged = task.privileged_readings() if privileged else None
         self.privileged_layout = None if self._privileged is None else self._privileged.layout
@@ -56,7 +57,8 @@ class WarpVecEnv(VecEnv):
     @property
     def episode_length_buf(self) -> torch.Tensor:  # type: ignore[override]
         """Control steps since each env's reset, (N,)."""
-        return self.task.control.steps.tensor  # type: ignore[attr-defined]
+        steps: Any = self.task.control.steps
+        return steps.tensor
 
     def get_observations(self) -> TensorDict:
         """Observations of all envs."""
@@ -65,7 +67,8 @@ class WarpVecEnv(VecEnv):
     def _groups(self, observation: Any) -> TensorDict:
         groups = {OBSERVATION: observation.tensor}
         if self._privileged is not None:
-            groups[PRIVILEGED] = self._privileged.values().tensor
+            readings: Any = self._privileged.values()
+            groups[PRIVILEGED] = readings.tensor
         return TensorDict(groups, batch_size=[self.num_envs], device=self.device)
 
     def step(self, actions: torch.Tensor) -> tuple[TensorDict, torch.Tensor, torch.Tensor, dict[str, Any]]:
@@ -74,12 +77,12 @@ class WarpVecEnv(VecEnv):
         self.last_terms = transition.terms
         self.falls += transition.terminated.sum()
         final = self._groups(transition.observation)
-        time_outs = transition.truncated & ~transition.terminated
-        done = self.task.finished.copy()
-        env_ids: Any = done.tensor.nonzero().squeeze(-1)
+        time_outs: Any = transition.truncated & ~transition.terminated
+        done: Any = self.task.finished.copy()
+        env_ids: Any = np.flatnonzero(done)
         observations = final
         if len(env_ids):
-            self.task.reset(TensorArray(env_ids))
+            self.task.reset(env_ids)
             observations = self.get_observations()
         extras = {FINAL: final, TIME_OUTS: time_outs.tensor}
         return observations, transition.reward.tensor.float(), done.tensor, extras

@@ -66,14 +66,15 @@ class Watch:
         self.rollouts = 0
         self.last: WalkTest | None = None
 
-    def on_training_start(self, *_: Any) -> None:
+    def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
         """See `WarpModel.learn`."""
         self._resumed, self._next = time.perf_counter(), self._interval
 
     def on_step(self) -> bool:
         """False if the training is to end."""
         done = self.last is not None and self.last.walks
-        return not (done or self.learning >= self._limit or (self._updates and self.rollouts > self._updates))
+        enough = self._updates > 0 and self.rollouts > self._updates
+        return not (done or enough or self.learning >= self._limit)
 
     def on_rollout_end(self) -> None:
         """Test the policy if it is time."""
