@@ -92,33 +92,27 @@ class NumPyArrays:
     minimum = staticmethod(np.minimum)
     dot = staticmethod(np.vecdot)
 
-    @staticmethod
-    def constant(values: ArrayLike) -> Any:
+    def constant(self, values: ArrayLike) -> Any:
         """See `Namespace`."""
         return np.array(values, dtype=np.float64)
 
-    @staticmethod
-    def asarray(values: Any, dtype: DTypeLike = np.float64) -> Any:
+    def asarray(self, values: Any, dtype: DTypeLike = np.float64) -> Any:
         """See `Namespace`."""
         return np.asarray(values, dtype=dtype)
 
-    @staticmethod
-    def zeros(shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
+    def zeros(self, shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
         """See `Namespace`."""
         return np.zeros(shape, dtype)
 
-    @staticmethod
-    def arange(stop: int) -> Any:
+    def arange(self, stop: int) -> Any:
         """See `Namespace`."""
         return np.arange(stop)
 
-    @staticmethod
-    def take(array: Any, index: Any) -> Any:
+    def take(self, array: Any, index: Any) -> Any:
         """See `Namespace`."""
         return array[index]
 
-    @staticmethod
-    def numpy(values: Any) -> NDArray[Any]:
+    def numpy(self, values: Any) -> NDArray[Any]:
         """See `Namespace`."""
         return np.asarray(values)
 

@@ -26,6 +26,7 @@ def main() -> int:
     parser.add_argument("--steps", type=int, default=24, help="control steps of each env in an update")
     parser.add_argument("--updates", type=int, default=10, help="updates that are measured")
     parser.add_argument("--walk", type=int, default=4096, metavar="N", help="envs of the training to walk; 0: none")
+    parser.add_argument("--action-mode", default="position", help="action mode of that training")
     parser.add_argument("--limit", type=float, default=120.0, help="s of learning after which that training ends")
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests of the policy")
     parser.add_argument("-o", "--output", type=Path, default=Path("results/gpu_speed.json"), help="where to write JSON")
@@ -44,7 +45,14 @@ def run(arguments: argparse.Namespace) -> int:
     walked = None
     if arguments.walk:
         print(f"training {arguments.walk} envs until the policy walks", flush=True)
-        walked = walk(device, arguments.walk, arguments.steps, arguments.limit, arguments.interval)
+        walked = walk(
+            device,
+            arguments.walk,
+            arguments.steps,
+            arguments.limit,
+            arguments.interval,
+            action_mode=arguments.action_mode,
+        )
     print(f"\n{table(speeds)}\n")
     if walked is not None:
         found = "not within the limit" if walked.seconds is None else f"{walked.seconds:.1f} s"

@@ -118,7 +118,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
     from quadruped_env.policies import load_policy
     from quadruped_env.training.config import shortness
-    from quadruped_env.training.ppo import train
+    from quadruped_env.training.launch import train
 
     directory, finished = train(config, runs, invocation.line, resume, task_file)
     steps = load_policy(directory, task_file).card["timesteps"]

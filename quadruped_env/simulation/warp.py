@@ -12,7 +12,6 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.readings import Readings, sensor_columns
-from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import GROUND
@@ -37,7 +36,7 @@ LINE_SEARCH_ITERATIONS: Final = 50
 CONTACTS: Final = 24
 """Contacts per world for which memory is reserved; the worlds share it."""
 CONSTRAINTS: Final = 120
-"""Rows of constraints per world for which memory is reserved."""
+"""Scalar constraints per world for which memory is reserved."""
 
 _OLDEST_DRIVER: Final = (12, 4)
 """Oldest CUDA version of a driver with conditional nodes in graphs, which the solver's loop needs."""
@@ -46,7 +45,7 @@ _INERTIA_FIELDS: Final = frozenset({"body_mass", "body_inertia", "body_ipos", "b
 _CONSTANTS: Final = ("body_subtreemass", "body_invweight0", "dof_invweight0")
 """These constants."""
 _OVERFLOWS: Final = {
-    mujoco_warp.OverflowType.NEFC: ("constraint rows per world", "constraints"),
+    mujoco_warp.OverflowType.NEFC: ("constraints per world", "constraints"),
     mujoco_warp.OverflowType.BROADPHASE: ("contacts per world", "contacts"),
     mujoco_warp.OverflowType.NARROWPHASE: ("contacts per world", "contacts"),
     mujoco_warp.OverflowType.CCD: ("contacts per world", "contacts"),
@@ -60,10 +59,10 @@ class WarpSimulation:
     Args:
         model: model of the robot on level ground.
         num_envs: number of envs, N; a world of MuJoCo Warp each.
-        device: Warp's name of the device: `cuda`, `cuda:1` or, for tests, `cpu`.
         robot: robot that the model describes.
+        device: Warp's name of the device: `cuda`, `cuda:1` or, for tests, `cpu`.
         contacts: contacts per world for which memory is reserved.
-        constraints: rows of constraints per world for which memory is reserved.
+        constraints: scalar constraints per world for which memory is reserved.
 
     Raises:
         QuadrupedError: if the device is not usable, or the model's ground is not level.
@@ -75,8 +74,8 @@ class WarpSimulation:
         self,
         model: mujoco.MjModel,
         num_envs: int,
+        robot: Robot,
         device: str = "cuda",
-        robot: Robot = MINI_QUADRUPED,
         contacts: int = CONTACTS,
         constraints: int = CONSTRAINTS,
     ) -> None:
@@ -98,7 +97,8 @@ class WarpSimulation:
         data = self.data
         self.sensordata = self.xp.zeros((num_envs, self.model.nsensordata))
         """Copy of the sensor data with the precision of the task."""
-        self.readings = Readings.from_sensordata(self.model, self.sensordata, robot)
+        sensordata: Any = self.sensordata
+        self.readings = Readings.from_sensordata(self.model, sensordata, robot)
         self.sensor_columns = sensor_columns(self.model, robot)
         self._measured = _view(data.sensordata)
         self._qpos, self._qvel, self._ctrl = _view(data.qpos), _view(data.qvel), _view(data.ctrl)

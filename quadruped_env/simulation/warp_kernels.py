@@ -6,13 +6,13 @@ LARGEST = wp.constant(1.0e10)
 """Largest position, velocity or acceleration of a valid state: MuJoCo's mjMAXVAL."""
 
 
-@wp.func
+@wp.func  # type: ignore[untyped-decorator]
 def is_valid(value: float) -> bool:
     """False for NaN, infinity, and values over MuJoCo's limit."""
     return wp.abs(value) <= LARGEST
 
 
-@wp.kernel(enable_backward=False)
+@wp.kernel(enable_backward=False)  # type: ignore[untyped-decorator]
 def restart_diverged(
     initial_qpos: wp.array[float],
     qacc: wp.array2d[float],

@@ -61,16 +61,14 @@ def train(
         QuadrupedError: if a setting is not possible, the run to resume is not complete, or a file cannot be
             written; then what was saved before is kept.
     """
+    if config.device != "cpu":
+        raise QuadrupedError(f"--device: {config.device} needs quadruped_env.training.launch.train")
     check_latest(runs)
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     parent = None if resume is None else Parent.load(resume, definition)
     if parent is not None:
         parent.check(asdict(config))
         config = replace(config, task=parent.config.task)
-    if config.device != "cpu":
-        from quadruped_env.training import warp
-
-        return warp.train(config, runs, command, parent, task_file)
     env = make_sb3_vec_env(
         config.num_envs,
         seed=config.seed,

@@ -4,6 +4,7 @@ import copy
 import io
 import time
 from contextlib import ExitStack
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -17,12 +18,12 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable
 from quadruped_env.policies import Policy
 from quadruped_env.seeds import check_training_seeds
-from quadruped_env.task import TaskConfig
+from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.actor_critic import symmetrized
 from quadruped_env.training.config import WARP_DEVICES, TrainConfig
 from quadruped_env.training.ppo import Recorder, stop_on_signal
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import RSL_FILE, Run
+from quadruped_env.training.run import RSL_FILE, Run, check_latest
 
 try:
     import torch
@@ -172,9 +173,15 @@ class WarpRecorder(Recorder):
 
 
 def train(
-    config: TrainConfig, runs: Path, command: str, parent: Parent | None, task_file: Path | None
+    config: TrainConfig, runs: Path, command: str, resume: Path | None = None, task_file: Path | None = None
 ) -> tuple[Path, bool]:
     """Train a policy on a GPU; see `quadruped_env.training.ppo.train`."""
+    check_latest(runs)
+    parent = None
+    if resume is not None:
+        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
+        parent.check(asdict(config))
+        config = replace(config, task=parent.config.task)
     task = task_config(config.action_mode, config.task, task_file)
     check_training_seeds("config.terrain.seed", task.terrain["seed"])
     device = WARP_DEVICES.get(config.device, config.device)

@@ -38,7 +38,7 @@ class WarpVecEnv(VecEnv):
     """
 
     def __init__(self, config: TaskConfig, num_envs: int, device: str, seed: int, privileged: bool) -> None:
-        simulation: Any = WarpSimulation(config.compiled_model(), num_envs, device, config.robot)
+        simulation: Any = WarpSimulation(config.compiled_model(), num_envs, config.robot, device)
         self.task = task = Task(simulation, config, MAX_EPISODE_STEPS)
         self._privileged = task.privileged_readings() if privileged else None
         self.privileged_layout = None if self._privileged is None else self._privileged.layout
@@ -55,7 +55,7 @@ class WarpVecEnv(VecEnv):
         """Number of falls since the start, (1,)."""
 
     @property
-    def episode_length_buf(self) -> torch.Tensor:  # type: ignore[override]
+    def episode_length_buf(self) -> torch.Tensor:
         """Control steps since each env's reset, (N,)."""
         steps: Any = self.task.control.steps
         return steps.tensor

@@ -29,9 +29,9 @@ def command(runs, *arguments):
 
 def learn(runs, config, resume=None):
     """Train in this process; the run directory."""
-    from quadruped_env.training import ppo
+    from quadruped_env.training import launch
 
-    return ppo.train(config, runs, "train", resume)[0]
+    return launch.train(config, runs, "train", resume)[0]
 
 
 def train(runs, *arguments):

@@ -36,7 +36,7 @@ def pair(config, n, **options):
     model = config.compiled_model()
     tasks = (
         Task(BatchSimulation(model, n, 1), config, 60),
-        Task(WarpSimulation(model, n, "cpu", **options), config, 60),
+        Task(WarpSimulation(model, n, MINI_QUADRUPED, "cpu", **options), config, 60),
     )
     for task in tasks:
         task.reset(everywhere(task.simulation), list(range(n)))
@@ -45,7 +45,7 @@ def pair(config, n, **options):
 
 def standing(n, model=None, **options):
     """A simulation of robots in their stance, after a reset."""
-    simulation = WarpSimulation(build_model() if model is None else model, n, "cpu", **options)
+    simulation = WarpSimulation(build_model() if model is None else model, n, MINI_QUADRUPED, "cpu", **options)
     qpos = np.tile(simulation.model.qpos0, (n, 1))
     qpos[:, 2], qpos[:, 7:] = MINI_QUADRUPED.stance_height, MINI_QUADRUPED.stance
     reset(simulation, np.arange(n), qpos)
@@ -94,6 +94,7 @@ def test_steps_from_the_same_state_agree_with_mujoco():
     policy = load_policy("flat")
     rng = np.random.default_rng(0)
     observation, terminated, by_rounding = here.observe(), 0, 0
+    largest = dict.fromkeys(LARGEST, 0.0)
     for _ in range(150):
         action = policy.predict(observation) + rng.normal(0.0, 0.05, (n, 8))
         action[:falling] = rng.uniform(-1.0, 1.0, (falling, 8))
@@ -110,6 +111,8 @@ def test_steps_from_the_same_state_agree_with_mujoco():
         beyond = np.zeros(n, dtype=bool)
         for name, difference in differences.items():
             beyond |= np.abs(difference).max(axis=1) > LARGEST[name]
+        for name, difference in differences.items():
+            largest[name] = max(largest[name], np.abs(difference[~beyond]).max())
         ends = found.terminated.numpy() != expected.terminated
         if (beyond | ends).any():
             ctrl = own.bind("ctrl").copy()
@@ -130,6 +133,7 @@ def test_steps_from_the_same_state_agree_with_mujoco():
             there.reset(there.simulation.xp.asarray(done, np.int64))
             np.testing.assert_allclose(there.observe().numpy()[done], here.observe()[done], atol=LARGEST["observation"])
         observation = here.observe()
+    print(f"largest differences: {largest}; {by_rounding} env steps with another contact, {terminated} falls")
     assert terminated >= 5
     # Of 9600 steps with some ten thousand touchdowns.
     assert by_rounding <= 10
@@ -220,7 +224,7 @@ def test_world_that_diverges_is_marked_and_restarts():
 
 @pytest.mark.parametrize(
     ("reserved", "message"),
-    [({"constraints": 6}, r"more than 6 constraint rows .*constraints=12"), ({"contacts": 1}, r"more than 1 contacts")],
+    [({"constraints": 6}, r"more than 6 constraints .*constraints=12"), ({"contacts": 1}, r"more than 1 contacts")],
 )
 def test_overflow_is_an_error_that_names_the_fix(reserved, message):
     simulation = standing(2, **reserved)
@@ -278,7 +282,7 @@ def test_pinned_model_keeps_the_cone():
 def test_uneven_ground_is_refused():
     config = TaskConfig.from_dict({"terrain": {"name": "rough"}})
     with pytest.raises(QuadrupedError, match=r"terrain: .*a height field, .*train on level ground, or with"):
-        WarpSimulation(config.compiled_model(), 1, "cpu")
+        WarpSimulation(config.compiled_model(), 1, MINI_QUADRUPED, "cpu")
 
 
 def test_field_that_is_the_same_in_all_worlds_is_refused():

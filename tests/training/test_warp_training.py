@@ -193,7 +193,7 @@ def test_policy_trained_on_warp_walks_in_mujoco_as_in_warp(tmp_path):
     policy = load_policy(directory)
     config = dataclasses.replace(policy.config, randomization=TaskConfig().randomization)
     model = config.compiled_model()
-    there = forward_velocity(Task(WarpSimulation(model, 16, "cpu"), config), policy)
+    there = forward_velocity(Task(WarpSimulation(model, 16, MINI_QUADRUPED, "cpu"), config), policy)
     here = forward_velocity(Task(BatchSimulation(model, 16), config), policy)
     print(f"forward velocity: {there:.3f} m/s in Warp, {here:.3f} m/s in mujoco.batch; commanded {COMMAND[0]} m/s")
     assert here > 0.3

@@ -13,7 +13,7 @@ from benchmarks.learning_speed import WalkTest, walk_test
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.config import WARP_DEVICES, TrainConfig
+from quadruped_env.training.config import WARP_DEVICES, TrainConfig, defaults
 from quadruped_env.training.warp import WarpModel
 from quadruped_env.training.warp_env import WarpVecEnv
 
@@ -100,13 +100,9 @@ def _synchronize() -> None:
 
 def make(device: str, num_envs: int, steps: int, **settings: Any) -> WarpModel:
     """A fresh training of the default task."""
-    config = TrainConfig(
-        device=device,
-        num_envs=num_envs,
-        n_steps=steps,
-        batch_size=max(2, num_envs * steps // 4),
-        **settings,
-    )
+    own = {"device": device, "num_envs": num_envs, "n_steps": steps, "batch_size": max(2, num_envs * steps // 4)}
+    mode = settings.get("action_mode", TrainConfig.action_mode)
+    config = TrainConfig(**{**defaults("ppo", mode), **own, **settings})
     task = task_config(config.action_mode, config.task)
     return WarpModel(config, WarpVecEnv(task, num_envs, WARP_DEVICES.get(device, device), 0, False))
 
@@ -168,7 +164,10 @@ def walk(
 
     Kernels are compiled before.
     """
-    make(device, num_envs, steps).get_env().step(torch.zeros((num_envs, 8)))
+    warm_up = make(device, num_envs, steps, **settings)
+    watch = Watch(1, limit, 0.0, say)
+    watch.model = warm_up
+    warm_up.learn(watch)
     model = make(device, num_envs, steps, **settings)
     watch = Watch(0, limit, interval, say)
     watch.model = model
