@@ -7,7 +7,7 @@ cost more than the arithmetic.
 from typing import Any, Final, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 
 class Namespace(Protocol):
@@ -20,6 +20,26 @@ class Namespace(Protocol):
 
     def constant(self, values: ArrayLike) -> Any:
         """Array of constants."""
+        ...
+
+    def asarray(self, values: Any, dtype: DTypeLike = np.float64) -> Any:
+        """Array of a type, from an array, a tensor or numbers; it may share their memory."""
+        ...
+
+    def zeros(self, shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
+        """New array of zeros."""
+        ...
+
+    def arange(self, stop: int) -> Any:
+        """Whole numbers from 0 (stop,)."""
+        ...
+
+    def take(self, array: Any, index: Any) -> Any:
+        """Entries of an array along its first axis."""
+        ...
+
+    def numpy(self, values: Any) -> NDArray[Any]:
+        """NumPy array of an array's values."""
         ...
 
     def exp(self, x: Any, /) -> Any:
@@ -59,7 +79,9 @@ class Namespace(Protocol):
         ...
 
 
-class _NumPy:
+class NumPyArrays:
+    """NumPy's functions, called directly."""
+
     zero: Any = np.array(0.0)
     one: Any = np.array(1.0)
     minus_one: Any = np.array(-1.0)
@@ -70,24 +92,61 @@ class _NumPy:
     minimum = staticmethod(np.minimum)
     dot = staticmethod(np.vecdot)
 
-    @staticmethod
-    def constant(values: ArrayLike) -> Any:
+    def constant(self, values: ArrayLike) -> Any:
+        """See `Namespace`."""
         return np.array(values, dtype=np.float64)
 
+    def asarray(self, values: Any, dtype: DTypeLike = np.float64) -> Any:
+        """See `Namespace`."""
+        return np.asarray(values, dtype=dtype)
+
+    def zeros(self, shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> Any:
+        """See `Namespace`."""
+        return np.zeros(shape, dtype)
+
+    def arange(self, stop: int) -> Any:
+        """See `Namespace`."""
+        return np.arange(stop)
+
+    def take(self, array: Any, index: Any) -> Any:
+        """See `Namespace`."""
+        return array[index]
+
+    def numpy(self, values: Any) -> NDArray[Any]:
+        """See `Namespace`."""
+        return np.asarray(values)
+
     def positive(self, x: Any, /) -> Any:
+        """See `Namespace`."""
         return np.maximum(x, self.zero)
 
     @staticmethod
     def sum(x: Any, /) -> Any:
+        """See `Namespace`."""
         return np.add.reduce(x, -1)
 
     @staticmethod
     def any(x: Any, /) -> Any:
+        """See `Namespace`."""
         return np.logical_or.reduce(x, -1)
 
     @staticmethod
     def number(mask: Any, /) -> Any:
+        """See `Namespace`."""
         return mask.astype(np.float64)
 
 
-NUMPY: Final[Namespace] = _NumPy()
+NUMPY: Final[Namespace] = NumPyArrays()
+
+
+def frozen(values: NDArray[Any]) -> NDArray[Any]:
+    """The same array, read-only from now on: a constant, which a GPU receives only once."""
+    values.setflags(write=False)
+    return values
+
+
+def floats(values: Any) -> Any:
+    """Array of float64, from numbers or a NumPy array; an array of another library as it is."""
+    if hasattr(values, "__array_function__") and not isinstance(values, np.ndarray):
+        return values
+    return np.asarray(values, dtype=np.float64)

@@ -7,13 +7,15 @@ messages and SciPy order a quaternion xyzw.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quadruped_env.arrays import floats
+
 Floats = NDArray[np.float64]
 
 
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
     """Quaternions (..., 4) of rotations by angles (...) in rad about unit axes (3,) or (..., 3)."""
-    half = 0.5 * np.asarray(angle, dtype=np.float64)[..., None]
-    xyz = np.sin(half) * np.asarray(axis, dtype=np.float64)
+    half = 0.5 * floats(angle)[..., None]
+    xyz = np.sin(half) * floats(axis)
     return np.concatenate([np.broadcast_to(np.cos(half), (*xyz.shape[:-1], 1)), xyz], axis=-1)
 
 
@@ -27,10 +29,10 @@ def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
 
     Roll about the fixed x axis, then pitch about the fixed y axis, then yaw about the fixed z axis.
     """
-    half = 0.5 * np.asarray(angles, dtype=np.float64)
+    half = 0.5 * floats(angles)
     (cr, cp, cy), (sr, sp, sy) = _components(np.cos(half)), _components(np.sin(half))
     cc, cs, sc, ss = cr * cp, cr * sp, sr * cp, sr * sp
-    quaternions = np.empty((*half.shape[:-1], 4))
+    quaternions = np.empty_like(half, shape=(*half.shape[:-1], 4))
     quaternions[..., 0] = cc * cy + ss * sy
     quaternions[..., 1] = sc * cy - cs * sy
     quaternions[..., 2] = cs * cy + sc * sy
@@ -55,12 +57,12 @@ def multiply(first: ArrayLike, second: ArrayLike) -> Floats:
 
 def inverse(rotation: ArrayLike) -> Floats:
     """Inverse rotations (..., 4)."""
-    return np.asarray(rotation, dtype=np.float64) * [1.0, -1.0, -1.0, -1.0]
+    return floats(rotation) * [1.0, -1.0, -1.0, -1.0]
 
 
 def rotate(rotation: ArrayLike, vector: ArrayLike) -> Floats:
     """Vectors (..., 3) rotated by quaternions (..., 4); by an orientation: from body to world."""
-    quaternion, v = np.asarray(rotation, dtype=np.float64), np.asarray(vector, dtype=np.float64)
+    quaternion, v = floats(rotation), floats(vector)
     w, axis = quaternion[..., :1], quaternion[..., 1:]
     turned = 2.0 * np.cross(axis, v)
     return v + w * turned + np.cross(axis, turned)
@@ -91,5 +93,5 @@ def tilt(orientation: ArrayLike) -> Floats:
 
 def _components(rotation: ArrayLike) -> Floats:
     """The components w, x, y, z (4, ...) of quaternions (..., 4), or of other vectors."""
-    values = np.asarray(rotation, dtype=np.float64)
+    values = floats(rotation)
     return values.transpose(-1, *range(values.ndim - 1))

@@ -8,6 +8,7 @@ mini-quadruped train --randomization hard     with other masses, motors, latency
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
 mini-quadruped train --ranks 2                share the envs and the updates between two processes
+mini-quadruped train --device cuda            on a GPU, thousands of robots at once
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 
@@ -29,7 +30,7 @@ from quadruped_env.task import BUILT_IN, load_task_file, preset_values
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
-from quadruped_env.training.config import defaults
+from quadruped_env.training.config import GPU_DEFAULTS, defaults, on_gpu
 from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.job import Job
 from quadruped_env.training.distributed.launch import LAUNCHERS, launch
@@ -203,7 +204,8 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
     own_defaults = {"name": algo, **defaults(algo, typed.get("action_mode", TrainConfig.action_mode))}
     entry = recipe(name)
     chosen_settings = {**entry.training, **(entry.ppo if algo == TrainConfig.algo else {})}
-    return {**own_defaults, **chosen_settings, **typed, **({"task": task} if task else {})}
+    on_device = GPU_DEFAULTS if on_gpu(typed.get("device", TrainConfig.device)) else {}
+    return {**own_defaults, **chosen_settings, **on_device, **typed, **({"task": task} if task else {})}
 
 
 def json_object(text: str) -> dict[str, Any]:

@@ -83,7 +83,7 @@ def frequency_at(frequency: Frequency, velocity: Floats) -> Floats:
     if isinstance(frequency, CommandedFrequency):
         speed = np.abs(velocity[:, 0]) + frequency.turn_arm * np.abs(velocity[:, 1])
         return np.interp(speed, frequency.speeds, frequency.frequencies)
-    return np.full(len(velocity), frequency)
+    return np.full_like(velocity[:, 0], frequency)
 
 
 def _check(condition: bool, name: str, value: object, rule: str) -> None:

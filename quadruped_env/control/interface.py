@@ -7,6 +7,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.capture import Functions
 from quadruped_env.control.clock import frequency_at
 from quadruped_env.control.config import ControlConfig
@@ -39,6 +40,7 @@ class ControlInterface:
         config: time step, clock, action scaling and ranges of the command.
         num_envs: number of envs, N.
         fields: fields of the observation.
+        xp: array functions.
     """
 
     def __init__(
@@ -47,12 +49,14 @@ class ControlInterface:
         config: ControlConfig,
         num_envs: int = 1,
         fields: Sequence[ObservationField] = OBSERVATIONS,
+        xp: Namespace = NUMPY,
     ) -> None:
+        self._xp = xp
         self.robot = robot
         self.config = config
         self.num_envs = num_envs
         self.layout = ObservationLayout.of(robot, fields, config.observation_history)
-        self.memory = memory = EpisodeMemory(num_envs)
+        self.memory = memory = EpisodeMemory(num_envs, xp)
         self.action: Floats = memory.zeros("action", robot.num_joints)
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
         self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
@@ -76,23 +80,27 @@ class ControlInterface:
         depth = config.observation_history
         past = (depth, self.layout.width) if depth > 1 else (0, 0)
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
-        self._env_ids, self._ages = np.arange(num_envs)[:, None], np.arange(depth)
+        self._env_ids, self._ages = xp.arange(num_envs)[:, None], xp.arange(depth)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
         self._gait = CommandedGait.tuned(robot) if config.action.mode == "residual" else None
         self._joint_phases = joint_phases(robot)
-        self._leg_phases = self._joint_phases[None, :: robot.num_joints // robot.num_legs]
-        self.stance: Floats = robot.stance[None]
+        self._leg_phases = xp.constant(self._joint_phases[None, :: robot.num_joints // robot.num_legs])
+        self._joint_phases = xp.constant(self._joint_phases)
+        self.stance: Floats = xp.constant(robot.stance[None])
         """Joint positions of the stance (1, J), rad."""
-        self._low, self._high = robot.joint_position_low[None], robot.joint_position_high[None]
+        self._low, self._high = (
+            xp.constant(robot.joint_position_low[None]),
+            xp.constant(robot.joint_position_high[None]),
+        )
         self._scale = np.array(config.action.scale)
-        self._observation_scale = self.layout.scale[None]
-        self._observation_low = self.layout.low[None].astype(np.float32)
-        self._observation_high = self.layout.high[None].astype(np.float32)
-        self._clock = np.zeros((num_envs, 2))
-        self._raw = np.zeros((num_envs, self.layout.width))
+        self._observation_scale = xp.constant(self.layout.scale[None])
+        self._observation_low = xp.asarray(self.layout.low[None], np.float32)
+        self._observation_high = xp.asarray(self.layout.high[None], np.float32)
+        self._clock = xp.zeros((num_envs, 2))
+        self._raw = xp.zeros((num_envs, self.layout.width))
         self._observed: Readings | None = None
         self._fields: Functions | None = None
-        self.reset(np.arange(num_envs))
+        self.reset(xp.arange(num_envs))
 
     def __getstate__(self) -> dict[str, Any]:
         # `command` is a view, and unpickling would turn it into a copy; captured fields refer to other arrays then.
@@ -108,7 +116,7 @@ class ControlInterface:
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
         # Also for zero: clock and scripted gait follow the command.
-        self.set_command(env_ids, np.zeros((len(env_ids), VELOCITY)) if command is None else command)
+        self.set_command(env_ids, self._xp.zeros((len(env_ids), VELOCITY)) if command is None else command)
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
@@ -117,7 +125,7 @@ class ControlInterface:
         self.moving[env_ids] = np.logical_or.reduce(np.abs(velocity) > MOVING_THRESHOLD, -1)
         self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:
-            self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
+            self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity, self._xp)
 
     def _clock_step(self, velocity: Floats) -> Floats:
         """Advance of the clock per control step (R,) in rad at velocity commands (R, 2)."""

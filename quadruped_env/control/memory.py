@@ -5,14 +5,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
+from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.errors import QuadrupedError
 
 
 class EpisodeMemory:
-    """The episode arrays of N envs, each registered under a name when it is created."""
+    """The episode arrays of N envs, each registered under a name when it is created.
 
-    def __init__(self, num_envs: int) -> None:
+    Args:
+        num_envs: number of envs, N.
+        xp: array functions.
+    """
+
+    def __init__(self, num_envs: int, xp: Namespace = NUMPY) -> None:
         self.num_envs = num_envs
+        self._xp = xp
         self._arrays: dict[str, NDArray[Any]] = {}
 
     def zeros(self, name: str, *shape: int, dtype: DTypeLike = np.float64) -> NDArray[Any]:
@@ -25,7 +32,7 @@ class EpisodeMemory:
             raise QuadrupedError(
                 f"episode memory: the name {name!r} is taken; choose another than {', '.join(self._arrays)}"
             )
-        self._arrays[name] = np.zeros((self.num_envs, *shape), dtype)
+        self._arrays[name] = self._xp.zeros((self.num_envs, *shape), dtype)
         return self._arrays[name]
 
     def clear(self, env_ids: NDArray[np.intp]) -> None:

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env._plain import plain
+from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.presets import ARTICLE, LEG_PHASES, PRESETS, TUNED, TUNED_FOR_ONE_SPEED, TUNED_ON, LegTable
 from quadruped_env.gait.waves import Waves, joint_phases, leg_maps, map_waves, wave_positions
@@ -307,16 +308,17 @@ class CommandedGait:
             **{name: plain(getattr(self, name)) for name in _TABLES},
         }
 
-    def waves(self, command: ArrayLike) -> Waves:
+    def waves(self, command: ArrayLike, xp: Namespace = NUMPY) -> Waves:
         """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
-        command = np.asarray(command, dtype=np.float64)
-        speed, size = command[:, 0], turn_size(command[:, 1], self.largest_yaw_rate)[:, None]
+        velocity = xp.asarray(command)
+        speed, size = velocity[:, 0], turn_size(velocity[:, 1], self.largest_yaw_rate)[:, None]
         row = np.interp(speed, self.speeds, np.arange(len(self.speeds)))
-        below = np.minimum(row.astype(np.intp), len(self.speeds) - 2)
-        share, fade = (row - below)[:, None], self.fade(command)[:, None]
+        below = np.minimum(row.astype(np.int64), len(self.speeds) - 2)
+        share, fade = (row - below)[:, None], self.fade(velocity)[:, None]
 
         def interpolated(table: NDArray[np.float64]) -> NDArray[np.float64]:
-            return table[below] + share * (table[below + 1] - table[below])
+            low = xp.take(table, below)
+            return low + share * (xp.take(table, below + 1) - low)
 
         sine, cosine, offset = (
             interpolated(straight) + np.abs(size) * interpolated(turn) + size * interpolated(side)

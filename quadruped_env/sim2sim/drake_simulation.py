@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env import rotations
+from quadruped_env.arrays import NUMPY
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.sim2sim.contact import Contact
@@ -41,6 +42,8 @@ class DrakeSimulation:
     """
 
     height_field: HeightField | None = None
+
+    xp = NUMPY
 
     def __init__(self, config: TaskConfig, num_envs: int, timestep: float, contact: Contact) -> None:
         if config.ground.heights().any():

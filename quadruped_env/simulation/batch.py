@@ -7,6 +7,7 @@ import numpy as np
 from mujoco.batch import Batch, SimulationError
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import NUMPY
 from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
@@ -27,6 +28,8 @@ class BatchSimulation:
             do not depend on it.
         robot: robot that the model describes.
     """
+
+    xp = NUMPY
 
     def __init__(
         self, model: mujoco.MjModel, num_envs: int, num_threads: int = 0, robot: Robot = MINI_QUADRUPED

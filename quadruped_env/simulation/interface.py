@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import Namespace
 from quadruped_env.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
@@ -40,12 +41,14 @@ def force_columns(model: mujoco.MjModel) -> NDArray[np.bool_]:
 class Simulation(Protocol):
     """N copies of the robot on its ground.
 
-    Both drivers return bit-identical results for the same calls, for any number of envs and threads.
+    The drivers on the CPU return bit-identical results for the same calls, for any number of envs and threads.
     """
 
     model: mujoco.MjModel
     robot: Robot
     num_envs: int
+    xp: Namespace
+    """Array functions for all that it returns and is called with: a task built on it computes with them."""
     height_field: HeightField | None
     """Heights of the ground; None if it is a plane at height 0."""
     readings: Readings

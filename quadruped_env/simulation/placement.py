@@ -9,5 +9,5 @@ from quadruped_env.simulation.interface import Simulation
 def highest_ground(simulation: Simulation, positions: NDArray[np.float64]) -> NDArray[np.float64]:
     """Height (...,) of the highest ground below a simulation's robot at positions (..., 2 or 3), m."""
     if simulation.height_field is None:
-        return np.zeros(positions.shape[:-1])
+        return np.zeros_like(positions[..., 0])
     return simulation.height_field.highest(positions, simulation.robot.footprint)

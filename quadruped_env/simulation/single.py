@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import NUMPY
 from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
@@ -18,6 +19,7 @@ class SingleSimulation:
     """`Simulation` with one env."""
 
     num_envs = 1
+    xp = NUMPY
 
     def __init__(self, model: mujoco.MjModel, robot: Robot = MINI_QUADRUPED) -> None:
         self.model = model

@@ -64,7 +64,7 @@ def _force(event: Event, values: Floats) -> None:
 
 
 def _horizontal(values: Floats) -> Floats:
-    vectors = np.zeros((len(values), 3))
+    vectors = np.zeros_like(values, shape=(len(values), 3))
     vectors[:, :2] = values
     return vectors
 

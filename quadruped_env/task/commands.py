@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import frozen
 from quadruped_env.control.config import Command
 from quadruped_env.task.draws import Purposes
 from quadruped_env.task.randomization import between
@@ -25,7 +26,7 @@ class CommandSampler:
         self._config = config
         names = [command.name for command in commands]
         self.purposes = Purposes({"command/kind": 1, **{f"command/{name}": 1 for name in names}, "command/interval": 1})
-        ranges = np.array([config[name] for name in names])
+        ranges = frozen(np.array([config[name] for name in names]))
         self._low, self._high = ranges[:, 0], ranges[:, 1]
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:

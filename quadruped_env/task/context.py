@@ -47,17 +47,17 @@ class TaskContext:
         self.robot = control.robot
         self.motors = motors or control.robot.motors
         """Motors of the simulation, without randomization."""
-        self.memory = EpisodeMemory(control.num_envs)
+        self.memory = EpisodeMemory(control.num_envs, xp)
         """Arrays of the terms: zero after a reset, and saved with the env."""
         self.timestep = control.config.timestep
         """Time between actions, s."""
-        self.velocity: Floats = np.zeros((control.num_envs, 2))
+        self.velocity: Floats = xp.zeros((control.num_envs, 2))
         """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)."""
         self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", 2)
         """Average of `velocity` over about one gait cycle, (N, 2)."""
-        self.tracking_error: Floats = np.zeros((control.num_envs, 2))
+        self.tracking_error: Floats = xp.zeros((control.num_envs, 2))
         """`smooth_velocity` minus the command in force during the step, (N, 2)."""
-        self.fallen: Floats = np.zeros(control.num_envs)
+        self.fallen: Floats = xp.zeros(control.num_envs)
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
         self.contact_threshold = xp.constant(contact_threshold)
         """Normal force above which a foot is in contact, N."""
@@ -113,7 +113,7 @@ class TaskContext:
     def ground_height(self, positions: Floats) -> Floats:
         """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""
         if self._height_field is None:
-            return np.zeros(positions.shape[:-1])
+            return np.zeros_like(positions[..., 0])
         return self._height_field.at(positions)
 
     def _over_ground(self, positions: Floats) -> Floats:

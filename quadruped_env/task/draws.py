@@ -11,6 +11,7 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import NUMPY, Namespace, frozen
 from quadruped_env.control.memory import EpisodeMemory
 
 Floats = NDArray[np.float64]
@@ -32,15 +33,14 @@ class Purposes:
     """
 
     def __init__(self, widths: Mapping[str, int]) -> None:
-        self.constants: Keys = np.array(
-            [_constant(name, i) for name, width in widths.items() for i in range(width)], dtype=np.uint64
-        )
+        constants = [_constant(name, i) for name, width in widths.items() for i in range(width)]
+        self.constants: Keys = frozen(np.array(constants, dtype=np.uint64))
         ends = np.cumsum(list(widths.values()), dtype=int).tolist()
         self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
 
     def __add__(self, other: "Purposes") -> Self:
         joined = type(self)({})
-        joined.constants = np.concatenate([self.constants, other.constants])
+        joined.constants = frozen(np.concatenate([self.constants, other.constants]))
         size = len(self.constants)
         moved = {name: slice(columns.start + size, columns.stop + size) for name, columns in other.slices.items()}
         joined.slices = self.slices | moved
@@ -57,11 +57,12 @@ class Draws:
 
     Args:
         num_envs: number of envs, N.
+        xp: array functions.
     """
 
-    def __init__(self, num_envs: int) -> None:
+    def __init__(self, num_envs: int, xp: Namespace = NUMPY) -> None:
         # Not cleared at a reset, because it holds the number of the episode.
-        self._memory = EpisodeMemory(num_envs)
+        self._memory = EpisodeMemory(num_envs, xp)
         self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
         self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
         self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)

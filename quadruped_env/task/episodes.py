@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env import rotations
+from quadruped_env.arrays import frozen
 from quadruped_env.control.config import Range
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
@@ -73,6 +74,7 @@ class Randomizer:
 
     def __init__(self, simulation: Simulation, control: ControlInterface, draws: Draws, config: TaskConfig) -> None:
         self._simulation, self._control, self._draws = simulation, control, draws
+        self._xp = simulation.xp
         self._config = config
         robot = control.robot
         self._commands = CommandSampler(config.definition.commands, config.command)
@@ -90,7 +92,7 @@ class Randomizer:
         )
         self._starts = [self._bound(r, starts) for r in starting]
         self._recurring: list[_Recurring] = []
-        self.memory = EpisodeMemory(control.num_envs)
+        self.memory = EpisodeMemory(control.num_envs, simulation.xp)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
         """Control step of the episode at which the next command is drawn, (N,)."""
         for r in recurring:
@@ -107,12 +109,12 @@ class Randomizer:
         amplitude = np.zeros(layout.width)
         for name, columns in layout.slices.items():
             amplitude[columns] = amplitudes[name]
-        self._noisy = np.flatnonzero(amplitude)
-        self._noise_amplitude = config.randomization.observation_noise * amplitude[self._noisy]
+        self._noisy = frozen(np.flatnonzero(amplitude))
+        self._noise_amplitude = frozen(config.randomization.observation_noise * amplitude[self._noisy])
         # A draw is a hash of its column, so that leaving some out does not change the others.
         self._noise = Purposes({"observation_noise": layout.width})
-        self._noise.constants = self._noise.constants[self._noisy]
-        self._noise_values = np.zeros((control.num_envs, layout.width))
+        self._noise.constants = frozen(self._noise.constants[self._noisy])
+        self._noise_values = self._xp.zeros((control.num_envs, layout.width))
 
     def _bound(self, randomization: Randomization, purposes: Purposes) -> _Active:
         return _Active(
@@ -141,15 +143,15 @@ class Randomizer:
             place: position (R, 2) of each start, m; None: the origin.
             command: commands (R, C); None: random.
         """
-        draws = self._draws.uniform(self._at_start, env_ids, np.zeros(len(env_ids), dtype=np.int64))
+        draws = self._draws.uniform(self._at_start, env_ids, self._xp.zeros(len(env_ids), np.int64))
         control, robot = self._control, self._control.robot
         event = Event(
             self._simulation,
             robot,
             env_ids,
-            qpos=np.zeros((len(env_ids), robot.num_positions)),
-            qvel=np.zeros((len(env_ids), robot.num_velocities)),
-            tilt=np.zeros((len(env_ids), 3)),
+            qpos=self._xp.zeros((len(env_ids), robot.num_positions)),
+            qvel=self._xp.zeros((len(env_ids), robot.num_velocities)),
+            tilt=self._xp.zeros((len(env_ids), 3)),
             sensors=self.sensors,
         )
         self._simulation.restore_model_fields(env_ids)
@@ -195,7 +197,7 @@ class Randomizer:
                 env_ids = _among(np.flatnonzero((until > 0) & (steps >= until)), running)
                 if len(env_ids):
                     until[env_ids] = 0
-                    zeros = np.zeros((len(env_ids), active.randomization.columns(self._control.robot)))
+                    zeros = self._xp.zeros((len(env_ids), active.randomization.columns(self._control.robot)))
                     active.apply(self._event(env_ids), zeros)
             env_ids = _among(np.flatnonzero(steps >= entry.due), running)
             if len(env_ids):

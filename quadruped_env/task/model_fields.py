@@ -181,19 +181,46 @@ class _BoundPayload:
         old, added = masses[where], values[:, 0]
         masses[where] = new = added + old
         inertias[where] = (new / old)[:, None] * inertias[where]
-        for i in np.flatnonzero(np.any(event.payload_position != 0.0, axis=-1) & (added > 0.0)):
-            # Two bodies about their common centre of mass: parallel axis theorem with the reduced mass.
-            env, offset = event.env_ids[i], event.payload_position[i]
-            reduced = old[i] * added[i] / new[i]
-            turn = np.empty((3, 3))
-            mujoco.mju_quat2Mat(turn.reshape(9), axes[env, self.base])
-            tensor = turn @ np.diag(inertias[env, self.base]) @ turn.T
-            tensor += reduced * (np.dot(offset, offset) * np.eye(3) - np.outer(offset, offset))
-            moments, principal = np.linalg.eigh(tensor)
-            principal[:, 0] *= np.sign(np.linalg.det(principal))
-            inertias[env, self.base] = moments
-            centres[env, self.base] += added[i] / new[i] * offset
-            mujoco.mju_mat2Quat(axes[env, self.base], principal.ravel())
+        offsets, xp = event.payload_position, self.simulation.xp
+        beside = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
+        if len(beside):
+            at = event.env_ids[beside], self.base
+            parts = (old[beside], added[beside], offsets[beside], inertias[at], axes[at])
+            shift, inertias[at], axes[at] = _joined(*(xp.numpy(part).astype(np.float64) for part in parts))
+            centres[at] += xp.asarray(shift)
+
+
+def _joined(
+    mass: Floats, added: Floats, offset: Floats, inertia: Floats, axes: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Bodies and their payloads as one body each.
+
+    Two bodies about their common centre of mass: parallel axis theorem with the reduced mass.
+
+    Args:
+        mass: mass of each body (R,), kg.
+        added: mass of its payload (R,), kg.
+        offset: position of the payload from the body's centre of mass (R, 3), m.
+        inertia: principal moments of inertia of both together, as if at one point (R, 3), kg m^2.
+        axes: quaternion wxyz of the principal axes (R, 4).
+
+    Returns:
+        Shift of the centre of mass (R, 3), moments of inertia (R, 3), and their axes (R, 4).
+    """
+    total = added + mass
+    turn, moments_before = np.empty((len(mass), 3, 3)), np.zeros((len(mass), 3, 3))
+    for matrix, quaternion in zip(turn.reshape(-1, 9), axes, strict=True):
+        mujoco.mju_quat2Mat(matrix, quaternion)
+    moments_before[:, range(3), range(3)] = inertia
+    tensor = turn @ moments_before @ np.swapaxes(turn, 1, 2)
+    squared = np.vecdot(offset, offset)[:, None, None] * np.eye(3)
+    tensor += (mass * added / total)[:, None, None] * (squared - offset[:, :, None] * offset[:, None, :])
+    moments, principal = np.linalg.eigh(tensor)
+    principal[:, :, 0] *= np.sign(np.linalg.det(principal))[:, None]
+    turned = np.empty((len(mass), 4))
+    for quaternion, matrix in zip(turned, principal.reshape(-1, 9), strict=True):
+        mujoco.mju_mat2Quat(quaternion, matrix)
+    return (added / total)[:, None] * offset, moments, turned
 
 
 def check_physical(

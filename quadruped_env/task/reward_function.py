@@ -28,13 +28,14 @@ class RewardFunction:
 
     def __init__(self, terms: Sequence[RewardTerm], config: Section, context: TaskContext) -> None:
         self.names = tuple(name for term in terms for name in term.names)
-        self._weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
+        weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
+        self._weights = context.xp.constant(weights)
         self._config = config
         self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
         self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = [
             function.command_changed for _, function in self._functions if hasattr(function, "command_changed")
         ]
-        self._values = np.zeros((len(self.names), len(context.velocity)))
+        self._values = context.xp.zeros((len(self.names), len(context.velocity)))
         self._captured: Functions | None = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -102,7 +103,7 @@ class Terminations:
 
     def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
         self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
-        self._values = [np.empty(len(context.velocity), dtype=np.bool_) for _ in terms]
+        self._values = [context.xp.zeros(len(context.velocity), np.bool_) for _ in terms]
         self._captured: Functions | None = None
 
     def __getstate__(self) -> dict[str, Any]:

@@ -77,16 +77,18 @@ class Task:
         self.simulation = simulation
         self.max_episode_steps = max_episode_steps
         n = self.num_envs = simulation.num_envs
-        self.control = ControlInterface(config.robot, config.control, n, definition.observations)
+        xp = self._xp = simulation.xp
+        self.control = ControlInterface(config.robot, config.control, n, definition.observations, xp)
         self.context = TaskContext(
             simulation.readings,
             self.control,
             config.reward.velocity_time_constant,
             config.reward.contact_threshold,
             simulation.height_field,
+            xp,
             motors=config.motor,
         )
-        self.draws = Draws(n)
+        self.draws = Draws(n, xp)
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
         self._terminations = Terminations(definition.terminations, config.termination, self.context)
         self._randomizer = Randomizer(simulation, self.control, self.draws, config)
@@ -98,7 +100,7 @@ class Task:
         self.term_names = self._rewards.names
         self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
 
-        self._memory = EpisodeMemory(n)
+        self._memory = EpisodeMemory(n, xp)
         self._fixed: NDArray[np.bool_] = self._memory.zeros("command_is_fixed", dtype=np.bool_)
         self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
         self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
@@ -171,11 +173,11 @@ class Task:
         if tiles is not None:
             self._check_tiles(tiles, len(env_ids))
         first = np.zeros(len(env_ids), dtype=np.bool_)
-        for i, env_id in enumerate(env_ids):
+        for i, env_id in enumerate(env_ids.tolist()):
             if seeds is not None and seeds[i] is not None:
                 self.generators[env_id], self.seeds[env_id] = seeding.np_random(seeds[i])
             if self._keyed[env_id] is not self.generators[env_id]:
-                self.draws.set_key(int(env_id), self.generators[env_id])
+                self.draws.set_key(env_id, self.generators[env_id])
                 self._keyed[env_id] = self.generators[env_id]
                 first[i] = True
         self.draws.begin_episode(env_ids)
@@ -211,8 +213,9 @@ class Task:
                 case no env has moved.
         """
         self._check_started()
-        values = np.array(action, dtype=np.float64)
+        values = self._xp.asarray(action)
         if restart is not None and values.shape == self.control.action.shape:
+            values = values.copy()
             values[restart] = 0.0
         self._check_values(values, "action")
         self.control.advance()
@@ -245,7 +248,7 @@ class Task:
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated
         if self.max_episode_steps is None:
-            truncated = np.zeros(self.num_envs, dtype=np.bool_)
+            truncated = self._xp.zeros(self.num_envs, np.bool_)
         else:
             truncated = self.steps >= self.max_episode_steps
         if self.tiles is not None:
@@ -349,7 +352,7 @@ class Task:
             shape = self.num_envs, field.width(self.control.robot)
             read = functools.partial(field.read, self.simulation.readings, self.control)
             checked(f"observation {field.name}", shape, read)
-        self.context.memory.clear(np.arange(self.num_envs))
+        self.context.memory.clear(self._xp.arange(self.num_envs))
 
     def _refuse_reward(self, terms: Floats) -> None:
         term, env_id = np.argwhere(~np.isfinite(terms))[0]

@@ -1,13 +1,14 @@
 """Settings of a training."""
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from quadruped_env.control.config import ACTION_MODES
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
@@ -22,6 +23,16 @@ _FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
 )
 """Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
 On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
+
+GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
+    {"num_envs": 4096, "n_steps": 24, "batch_size": 24_576, "timesteps": 50_000_000}
+)
+"""Defaults on a GPU, also in place of a recipe's: as many envs as keep it busy, and few steps of each (Rudin et al.
+2021). Not measured."""
+
+WARP_DEVICES: Final[Mapping[str, str]] = MappingProxyType({"warp-cpu": "cpu"})
+"""Warp's names of devices, where they differ from those of the option."""
+_DEVICE: Final = re.compile(r"cpu|warp-cpu|cuda(:[0-9]+)?")
 
 
 @dataclass(frozen=True)
@@ -83,6 +94,9 @@ class TrainConfig:
     """Share of the networks that their slow copies take over in each gradient step of sac, td3, ddpg and tqc"""
     action_noise: float = 0.1
     """Standard deviation of the exploration of td3 and ddpg, which are deterministic"""
+    device: str = "cpu"
+    """Device of the physics and the networks: `cpu` (MuJoCo's batch and Stable-Baselines3); `cuda` or `cuda:N`, a GPU
+    (MuJoCo Warp and rsl-rl, extra gpu); `warp-cpu`, the GPU's code on the CPU, for trying it"""
     hidden: tuple[int, ...] = (64, 64)
     """Widths of the hidden layers of the policy and of the value function"""
     activation: Literal["elu", "relu", "tanh"] = "elu"
@@ -104,6 +118,12 @@ class TrainConfig:
             )
         recipe(self.recipe)
         entry = algorithm(self.algo)
+        if not _DEVICE.fullmatch(self.device):
+            raise QuadrupedError(f"--device: {short(self.device)} is unknown; expected cpu, cuda, cuda:N or warp-cpu")
+        if self.device != "cpu" and self.algo != "ppo":
+            raise QuadrupedError(
+                f"--device: {self.device} trains with ppo alone; found --algo {self.algo}; leave one of both out"
+            )
         for name in (
             "timesteps",
             "num_envs",
@@ -160,6 +180,11 @@ class TrainConfig:
                 f"--ranks: found {self.ranks} with --algo {self.algo}; only ppo averages gradients over ranks: leave "
                 f"--ranks out, or choose --algo ppo"
             )
+        if self.device != "cpu":
+            raise QuadrupedError(
+                f"--ranks: found {self.ranks} with --device {self.device}; ranks share the envs of CPUs: leave one of "
+                f"both out"
+            )
         if self.ranks > self.num_envs:
             raise QuadrupedError(
                 f"--ranks: found {self.ranks}, more than the {self.num_envs} envs that they share; lower it, or give "
@@ -179,6 +204,11 @@ class TrainConfig:
                 f"--ranks: found {self.ranks} with --batch-size {self.batch_size}; expected 2 or more samples per "
                 f"rank: lower --ranks, or choose --batch-size {2 * self.ranks} or more"
             )
+
+
+def on_gpu(device: str) -> bool:
+    """True for a device that is a GPU, whose defaults differ."""
+    return device.startswith("cuda")
 
 
 def defaults(algo: str, action_mode: str) -> dict[str, Any]:

@@ -24,6 +24,7 @@ from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable, whole, write_whole
+from quadruped_env.policies import Policy
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
@@ -69,6 +70,8 @@ def train(
         QuadrupedError: if a setting is not possible, the run to resume is not complete, or a file cannot be
             written; then what was saved before is kept.
     """
+    if config.device != "cpu":
+        raise QuadrupedError(f"--device: {config.device} needs quadruped_env.training.warp.train")
     check_latest(runs)
     config, parent, env, model = prepare(config, resume, task_file, group)
     task = env.task.config
@@ -149,7 +152,7 @@ def learn(config: TrainConfig, model: Any, statistics: StepStatistics, fresh: bo
         statistics: callback that knows when to stop.
         fresh: False if the training goes on from a run.
     """
-    with _stop_on_signal(statistics):
+    with stop_on_signal(statistics):
         timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
         model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
 
@@ -171,7 +174,7 @@ def _quiet_threads() -> Iterator[None]:
         threading.excepthook = usual
 
 
-class _stop_on_signal:  # noqa: N801
+class stop_on_signal:  # noqa: N801
     """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
 
     def __init__(self, statistics: StepStatistics) -> None:
@@ -204,6 +207,9 @@ class Recorder(StepStatistics):
         seconds_before: wall clock of the training that it goes on from.
         group: rank 0 of the training, if it has several.
     """
+
+    resume_file = RESUME_FILE
+    """File from which a training can go on."""
 
     def __init__(
         self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0, group: Group = ALONE
@@ -321,8 +327,10 @@ class Recorder(StepStatistics):
         }
         archive = io.BytesIO()
         self.model.save(archive)
-        policy = export_policy(model, self._task_config, self._config.activation, card)
-        return {RESUME_FILE: archive.getvalue(), **policy.files()}
+        return {self.resume_file: archive.getvalue(), **self._policy(card).files()}
+
+    def _policy(self, card: dict[str, Any]) -> Policy:
+        return export_policy(self.model, self._task_config, self._config.activation, card)
 
     def finish(self) -> None:
         """Log the remaining steps, and close the progress bar."""

@@ -19,7 +19,15 @@ from quadruped_env.simulation.ground import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training.config import TrainConfig
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE, RESUMED_FROM, run_name
+from quadruped_env.training.run import (
+    CONFIG_FILE,
+    PROGRESS_COLUMNS,
+    PROGRESS_FILE,
+    RESUME_FILE,
+    RESUMED_FROM,
+    RSL_FILE,
+    run_name,
+)
 
 NO_SECTIONS: Final[Mapping[str, str]] = MappingProxyType({})
 KEPT: Final = (
@@ -34,8 +42,8 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
-_ADDED: Final = ("ranks",)
-"""Fields of `TrainConfig` that runs of earlier versions do not have: they were trained with the defaults."""
+_ADDED: Final = frozenset({"ranks", "device", "noise_correlation"})
+"""Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +84,8 @@ class Parent:
         if not os.path.isdir(directory):  # Path.is_dir raises for a name that is too long
             raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
         directory = finished_directory(directory)
-        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, PROGRESS_FILE):
+        resume_file = RSL_FILE if (directory / RSL_FILE).is_file() else RESUME_FILE
+        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, resume_file, PROGRESS_FILE):
             if not (directory / name).is_file():
                 raise QuadrupedError(
                     f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its "
@@ -130,6 +139,12 @@ class Parent:
         Raises:
             QuadrupedError: naming the option, the value given and the run's own.
         """
+        here, there = (device != "cpu" for device in (asked.get("device", self.config.device), self.config.device))
+        if here != there:
+            raise QuadrupedError(
+                f"--device: found {asked['device']}; {self.name} was trained with {self.config.device}, whose files "
+                f"another trainer wrote: leave the option out, or start a new training without --resume"
+            )
         for name in KEPT:
             if name not in asked:
                 continue
@@ -190,7 +205,7 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
     """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
     document = read_json(path, "start a new training")
     training, task = _section(path, document, "training"), _section(path, document, "task")
-    values = {}
+    values: dict[str, Any] = {}
     for field in fields(TrainConfig):
         if field.name in _ADDED and field.name not in training:
             continue

@@ -21,6 +21,9 @@ from quadruped_env.training.config import TrainConfig
 CONFIG_FILE: Final = "config.json"
 PROGRESS_FILE: Final = "progress.csv"
 RESUME_FILE: Final = "sb3_model.zip"
+"""File from which a training can go on"""
+RSL_FILE: Final = "rsl_rl.pt"
+"""The same of a training on a GPU."""
 RESUMED_FROM: Final = "resumed_from"
 """Field of a resumed run's config and of its policy's card"""
 PROGRESS_COLUMNS: Final = (

@@ -29,9 +29,10 @@ def command(runs, *arguments):
 
 def learn(runs, config, resume=None):
     """Train in this process; the run directory."""
-    from quadruped_env.training import ppo
+    from quadruped_env.training.distributed.job import Job
+    from quadruped_env.training.distributed.launch import launch
 
-    return ppo.train(config, runs, "train", resume)[0]
+    return launch(Job(config, runs, "train", resume))[0]
 
 
 def train(runs, *arguments):

@@ -48,6 +48,10 @@ def launch(
 
         return train_in_processes(job)
     # Torch takes seconds to import.
+    if job.config.device != "cpu":
+        from quadruped_env.training import warp
+
+        return warp.train(job.config, job.runs, job.command, job.resume, job.task_file)
     from quadruped_env.training import ppo
 
     return ppo.train(job.config, job.runs, job.command, job.resume, job.task_file)
