@@ -64,6 +64,8 @@ class NativeModel:
     budget_seconds: float | None = None
     budget_left_at_start: float = 1.0
     """Share of the schedules that is left at the start; they reach their ends with the budget's"""
+    update_threads: int = 0
+    """Threads of an update; 0: one per core"""
     log_std_bounds: tuple[float, float] | None = None
     """Upper bounds of the exploration's log standard deviation, at the start and at the end of the budget"""
     _started: float = 0.0
@@ -85,7 +87,7 @@ class NativeModel:
 
     def train(self, *args: Any, **kwargs: Any) -> None:
         """See SB3."""
-        torch.set_num_threads(os.cpu_count() or 1)
+        torch.set_num_threads(self.update_threads or os.cpu_count() or 1)
         super().train(*args, **kwargs)  # type: ignore[misc]
 
     def _setup_learn(self, *args: Any, **kwargs: Any) -> Any:

@@ -6,7 +6,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -24,6 +24,7 @@ from quadruped_env.envs import MAX_EPISODE_STEPS, make_sb3_vec_env
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable, whole, write_whole
+from quadruped_env.policies import Policy
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
@@ -40,9 +41,18 @@ except ImportError as error:  # pragma: no cover
 _LOG_INTERVAL = 1.0
 """Interval of the progress bar, progress.csv and TensorBoard, s."""
 
+Observer = Callable[[int, Callable[[], Policy]], None]
+"""Called after each rollout with the number of time steps and a function that makes the policy at this point."""
+
 
 def train(
-    config: TrainConfig, runs: Path, command: str, resume: Path | None = None, task_file: Path | None = None
+    config: TrainConfig,
+    runs: Path,
+    command: str,
+    resume: Path | None = None,
+    task_file: Path | None = None,
+    observer: Observer | None = None,
+    threads: int = 0,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -52,6 +62,8 @@ def train(
         command: what the user typed, for the record.
         resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
         task_file: a user's file of terms, which is executed.
+        observer: watches the training; the clock stands still meanwhile.
+        threads: threads of the physics and of an update; 0: one per core.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -73,6 +85,7 @@ def train(
         config=config.task,
         task_file=task_file,
         privileged=config.asymmetric_critic,
+        num_threads=threads,
     )
     task = env.task.config
     check_training_seeds("config.terrain.seed", task.terrain["seed"])
@@ -80,12 +93,13 @@ def train(
     if parent is not None:
         model.go_on_from(parent)
     model.budget_seconds = config.seconds
+    model.update_threads = threads
 
     if parent is None:
         run = Run(runs, config, task.to_dict(), command)
     else:
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
-    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds)
+    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, observer)
     try:
         with ExitStack() as stack:
             # In the end the last of these comes first, and each though another fails.
@@ -152,10 +166,19 @@ class Recorder(BaseCallback):
         config: settings of the training.
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
+        observer: called after each rollout.
     """
 
-    def __init__(self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0) -> None:
+    def __init__(
+        self,
+        run: Run,
+        config: TrainConfig,
+        task: TaskConfig,
+        seconds_before: float = 0.0,
+        observer: Observer | None = None,
+    ) -> None:
         super().__init__()
+        self._observer = observer
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.stopped = False
@@ -211,6 +234,10 @@ class Recorder(BaseCallback):
         if self.elapsed >= self._next_checkpoint:
             self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
             self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
+        if self._observer is not None:
+            began = time.perf_counter()
+            self._observer(self.num_timesteps, lambda: self._policy(self._card()))
+            self._start += time.perf_counter() - began
 
     def _log(self) -> None:
         errors = np.sqrt(self._squares / self._steps)
@@ -263,8 +290,13 @@ class Recorder(BaseCallback):
 
     def _files(self) -> dict[str, bytes]:
         """Name -> content; the policy's card, which marks a directory as complete, is the last."""
+        archive = io.BytesIO()
+        self.model.save(archive)
+        return {RESUME_FILE: archive.getvalue(), **self._policy(self._card()).files()}
+
+    def _card(self) -> dict[str, Any]:
         model = cast(NativeModel, self.model)
-        card = {
+        return {
             **self._run.facts,
             "recipe": self._config.recipe,
             "algo": self._config.algo,
@@ -273,10 +305,9 @@ class Recorder(BaseCallback):
             "seconds": round(self.seconds, 1),
             "budget_left": model.budget_left(),
         }
-        archive = io.BytesIO()
-        self.model.save(archive)
-        policy = export_policy(model, self._task_config, self._config.activation, card)
-        return {RESUME_FILE: archive.getvalue(), **policy.files()}
+
+    def _policy(self, card: dict[str, Any]) -> Policy:
+        return export_policy(self.model, self._task_config, self._config.activation, card)
 
     def finish(self) -> None:
         """Log the remaining steps, and close the progress bar."""
