@@ -143,7 +143,7 @@ class SweepConfig:
         _check_training(make(self.fields_of({}, first)), self.task_file)
         for dimension in self.space:
             for value in dimension.ends():
-                # The other fields are at valid values of their own: a trial whose fields do not fit together fails alone.
+                # Alone, or with the others at their first values. Values that do not fit together fail in their trial.
                 try:
                     _check_training(make(self.fields_of({dimension.field: value}, first)), self.task_file)
                 except QuadrupedError as error:

@@ -58,7 +58,7 @@ class Dimension:
             value = math.exp(generator.uniform(math.log(self.low), math.log(self.high)))
             return min(max(round(value) if self.whole else value, self.low), self.high)
         if self.whole:
-            return int(generator.integers(self.low, self.high, endpoint=True))
+            return int(generator.integers(int(self.low), int(self.high), endpoint=True))
         return float(generator.uniform(self.low, self.high))
 
     def ends(self) -> tuple[Any, ...]:
@@ -157,8 +157,8 @@ def default_of(name: str, task: Mapping[str, Any], option: str) -> Any:
                 raise _unknown(option, name, f"{path}.{part}", known, path)
             value, path = value[part], f"{path}.{part}"
         if isinstance(value, Mapping):
-            fields = ", ".join(f"{path}.{key}" for key in list(value)[:3])
-            raise QuadrupedError(f"{option} {name}: found a section; name one of its fields, such as {fields}")
+            examples = ", ".join(f"{path}.{key}" for key in list(value)[:3])
+            raise QuadrupedError(f"{option} {name}: found a section; name one of its fields, such as {examples}")
         return value
     fields = {field.name: field.default for field in dataclasses.fields(TrainConfig)}
     if name in FIXED:
@@ -279,8 +279,8 @@ def _choices(where: str, name: str, values: Sequence[Any], default: Any) -> Dime
         unique.append(value)
     if len(unique) < 2:
         raise QuadrupedError(
-            f"{where}: expected two or more choices, or a range LOW..HIGH; found {', '.join(map(shown, unique))}; set a "
-            f"single value with its option of 'train'"
+            f"{where}: expected two or more choices, or a range LOW..HIGH; found {', '.join(map(shown, unique))}; set "
+            f"a single value with its option of 'train'"
         )
     return Dimension(name, choices=tuple(unique))
 
