@@ -112,7 +112,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.sweep.cluster import check_answers, ray_module
+    from quadruped_env.sweep.cluster import check_answers, check_installed
     from quadruped_env.sweep.results import collect, table, write
     from quadruped_env.sweep.trial import cores
 
@@ -124,7 +124,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     config, make = definition(arguments)
     if arguments.address is None and config.cores_per_trial > here:
         raise QuadrupedError(f"--cores-per-trial: found {config.cores_per_trial}; this machine has {here}; lower it")
-    ray_module()
+    check_installed()
     if arguments.address is not None:
         check_answers(arguments.address)
     if arguments.resume is None:

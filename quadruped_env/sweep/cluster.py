@@ -4,6 +4,7 @@ A Ray cluster executes what any process sends to it: it belongs in a trusted net
 """
 
 import contextlib
+import importlib.util
 import logging
 import os
 import socket
@@ -52,7 +53,7 @@ def connected(address: str | None, cores: int) -> Iterator[Any]:
     os.environ.update(_ENVIRONMENT)
     if address is None:
         os.environ[_ONE_MACHINE] = "0"
-    ray = ray_module()
+    ray = _imported()
     options: dict[str, Any] = {"logging_level": logging.ERROR, "log_to_driver": False}
     if address is None:
         # Not the cluster that RAY_ADDRESS names.
@@ -70,17 +71,24 @@ def connected(address: str | None, cores: int) -> Iterator[Any]:
             ) from error
         raise _refused(address, reason) from error
     try:
+        if address is None and (found := ray.util.get_node_ip_address()) != _LOOPBACK:
+            raise QuadrupedError(
+                f"Ray would listen on {found}, because it was imported before the sweep; start the sweep in a process "
+                f"that has not imported ray, or set {_ONE_MACHINE}=0"
+            )
         yield ray
     finally:
         ray.shutdown()
 
 
-def ray_module() -> Any:
-    """Ray with Ray Tune.
+def check_installed() -> None:
+    """Raise a MissingExtraError if Ray is not installed, without importing it."""
+    if importlib.util.find_spec("ray") is None:
+        raise MissingExtraError("A sweep", "sweep")
 
-    Raises:
-        MissingExtraError: if it is not installed.
-    """
+
+def _imported() -> Any:
+    """Ray with Ray Tune. It reads `_ONE_MACHINE` when it is imported."""
     try:
         import ray
         import ray.tune

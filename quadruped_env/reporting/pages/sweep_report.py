@@ -126,7 +126,7 @@ def _figures(folder: Path, results: Mapping[str, Any], scored: list[Mapping[str,
             figure(
                 "Settings and their scores",
                 plots.parallel_coordinates(lines, space),
-                "Each line is a setting, from its value of each field to its score; light lines have the higher scores.",
+                "Each line is a setting, from its value of each field to its score; lighter lines have higher scores.",
             )
         )
     if results["importance"]["fields"]:
