@@ -213,9 +213,10 @@ class TrialBook:
         Raises:
             QuadrupedError: if a file cannot be written.
         """
-        if not self._waiting:
+        number = next((number for number in self._waiting if number in self._open), None)
+        if number is None:
             return None
-        number = self._waiting.pop(0)
+        self._waiting.remove(number)
         trial = self.folder.trial(number)
         if trial.settings() is None:
             setting, seed = self._numbers[number]

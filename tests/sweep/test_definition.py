@@ -104,12 +104,12 @@ def test_optuna_proposes_better_settings_with_the_results_of_an_earlier_process(
     for setting, values in done.items():
         later.tell(setting, values, score(values))
     found = []
-    for setting in range(30, 40):
+    for setting in range(30, 50):
         found.append(later.values(setting))
         later.tell(setting, found[-1], score(found[-1]))
     assert all(0.5 <= values["gamma"] <= 1.0 and values["hidden"] in HIDDEN.choices for values in found)
     # Random settings are 0.13 away from the best one in the mean.
-    assert sum(abs(values["gamma"] - 0.7) for values in found) / 10 < 0.07
+    assert sum(abs(values["gamma"] - 0.7) for values in found) / 20 < 0.09
 
 
 def test_sweep_is_read_from_its_files_as_it_was_written(tmp_path):
@@ -176,8 +176,8 @@ def test_first_result_of_a_trial_stands(tmp_path):
 
 def test_second_process_on_a_sweep_is_refused(tmp_path):
     folder = SweepFolder.create(tmp_path, "ppo", SweepConfig(), "sweep")
-    with folder.locked():
-        with pytest.raises(QuadrupedError, match=r"another process runs the sweep in"), folder.locked():
-            pass
+    message = r"another process runs the sweep in"
+    with folder.locked(), pytest.raises(QuadrupedError, match=message), folder.locked():
+        pass
     with folder.locked():
         pass
