@@ -52,7 +52,7 @@ def connected(address: str | None, cores: int) -> Iterator[Any]:
     """
     os.environ.update(_ENVIRONMENT)
     if address is None:
-        os.environ[_ONE_MACHINE] = "0"
+        os.environ |= {_ONE_MACHINE: "0", "RAY_worker_niceness": "0"}  # the priority of a training by hand
     ray = _imported()
     options: dict[str, Any] = {"logging_level": logging.ERROR, "log_to_driver": False}
     if address is None:
