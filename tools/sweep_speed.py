@@ -10,8 +10,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
-sys.path.append(str(ROOT))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env.errors import QuadrupedError
@@ -19,6 +18,7 @@ from quadruped_env.files import write_json
 from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
+ROOT = Path(__file__).parents[1]
 SAMPLE_INTERVAL = 0.5
 """Time between samples of the memory, s."""
 
@@ -26,9 +26,9 @@ SAMPLE_INTERVAL = 0.5
 def main() -> int:
     """Parse the arguments, measure, and print the ratio."""
     parser = argparse.ArgumentParser(
-        description="Train some seeds of one config one after another with train/ppo.py on all cores, and the same seeds "
-        "with train/sweep.py; compare the wall clock, with all starts of programs and of Ray. Let nothing else run "
-        "meanwhile.",
+        description="Train some seeds of one config one after another with train/ppo.py on all cores, and the same "
+        "seeds with train/sweep.py; compare the wall clock, with all starts of programs and of Ray. Let nothing else "
+        "run meanwhile.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--seeds", type=int, default=8, help="number of seeds")

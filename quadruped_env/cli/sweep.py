@@ -158,7 +158,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 
 def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
-    """The sweep that was asked for, or that is resumed, and the function that makes its trainings' settings.
+    """The requested sweep, or the one that is resumed, and the function that makes its trainings' settings.
 
     Raises:
         QuadrupedError: if an option is not valid, or not that of the resumed sweep.

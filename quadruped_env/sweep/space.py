@@ -250,8 +250,8 @@ def _range(where: str, name: str, values: Mapping[str, Any], default: Any) -> Di
     log = bool(values.get("log", False))
     if isinstance(default, bool) or not (default is None or isinstance(default, (int, float))):
         raise QuadrupedError(
-            f"{where}: found a range, but the field is no number (default: {shown(default)}); give choices, separated "
-            f"by commas"
+            f"{where}: found a range, but the field is not a number (default: {shown(default)}); give choices, "
+            f"separated by commas"
         )
     for end in ("low", "high"):
         value = values[end]

@@ -12,7 +12,7 @@ from waiting import DEADLINE, wait_until
 
 SCRIPT = ROOT / "train" / "sweep.py"
 TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
-LONG = ("--timesteps", "80000", *TINY[2:])
+LONG = ("--timesteps", "40000", *TINY[2:])
 """Trainings that last several seconds on any machine."""
 ONE_MACHINE = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
 """Environment variables with which all of Ray's processes listen on loopback alone."""

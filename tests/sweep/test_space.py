@@ -54,7 +54,7 @@ def test_text_gives_the_dimension_which_survives_json(text, dimension):
         ("n_epochs=1.5..3", r"--vary n_epochs: low: expected a whole number; found 1\.5"),
         ("n_epochs=2,x", r"--vary n_epochs: expected a whole number; found 'x'"),
         ("symmetric=1,0", r"expected true or false; found 1"),
-        ("hidden=64..128", r"found a range, but the field is no number \(default: 64x64\); give choices"),
+        ("hidden=64..128", r"found a range, but the field is not a number \(default: 64x64\); give choices"),
         ("hidden=64x,32", r"expected widths such as 64x64; found '64x'"),
         ("gamma=0.9", r"expected two or more choices, or a range LOW\.\.HIGH; found 0\.9; set a single value"),
         ("gamma=0.9,0.9", r"the choice 0\.9 is found twice"),
