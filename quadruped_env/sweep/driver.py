@@ -53,6 +53,12 @@ def run_sweep(folder: SweepFolder, make: MakeConfig, address: str | None, cores:
             shutil.rmtree(tune_folder, ignore_errors=True)
             try:
                 _fit(folder, book, ray)
+            except (ray.exceptions.RayError, ray.tune.TuneError, ConnectionError) as error:
+                reason = (str(error).strip().splitlines() or [type(error).__name__])[-1]
+                raise QuadrupedError(
+                    f"{folder.path}: Ray ended in mid-sweep ({reason[:200]}); what is finished is kept: go on with "
+                    f"--resume {folder.path}"
+                ) from error
             finally:
                 shutil.rmtree(tune_folder, ignore_errors=True)
         return not book.missing()
