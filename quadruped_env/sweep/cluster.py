@@ -43,7 +43,8 @@ def connected(address: str | None, cores: int) -> Iterator[Any]:
     """Ray's module with a running cluster; one that was started here ends with the context.
 
     Args:
-        address: `host:port` of a running cluster, of which this machine is a node; None starts Ray here.
+        address: `host:port` of a running cluster that answers (`check_answers`), of which this machine is a node; None
+            starts Ray here.
         cores: cores of a cluster that is started here.
 
     Raises:
@@ -59,8 +60,9 @@ def connected(address: str | None, cores: int) -> Iterator[Any]:
         # Not the cluster that RAY_ADDRESS names.
         options |= {"address": "local", "num_cpus": cores, "include_dashboard": False, "_node_ip_address": _LOOPBACK}
     else:
-        check_answers(address)
         options["address"] = address
+    # Lost trials are reported in a line, without the traceback of Ray Tune.
+    logging.getLogger("ray.tune").setLevel(logging.CRITICAL)
     try:
         ray.init(**options)
     except (ConnectionError, RuntimeError, ValueError) as error:

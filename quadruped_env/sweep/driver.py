@@ -31,7 +31,7 @@ def run_sweep(folder: SweepFolder, make: MakeConfig, address: str | None, cores:
     Args:
         folder: the sweep.
         make: makes the settings of a training from fields of `TrainConfig`.
-        address: `host:port` of a running Ray cluster; None starts Ray on this machine.
+        address: `host:port` of a running Ray cluster that answers; None starts Ray on this machine.
         cores: cores of this machine to use without an address.
         say: prints a line.
 
@@ -40,7 +40,8 @@ def run_sweep(folder: SweepFolder, make: MakeConfig, address: str | None, cores:
 
     Raises:
         MissingExtraError: if Ray is not installed, or Optuna where it is needed.
-        QuadrupedError: if the cluster does not answer or is too small, or a file is damaged or cannot be written.
+        QuadrupedError: if Ray does not start, the cluster is too small or ends, or a file is damaged or cannot be
+            written.
     """
     config = folder.config
     with folder.locked():
