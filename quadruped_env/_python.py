@@ -19,6 +19,7 @@ COMMAND = "mini-quadruped"
 """The installed command."""
 SCRIPTS = {
     "train": "train/ppo.py",
+    "sweep": "train/sweep.py",
     "tune-gait": "train/tune_gait.py",
     "evaluate": "evaluate/policy.py",
     "compare": "evaluate/compare.py",

@@ -14,6 +14,7 @@ from quadruped_env.program import run_program
 
 SUMMARIES: Final = {
     "train": "train a walking policy with PPO",
+    "sweep": "train many policies at once: seeds of one config, or a search over its settings",
     "evaluate": "evaluate a policy against the scripted gaits, and write a report",
     "compare": "compare several policies on the same episodes",
     "sim2sim": "run a policy in a second physics engine, and measure what it loses there",

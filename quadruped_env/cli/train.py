@@ -26,7 +26,7 @@ from quadruped_env.documents import read_json
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
-from quadruped_env.task import BUILT_IN, load_task_file, preset_values
+from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
@@ -43,8 +43,36 @@ _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the fields of `TrainConfig`, and the places of the runs."""
+    add_settings(parser)
+    add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
+    parser.add_argument(
+        "--launcher",
+        choices=LAUNCHERS,
+        default=LAUNCHERS[0],
+        help="what starts the other --ranks: processes of this machine, or a Ray cluster, which needs the extra "
+        "'sweep'; torchrun starts all itself (docs/distributed.md) (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--address",
+        metavar="HOST:PORT",
+        help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
+    )
+    parser.add_argument(
+        "--resume",
+        type=Path,
+        metavar="RUN",
+        help="run or checkpoint to continue, with its task, network and other settings; options change the others. "
+        "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
+        "from where they were",
+    )
+
+
+def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) -> None:
+    """Add the fields of `TrainConfig` that are not left out, `--terrain` and `--randomization`."""
     docs, position = field_docs(TrainConfig), defaults(TrainConfig.algo, "position")
     for field in dataclasses.fields(TrainConfig):
+        if field.name in left_out:
+            continue
         option = f"--{field.name.replace('_', '-')}"
         default = field.default if field.default is not dataclasses.MISSING else {}
         other = f"; {position[field.name]} in mode position" if field.name in position else ""
@@ -76,49 +104,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         parser.add_argument(option, **options)
     add_terrain(parser, "that of --task, or of the --recipe")
     add_randomization(parser, "that of --task, or of the --recipe")
-    add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
-    parser.add_argument(
-        "--launcher",
-        choices=LAUNCHERS,
-        default=LAUNCHERS[0],
-        help="what starts the other --ranks: processes of this machine, or a Ray cluster, which needs the extra "
-        "'sweep'; torchrun starts all itself (docs/distributed.md) (default: %(default)s)",
-    )
-    parser.add_argument(
-        "--address",
-        metavar="HOST:PORT",
-        help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
-    )
-    parser.add_argument(
-        "--resume",
-        type=Path,
-        metavar="RUN",
-        help="run or checkpoint to continue, with its task, network and other settings; options change the others. "
-        "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
-        "from where they were",
-    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Train, and print where the result is."""
-    names = {field.name for field in dataclasses.fields(TrainConfig)}
-    typed = {name: value for name, value in vars(arguments).items() if name in names}
-    if "hidden" in typed:
-        typed["hidden"] = tuple(typed["hidden"])
-    task_file, typed_task = task_changes(typed.pop("task", []))
-    check_level_has_terrain(arguments)
-    definition = BUILT_IN if task_file is None else load_task_file(task_file)
-    whole: dict[str, str] = {}
-    if arguments.terrain is not None:
-        whole["terrain"] = "terrain"
-        level = {} if arguments.level is None else {"level": arguments.level}
-        typed_task = changed(typed_task, {"terrain": {"name": arguments.terrain, **level}})
-    if arguments.randomization is not None:
-        whole["randomization"] = "randomization"
-        # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
-        typed_task = changed({"randomization": preset_values(arguments.randomization, definition.robot)}, typed_task)
-    if typed_task:
-        typed["task"] = typed_task
+    typed, task_file, definition, whole = typed_settings(arguments)
     here = torchrun.place()
     if here is not None:
         torchrun.check_ranks(typed.setdefault("ranks", here.ranks), here)
@@ -155,6 +145,39 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print(f"see it walk:  {program_command('view', directory, *task)}")
     print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
     return 0
+
+
+def typed_settings(
+    arguments: argparse.Namespace,
+) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:
+    """The settings of a training that were typed.
+
+    Returns:
+        Fields of `TrainConfig`, of which `task` holds changes; the Python file of `--task`; what it defines; and the
+        sections of the task's config that an option sets as a whole, with the option.
+
+    Raises:
+        QuadrupedError: if a value of an option of the task is not valid.
+    """
+    names = {field.name for field in dataclasses.fields(TrainConfig)}
+    typed = {name: value for name, value in vars(arguments).items() if name in names}
+    if "hidden" in typed:
+        typed["hidden"] = tuple(typed["hidden"])
+    task_file, typed_task = task_changes(typed.pop("task", []))
+    check_level_has_terrain(arguments)
+    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    whole: dict[str, str] = {}
+    if arguments.terrain is not None:
+        whole["terrain"] = "terrain"
+        level = {} if arguments.level is None else {"level": arguments.level}
+        typed_task = changed(typed_task, {"terrain": {"name": arguments.terrain, **level}})
+    if arguments.randomization is not None:
+        whole["randomization"] = "randomization"
+        # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
+        typed_task = changed({"randomization": preset_values(arguments.randomization, definition.robot)}, typed_task)
+    if typed_task:
+        typed["task"] = typed_task
+    return typed, task_file, definition, whole
 
 
 def task_change(text: str) -> Path | dict[str, Any]:

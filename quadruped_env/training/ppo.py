@@ -6,7 +6,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -44,6 +44,9 @@ _LOG_INTERVAL = 1.0
 _BETWEEN_RANKS = (RankLostError, DifferentWeightsError)
 """Errors after which this rank's policy is not that of a whole update of all ranks."""
 
+Observer = Callable[[int, Callable[[], Policy]], None]
+"""Called after each rollout with the number of time steps and a function that makes the policy at this point."""
+
 
 def train(
     config: TrainConfig,
@@ -52,6 +55,8 @@ def train(
     resume: Path | None = None,
     task_file: Path | None = None,
     group: Group = ALONE,
+    observer: Observer | None = None,
+    threads: int = 0,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -62,6 +67,8 @@ def train(
         resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
         task_file: a user's file of terms, which is executed.
         group: rank 0 of the training, if it has several.
+        observer: watches the training; the clock stands still meanwhile.
+        threads: threads of the physics and of an update; 0: one per core, or those of the group.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -73,13 +80,13 @@ def train(
     if config.device != "cpu":
         raise QuadrupedError(f"--device: {config.device} needs quadruped_env.training.warp.train")
     check_latest(runs)
-    config, parent, env, model = prepare(config, resume, task_file, group)
+    config, parent, env, model = prepare(config, resume, task_file, group, threads)
     task = env.task.config
     if parent is None:
         run = Run(runs, config, task.to_dict(), command)
     else:
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
-    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group)
+    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
     try:
         with ExitStack() as stack:
             # In the end the last of these comes first, and each though another fails.
@@ -98,7 +105,7 @@ def train(
 
 
 def prepare(
-    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE
+    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE, threads: int = 0
 ) -> tuple[TrainConfig, Parent | None, MiniQuadrupedSB3VecEnv, Any]:
     """Everything that a training, or one rank of it, needs to learn.
 
@@ -107,6 +114,7 @@ def prepare(
         resume: a run or checkpoint to go on from.
         task_file: a user's file of terms, which is executed.
         group: this rank.
+        threads: threads of the physics and of an update; 0: one per core, or those of the group.
 
     Returns:
         The settings with the whole task, the run to go on from, the rank's share of the envs, and the model.
@@ -120,7 +128,6 @@ def prepare(
         parent.check(asdict(config))
         config = replace(config, task=parent.config.task)
     share = config.num_envs // group.ranks
-    threads = {"num_threads": group.threads} if group.threads else {}
     env = make_sb3_vec_env(
         share,
         seed=config.seed + group.rank * share,
@@ -128,11 +135,12 @@ def prepare(
         config=config.task,
         task_file=task_file,
         privileged=config.asymmetric_critic,
-        **threads,
+        num_threads=threads or group.threads,
     )
     check_training_seeds("config.terrain.seed", env.task.config.terrain["seed"])
     if group is ALONE:
         model = make_model(config, env)
+        model.update_threads = threads
     else:
         from quadruped_env.training.distributed.model import DistributedPPO
 
@@ -206,15 +214,23 @@ class Recorder(StepStatistics):
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
         group: rank 0 of the training, if it has several.
+        observer: called after each rollout.
     """
 
     resume_file = RESUME_FILE
     """File from which a training can go on."""
 
     def __init__(
-        self, run: Run, config: TrainConfig, task: TaskConfig, seconds_before: float = 0.0, group: Group = ALONE
+        self,
+        run: Run,
+        config: TrainConfig,
+        task: TaskConfig,
+        seconds_before: float = 0.0,
+        group: Group = ALONE,
+        observer: Observer | None = None,
     ) -> None:
         super().__init__(group)
+        self._observer = observer
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
@@ -257,6 +273,10 @@ class Recorder(StepStatistics):
         if self.elapsed >= self._next_checkpoint:
             self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
             self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
+        if self._observer is not None:
+            began = time.perf_counter()
+            self._observer(self.num_timesteps, lambda: self._policy(self._card()))
+            self._start += time.perf_counter() - began
 
     def _log(self) -> None:
         squares, terms, falls = self.sums
@@ -315,8 +335,13 @@ class Recorder(StepStatistics):
 
     def _files(self) -> dict[str, bytes]:
         """Name -> content; the policy's card, which marks a directory as complete, is the last."""
+        archive = io.BytesIO()
+        self.model.save(archive)
+        return {self.resume_file: archive.getvalue(), **self._policy(self._card()).files()}
+
+    def _card(self) -> dict[str, Any]:
         model = cast(NativeModel, self.model)
-        card = {
+        return {
             **self._run.facts,
             "recipe": self._config.recipe,
             "algo": self._config.algo,
@@ -325,9 +350,6 @@ class Recorder(StepStatistics):
             "seconds": round(self.seconds, 1),
             "budget_left": model.budget_left(),
         }
-        archive = io.BytesIO()
-        self.model.save(archive)
-        return {self.resume_file: archive.getvalue(), **self._policy(card).files()}
 
     def _policy(self, card: dict[str, Any]) -> Policy:
         return export_policy(self.model, self._task_config, self._config.activation, card)

@@ -40,6 +40,7 @@ BAD = {
     "baseline": ("--output", "out.txt"),
     "export": ("nowhere",),
     "sim2sim": ("nowhere",),
+    "sweep": ("--resume", "nowhere"),
 }
 """Command -> arguments that this package refuses, not argparse."""
 

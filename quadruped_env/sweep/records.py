@@ -1,0 +1,235 @@
+"""The files of a sweep: its definition, and a folder per trial with its settings, its run directory and its result.
+
+    sweep.json                definition
+    trials/0003/trial.json    settings
+    trials/0003/scores.csv    scores during the training, with --scheduler asha
+    trials/0003/<time>-ppo/   run directory, as of a training by itself
+    trials/0003/result.json   result; a trial that has none is trained again when the sweep is resumed
+
+The files are all that a sweep goes on from: nothing is unpickled.
+"""
+
+import contextlib
+import csv
+import fcntl
+import io
+import json
+import os
+import time
+import uuid
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.documents import read_json
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.files import unwritable, whole, write_json, write_whole
+from quadruped_env.provenance import git_commit, machine, versions
+from quadruped_env.sweep.definition import FORMAT_VERSION, SweepConfig
+from quadruped_env.training.run import CONFIG_FILE
+
+SWEEP_FILE: Final = "sweep.json"
+TRIALS: Final = "trials"
+TRIAL_FILE: Final = "trial.json"
+RESULT_FILE: Final = "result.json"
+SCORES_FILE: Final = "scores.csv"
+ERROR_FILE: Final = "error.txt"
+STATES: Final = ("finished", "stopped", "failed")
+"""States of a result: the whole budget was used; ASHA stopped the trial; it ended with an error."""
+SCORE_COLUMNS: Final = ("rung", "timesteps", "seconds", "score")
+_LOCK_FILE: Final = ".lock"
+
+
+@dataclass(frozen=True)
+class SweepFolder:
+    """The directory of a sweep."""
+
+    path: Path
+    identity: str
+    """Random name of the sweep, which each of its trials has."""
+    config: SweepConfig
+
+    @classmethod
+    def create(cls, parent: Path, name: str, config: SweepConfig, command: str) -> "SweepFolder":
+        """Make `<parent>/<time>-<name>/` with its definition.
+
+        Raises:
+            QuadrupedError: if it cannot be written.
+        """
+        stamp = time.strftime("%Y%m%d-%H%M%S")
+        for suffix in ("", *(f"-{i}" for i in range(2, 1000))):
+            path = parent / f"{stamp}-{name}{suffix}"
+            try:
+                (path / TRIALS).mkdir(parents=True)
+            except FileExistsError:
+                continue
+            except OSError as error:
+                raise QuadrupedError(
+                    f"--output: cannot create {path} ({error.strerror}); name another place"
+                ) from error
+            break
+        identity = uuid.uuid4().hex
+        document = {
+            "format_version": FORMAT_VERSION,
+            "sweep": identity,
+            **config.to_dict(),
+            "command": command,
+            "git_commit": git_commit(),
+            "versions": versions(),
+            "machine": machine(),
+        }
+        write_json(path / SWEEP_FILE, document)
+        return cls(path, identity, config)
+
+    @classmethod
+    def open(cls, path: Path) -> "SweepFolder":
+        """The sweep in a directory.
+
+        Raises:
+            QuadrupedError: if the directory holds none, or its definition is damaged.
+        """
+        file = path / SWEEP_FILE
+        if not file.is_file():
+            what = "there is no such directory"
+            if (path / CONFIG_FILE).is_file():
+                what = "this is the run directory of one training: continue it with 'train --resume'"
+            elif path.is_dir():
+                what = f"it has no {SWEEP_FILE}, so no sweep is in it"
+            raise QuadrupedError(f"--resume: {path}: {what}; name the directory that 'sweep' printed")
+        document = read_json(file, "start a new sweep")
+        if not isinstance(document, dict) or not isinstance(document.get("sweep"), str):
+            raise QuadrupedError(f"{file}: not the definition of a sweep; start a new one")
+        if document.get("format_version") != FORMAT_VERSION:
+            raise QuadrupedError(
+                f"{file}: format_version: expected {FORMAT_VERSION}; found {short(document.get('format_version'))}; "
+                f"resume it with the version of this package that wrote it"
+            )
+        names = SweepConfig.__dataclass_fields__
+        values = {name: document[name] for name in names if name in document}
+        return cls(path, document["sweep"], SweepConfig.from_dict(values, str(file)))
+
+    def trial(self, number: int) -> "TrialFolder":
+        """The folder of a trial."""
+        return TrialFolder(self.path / TRIALS / f"{number:04d}", self.identity)
+
+    @contextlib.contextmanager
+    def locked(self) -> Iterator[None]:
+        """Within it, no other process runs this sweep; the lock ends with the process.
+
+        Raises:
+            QuadrupedError: if another process runs it.
+        """
+        path = self.path / _LOCK_FILE
+        try:
+            file = path.open("a")
+        except OSError as error:
+            raise unwritable(path, error) from error
+        with file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                raise QuadrupedError(
+                    f"--resume: another process runs the sweep in {self.path}; wait for its end, or stop it"
+                ) from error
+            yield
+
+
+@dataclass(frozen=True)
+class TrialFolder:
+    """The directory of a trial; all of its files appear when they are whole."""
+
+    path: Path
+    sweep: str
+    """Identity of the sweep."""
+
+    def write_settings(self, settings: Mapping[str, Any]) -> None:
+        """Write trial.json."""
+        write_json(self.path / TRIAL_FILE, {"sweep": self.sweep, **settings})
+
+    def settings(self) -> dict[str, Any] | None:
+        """Content of trial.json; None if the trial has not begun.
+
+        Raises:
+            QuadrupedError: if it belongs to another sweep.
+        """
+        return self._read(TRIAL_FILE, ("number", "setting", "seed", "values", "training"))
+
+    def result(self) -> dict[str, Any] | None:
+        """Content of result.json; None if the trial has not ended.
+
+        Raises:
+            QuadrupedError: if it belongs to another sweep.
+        """
+        return self._read(RESULT_FILE, ("state",))
+
+    def _read(self, name: str, fields: tuple[str, ...]) -> dict[str, Any] | None:
+        path = self.path / name
+        if not path.is_file():
+            return None
+        document = read_json(path, f"remove {self.path} to train this trial again")
+        missing = [field for field in ("sweep", *fields) if not isinstance(document, dict) or field not in document]
+        if missing:
+            raise QuadrupedError(f"{path}: field {missing[0]!r} is missing; remove {self.path} to train it again")
+        if document["sweep"] != self.sweep:
+            raise QuadrupedError(
+                f"{path}: this is a trial of another sweep ({short(document['sweep'])} in place of "
+                f"{short(self.sweep)}); move {self.path} away"
+            )
+        return dict(document)
+
+    def finish(self, result: Mapping[str, Any]) -> dict[str, Any]:
+        """Write result.json if there is none; the result that stands.
+
+        Two processes may train a trial if a node was cut off from the cluster: the first result counts.
+
+        Raises:
+            QuadrupedError: if it cannot be written.
+        """
+        path = self.path / RESULT_FILE
+        content = json.dumps({"sweep": self.sweep, **result}, indent=2, allow_nan=False) + "\n"
+        part = path.with_name(f".{RESULT_FILE}.{uuid.uuid4().hex}.part")
+        try:
+            with part.open("x") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            with contextlib.suppress(FileExistsError):
+                os.link(part, path)
+        except OSError as error:
+            raise unwritable(path, error) from error
+        finally:
+            part.unlink(missing_ok=True)
+        found = self.result()
+        assert found is not None
+        return found
+
+    def write_scores(self, rows: list[dict[str, Any]]) -> None:
+        """Write scores.csv."""
+        text = io.StringIO()
+        writer = csv.DictWriter(text, SCORE_COLUMNS)
+        writer.writeheader()
+        writer.writerows(rows)
+        write_whole({self.path / SCORES_FILE: text.getvalue().encode()})
+
+    def scores(self) -> list[dict[str, float]]:
+        """Rows of scores.csv; none if the file does not exist.
+
+        Raises:
+            QuadrupedError: if it is damaged.
+        """
+        path = self.path / SCORES_FILE
+        if not path.is_file():
+            return []
+        try:
+            with path.open(newline="", encoding="utf-8") as file:
+                return [{name: float(row[name]) for name in SCORE_COLUMNS} for row in csv.DictReader(file)]
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise QuadrupedError(
+                f"{path}: damaged ({short(str(error))}); remove {self.path} to train it again"
+            ) from error
+
+    def write_error(self, text: str) -> None:
+        """Write the traceback of a failed trial."""
+        with whole(self.path / ERROR_FILE) as part:
+            part.write_text(text)
