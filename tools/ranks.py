@@ -1,7 +1,8 @@
 """Measure a training on two ranks against one, with the same number of envs in total.
 
     python tools/ranks.py --only speed       steps per second, and the parts of which an update consists
-    python tools/ranks.py --only walk        time until a policy walks, from scratch, for several seeds
+    python tools/ranks.py --only walk        time until a policy walks, from scratch, for several seeds: 8 episodes of
+                                             10 s without a fall, within 0.1 m/s of a commanded 0.5 m/s
 
 The runs with one and with two ranks take turns. Let nothing else run meanwhile. Results are added to the file of
 `--output`: seeds that it already has are not trained again. docs/distributed.md holds the figures.
@@ -46,7 +47,7 @@ def main() -> int:
     parser.add_argument(
         "--every",
         type=int,
-        default=32_768,
+        default=16_384,
         help="environment steps between two tests of walking (default: %(default)s)",
     )
     parser.add_argument(
