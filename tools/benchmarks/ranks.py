@@ -111,10 +111,12 @@ def time_to_walk(ranks: int, seed: int, timesteps: int, every: int) -> Walked:
 def _prepared(group: Any, **settings: Any) -> tuple[Any, Any]:
     from stable_baselines3.common.logger import Logger
 
+    from quadruped_env.cli.train import with_recipe
+    from quadruped_env.robot import MINI_QUADRUPED
     from quadruped_env.training import ppo
     from quadruped_env.training.config import TrainConfig
 
-    config = TrainConfig(ranks=group.ranks, **settings)
+    config = TrainConfig(**with_recipe({"ranks": group.ranks, **settings}, MINI_QUADRUPED, ()))
     _, _, _, model = ppo.prepare(config, None, None, group)
     model.set_logger(Logger(None, []))
     return config, model
@@ -191,12 +193,10 @@ def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
 def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str, float | None]:
     from benchmarks.learning_speed import COMMAND, walk_test
     from quadruped_env.training import ppo
-    from quadruped_env.training.config import defaults
     from quadruped_env.training.models import export_policy
     from quadruped_env.training.statistics import StepStatistics
 
-    settings = {**defaults("ppo", "position"), "action_mode": "position", "seed": seed, "timesteps": timesteps}
-    config, model = _prepared(group, **settings)
+    config, model = _prepared(group, action_mode="position", seed=seed, timesteps=timesteps)
     result: dict[str, float | None] = {"seconds": None, "timesteps": None}
 
     class Watch(StepStatistics):
