@@ -66,7 +66,7 @@ def assert_complete(directory):
 
 
 @contextlib.contextmanager
-def running(runs, *arguments):
+def running(runs, *arguments, command=command):
     """The program while it trains, from its second row of progress on."""
     process = subprocess.Popen(command(runs, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:

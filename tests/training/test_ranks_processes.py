@@ -8,7 +8,6 @@ import sys
 import numpy as np
 import psutil
 import pytest
-from paths import importing
 from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
 from waiting import DEADLINE, output_of, wait_until
 
@@ -40,8 +39,13 @@ def ranks_of(process):
 
 
 def with_checkpoint(runs):
-    checkpoints = runs / "latest" / CHECKPOINTS
-    return checkpoints.is_dir() and len(list(checkpoints.iterdir())) >= 2
+    return len(checkpoints_of(runs / "latest")) >= 2
+
+
+def checkpoints_of(directory):
+    """Checkpoints that are complete; the one that a killed rank was writing has a hidden name."""
+    checkpoints = directory / CHECKPOINTS
+    return [path for path in checkpoints.iterdir() if path.suffix != ".part"] if checkpoints.is_dir() else []
 
 
 def assert_gone(processes):
@@ -96,14 +100,13 @@ def test_rank_that_dies_ends_the_run_with_one_error_and_a_whole_checkpoint(rank,
     assert "Traceback" not in errors
     directory = (tmp_path / "latest").resolve()
     assert f"--resume {directory}" in lines[0]
-    for checkpoint in (directory / CHECKPOINTS).iterdir():
+    for checkpoint in checkpoints_of(directory):
         assert_complete_checkpoint(checkpoint)
     with pytest.warns(UserWarning, match="checkpoint"):
         assert Parent.load(directory).timesteps > 0
 
 
 def assert_complete_checkpoint(directory):
-    assert directory.suffix != ".part"
     policy = load_policy(directory)
     assert Parent.load(directory).timesteps == policy.card["timesteps"]
     assert np.isfinite(policy.weights[0]).all()
@@ -180,20 +183,11 @@ def torchrun(runs, *arguments):
 
 
 def test_rank_of_torchrun_that_dies_ends_the_run_with_one_error(tmp_path):
-    process = subprocess.Popen(
-        torchrun(tmp_path, *ENDLESS), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=importing()
-    )
-    try:
-        file = tmp_path / "latest" / "progress.csv"
-        wait_until(lambda: file.exists() and len(progress(tmp_path / "latest")) >= 2, "progress", alive=process)
+    with running(tmp_path, *ENDLESS, command=torchrun) as process:
         ranks = psutil.Process(process.pid).children()
-        other = [rank for rank in ranks if rank.environ()["RANK"] == "1"]
         assert len(ranks) == 2
-        other[0].kill()
+        next(rank for rank in ranks if rank.environ()["RANK"] == "1").kill()
         _, errors = output_of(process)
-    finally:
-        process.kill()
-        process.communicate()
     assert process.returncode != 0
     assert_gone(ranks)
     lines = [line for line in errors.splitlines() if line.startswith("ppo.py: error: ")]
@@ -208,7 +202,6 @@ def test_torchrun_trains_like_ranks(run, tmp_path):
         text=True,
         check=False,
         timeout=DEADLINE,
-        env=importing(),
     )
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("trained ->") == 1

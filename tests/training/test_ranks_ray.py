@@ -8,8 +8,8 @@ import subprocess
 import psutil
 import pytest
 from paths import importing
-from trainings import ENDLESS, TINY, assert_complete, command, progress
-from waiting import DEADLINE, output_of, wait_until
+from trainings import ENDLESS, TINY, assert_complete, command, running
+from waiting import DEADLINE, output_of
 
 from quadruped_env import QuadrupedError
 from quadruped_env.errors import MissingExtraError
@@ -114,24 +114,13 @@ def test_ranks_on_two_nodes_train_a_policy(cluster, tmp_path):
 
 @pytest.mark.slow
 def test_rank_of_ray_that_dies_ends_the_run_with_one_error(cluster, tmp_path):
-    process = subprocess.Popen(
-        command(tmp_path, *ENDLESS, *RANKS, "--address", cluster),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    try:
-        file = tmp_path / "latest" / "progress.csv"
-        wait_until(lambda: file.exists() and len(progress(tmp_path / "latest")) >= 2, "progress", alive=process)
+    with running(tmp_path, *ENDLESS, *RANKS, "--address", cluster) as process:
         workers = [
             each for each in psutil.process_iter(["cmdline"]) if "ray::rank 1" in " ".join(each.info["cmdline"] or [])
         ]
         assert len(workers) == 1
         workers[0].kill()
         _, errors = output_of(process)
-    finally:
-        process.kill()
-        process.communicate()
     assert process.returncode == 2
     lines = [line for line in errors.splitlines() if re.match(r"\S+: error: ", line)]
     assert len(lines) == 1, errors

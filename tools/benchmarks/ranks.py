@@ -3,7 +3,6 @@
 Every measurement runs in processes of its own, and the ranks are those of `quadruped_env.training.distributed`.
 """
 
-import itertools
 import json
 import os
 import subprocess
@@ -18,6 +17,12 @@ from typing import Any, Final
 from quadruped_env.training.distributed.job import threads_per_rank
 
 NEVER: Final = float("inf")
+_ITERATIONS: Final = 2
+"""Rollouts and updates of each turn of the speed measurement."""
+_EPISODES: Final = 8
+"""Episodes of a test of walking. `benchmarks.learning_speed` has more, which take as long as the training between."""
+_SPEED_TOLERANCE: Final = 0.1
+"""Largest difference from the commanded speed with which a policy counts as walking, m/s."""
 
 
 def run_ranks(measure: str, ranks: int, **values: Any) -> dict[str, Any]:
@@ -46,9 +51,8 @@ def run_ranks(measure: str, ranks: int, **values: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Speed:
-    """Speed of a training, without its start."""
+    """Speed of the default training in one round."""
 
-    ranks: int
     steps_per_second: float
     rollout_seconds: float
     """Mean time of a rollout on rank 0, s"""
@@ -56,9 +60,10 @@ class Speed:
     """Mean time of an update on rank 0, with its exchanges, s"""
 
 
-def speed(ranks: int, seconds: float) -> Speed:
-    """Measure the speed of the default training for some seconds."""
-    return Speed(ranks, **run_ranks("speed", ranks, seconds=seconds))
+def speeds(ranks: int, rounds: int) -> list[tuple[Speed, Speed]]:
+    """Speed on one rank and on several, which train in turns: (one, several) of each round."""
+    found = run_ranks("speed", ranks, rounds=rounds)
+    return [(Speed(**one), Speed(**several)) for one, several in found["rounds"]]
 
 
 @dataclass(frozen=True)
@@ -92,7 +97,10 @@ class Walked:
 
 
 def time_to_walk(ranks: int, seed: int, timesteps: int, every: int) -> Walked:
-    """Train from scratch until the policy walks, for `timesteps` at most; tested after every `every` steps."""
+    """Train from scratch until the policy walks, for `timesteps` at most; tested after every `every` steps.
+
+    It walks if it does not fall in 8 episodes of 10 s, with a mean speed within 0.1 m/s of the commanded 0.5 m/s.
+    """
     found = run_ranks("walk", ranks, seed=seed, timesteps=timesteps, every=every)
     return Walked(ranks, seed, **{name: NEVER if value is None else value for name, value in found.items()})
 
@@ -103,42 +111,59 @@ def time_to_walk(ranks: int, seed: int, timesteps: int, every: int) -> Walked:
 def _prepared(group: Any, **settings: Any) -> tuple[Any, Any]:
     from stable_baselines3.common.logger import Logger
 
+    from quadruped_env.cli.train import with_recipe
+    from quadruped_env.robot import MINI_QUADRUPED
     from quadruped_env.training import ppo
     from quadruped_env.training.config import TrainConfig
 
-    config = TrainConfig(ranks=group.ranks, **settings)
+    config = TrainConfig(**with_recipe({"ranks": group.ranks, **settings}, MINI_QUADRUPED, ()))
     _, _, _, model = ppo.prepare(config, None, None, group)
     model.set_logger(Logger(None, []))
     return config, model
 
 
-def _measure_speed(group: Any, seconds: float) -> dict[str, float]:
-    from quadruped_env.training import ppo
-    from quadruped_env.training.statistics import StepStatistics
+def _measure_speed(group: Any, rounds: int) -> dict[str, Any]:
+    """Rank 0 also trains alone, in turns; meanwhile the others wait for it without using a core."""
+    from stable_baselines3.common.callbacks import BaseCallback
 
-    config, model = _prepared(group, seconds=1e9)
-    times: list[tuple[float, float, int]] = []
+    from quadruped_env.training.distributed.group import ALONE
 
-    class Clock(StepStatistics):
+    class Clock(BaseCallback):
+        def _on_training_start(self) -> None:
+            self.rollouts: list[tuple[float, float]] = []
+
+        def _on_step(self) -> bool:
+            return True
+
         def _on_rollout_start(self) -> None:
             self._began = time.perf_counter()
 
         def _on_rollout_end(self) -> None:
-            now = time.perf_counter()
-            times.append((self._began, now, self.num_timesteps))
-            # The first rollout and update load code and fill caches.
-            self.stopped = len(times) > 2 and now - times[1][0] > seconds
-            super()._on_rollout_end()
+            self.rollouts.append((self._began, time.perf_counter()))
 
-    ppo.learn(config, model, Clock(group), fresh=True)
-    first, last = times[1], times[-1]
-    rollouts = [end - start for start, end, _ in times[1:]]
-    updates = [following[0] - end for (_, end, _), following in itertools.pairwise(times[1:])]
-    return {
-        "steps_per_second": (last[2] - first[2]) / (last[1] - first[1]),
-        "rollout_seconds": sum(rollouts) / len(rollouts),
-        "update_seconds": sum(updates) / len(updates),
-    }
+    def measured(config: Any, model: Any) -> dict[str, float]:
+        clock, count = Clock(), _ITERATIONS
+        # SB3 counts the envs of this rank.
+        model.learn(count * model.n_steps * model.n_envs, callback=clock, reset_num_timesteps=False)
+        end = time.perf_counter()
+        starts = [start for start, _ in clock.rollouts]
+        updates = [
+            following - rolled for (_, rolled), following in zip(clock.rollouts, [*starts[1:], end], strict=True)
+        ]
+        assert len(updates) == count
+        return {
+            "steps_per_second": count * config.num_envs * config.n_steps / (end - starts[0]),
+            "rollout_seconds": sum(rolled - start for start, rolled in clock.rollouts) / count,
+            "update_seconds": sum(updates) / count,
+        }
+
+    several, one = _prepared(group), None if group.rank else _prepared(ALONE)
+    found = []
+    for _ in range(rounds + 1):
+        alone = None if one is None else measured(*one)
+        group.check_same([], "before a round")
+        found.append((alone, measured(*several)))
+    return {"rounds": found[1:]}  # the first one loads code and fills caches
 
 
 def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
@@ -166,14 +191,12 @@ def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
 
 
 def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str, float | None]:
-    from benchmarks.learning_speed import walk_test
+    from benchmarks.learning_speed import COMMAND, walk_test
     from quadruped_env.training import ppo
-    from quadruped_env.training.config import defaults
     from quadruped_env.training.models import export_policy
     from quadruped_env.training.statistics import StepStatistics
 
-    settings = {**defaults("ppo", "position"), "action_mode": "position", "seed": seed, "timesteps": timesteps}
-    config, model = _prepared(group, **settings)
+    config, model = _prepared(group, action_mode="position", seed=seed, timesteps=timesteps)
     result: dict[str, float | None] = {"seconds": None, "timesteps": None}
 
     class Watch(StepStatistics):
@@ -187,8 +210,8 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
             self._next += every
             self._learned += time.perf_counter() - self._resumed
             policy = export_policy(self.model, self._task.config, config.activation, {})
-            # Few episodes show that a policy does not walk; all of them would take as long as the training.
-            if walk_test(policy, episodes=8).walks and walk_test(policy).walks:
+            test = walk_test(policy, episodes=_EPISODES)
+            if test.falls == 0 and abs(test.speed - COMMAND[0]) <= _SPEED_TOLERANCE:
                 result.update(seconds=self._learned, timesteps=self.num_timesteps)
                 self.stopped = True
             self._resumed = time.perf_counter()

@@ -78,7 +78,7 @@ class Group:
             ranks = ", ".join(map(str, different[:8])) + ", ..." * (len(different) > 8)
             raise DifferentWeightsError(
                 f"ranks: the weights of {ranks} differ from those of rank 0 {moment}; ranks need the same package "
-                f"versions and the same type of CPU (or ATEN_CPU_CAPABILITY=default on all nodes)"
+                f"versions and the same type of CPU (ATEN_CPU_CAPABILITY=default makes torch round as on any other)"
             )
 
 

@@ -5,6 +5,7 @@ when it does, in whatever way. Nothing of this listens on a network: ranks meet 
 """
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from tempfile import TemporaryDirectory
 from types import FrameType
 from typing import Any, Final
 
+import quadruped_env
 from quadruped_env._python import program_command
 from quadruped_env.control.policy import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
@@ -92,8 +94,11 @@ def _start(job: Job, index: int, folder: Path) -> _Rank:
     rank = Process(job, index, threads_per_rank(job.config.ranks), str(folder / "store"), report)
     write_plain(file, rank.to_dict())
     command = [sys.executable, "-m", "quadruped_env.training.distributed.rank", str(file)]
+    # A script of a checkout that is not installed finds the package by itself, and its ranks by this.
+    paths = [os.environ.get("PYTHONPATH"), str(Path(quadruped_env.__file__).parents[1])]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
     # The pipe is never written to: it tells a rank that this process has ended.
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True)  # noqa: S603
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True, env=environment)  # noqa: S603
     return _Rank(index, process, report)
 
 
