@@ -227,10 +227,13 @@ def leaning(context):
 """
 
 
+OFTEN = {"push_interval": [0.2, 0.6], "push_force_interval": [0.2, 0.6], "push_force_duration": [0.1, 0.3]}
+
+
 def configs():
     clock = {"speeds": [0.0, 0.6], "frequencies": [2.6, 3.2]}
     return {
-        "hard": {"randomization": preset_values("hard", MINI_QUADRUPED), "action": {"mode": "residual"}},
+        "hard": {"randomization": {**preset_values("hard", MINI_QUADRUPED), **OFTEN}, "action": {"mode": "residual"}},
         "from scratch": {"command": {"resample_interval": [0.1, 0.3]}},
         "history": {"observation_history": 3, "clock_frequency": clock},
         "a user's file": {"randomization": {"joint_damping": [0.5, 2.0]}},

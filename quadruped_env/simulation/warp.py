@@ -4,7 +4,8 @@ Its arrays are torch tensors on the device, and physics is float32. Between cont
 but a few flags. The kernels also run on the CPU (device `cpu`), world by world, for tests.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, Final
 
 import mujoco
@@ -159,7 +160,7 @@ class WarpSimulation:
 
     def _launch(self, name: Any, function: Callable[[], None]) -> None:
         """Call a function that launches kernels; on a GPU it is called once, then its kernels repeat as a graph."""
-        with warp.ScopedDevice(self._device):
+        with self._kernels():
             if not self._device.is_cuda:
                 function()
             elif name not in self._graphs:
@@ -170,6 +171,18 @@ class WarpSimulation:
                 self._graphs[name] = capture.graph
             else:
                 warp.capture_launch(self._graphs[name])
+
+    @contextmanager
+    def _kernels(self) -> Iterator[None]:
+        """Within it Warp's kernels run on the device, after what torch has launched and before what it will launch."""
+        with warp.ScopedDevice(self._device):
+            if not self._device.is_cuda:
+                yield
+                return
+            own, others = warp.get_stream(self._device), warp.stream_from_torch(self.xp.device)
+            own.wait_stream(others)
+            yield
+            others.wait_stream(own)
 
     def _check_overflow(self) -> None:
         found = self._overflow
@@ -204,7 +217,7 @@ class WarpSimulation:
     def _forward(self) -> None:
         """Recompute what follows from the state and the fields of the model, in all envs."""
         if _INERTIA_FIELDS & set(self._fields):
-            with warp.ScopedDevice(self._device):
+            with self._kernels():
                 mujoco_warp.set_const(self.warp_model, self.data, _GROUPS)
         self._launch("forward", lambda: mujoco_warp.forward(self.warp_model, self.data))
 
@@ -281,7 +294,7 @@ class WarpSimulation:
         """See `Simulation.get_state`."""
         shape = self.num_envs, mujoco.mj_stateSize(self.model, STATE_SPEC)
         state = warp.zeros(shape, dtype=float, device=self._device)
-        with warp.ScopedDevice(self._device):
+        with self._kernels():
             mujoco_warp.get_state(self.warp_model, self.data, state, int(STATE_SPEC))
         fields = {name: values[env_id].numpy() for name, values in sorted(self._fields.items())}
         return SimulationState(
@@ -305,7 +318,7 @@ class WarpSimulation:
         integration[index] = torch.tensor(np.stack([state.integration for state in states]), device=device).float()
         active = torch.zeros(self.num_envs, dtype=torch.bool, device=device)
         active[index] = True
-        with warp.ScopedDevice(self._device):
+        with self._kernels():
             if _INERTIA_FIELDS & set(self._fields):
                 mujoco_warp.set_const(self.warp_model, self.data, _GROUPS)
             mujoco_warp.set_state(
@@ -344,17 +357,17 @@ def check_device(name: str) -> Any:
     if name.partition(":")[0] not in ("cpu", "cuda"):
         raise QuadrupedError(f"--device: {name!r} is unknown; expected cuda, or cuda:N for GPU N")
     if name.startswith("cuda"):
-        driver = warp.get_cuda_driver_version() if warp.is_cuda_available() else None
-        if driver is None or not torch.cuda.is_available():
-            lacking = "Warp" if driver is None else "torch"
-            raise QuadrupedError(
-                f"--device: {name}: {lacking} finds no CUDA GPU on this machine; check that nvidia-smi shows one, and "
-                f"that torch is a CUDA build (torch {torch.__version__} is installed), or use --device cpu"
-            )
-        if tuple(driver) < _OLDEST_DRIVER:
+        driver = warp.get_cuda_driver_version()
+        if driver is not None and tuple(driver) < _OLDEST_DRIVER:
             raise QuadrupedError(
                 f"--device: {name}: the GPU's driver is for CUDA {'.'.join(map(str, driver))}; expected "
                 f"{'.'.join(map(str, _OLDEST_DRIVER))} or newer; update the driver"
+            )
+        if not (warp.is_cuda_available() and torch.cuda.is_available()):
+            lacking = "torch" if warp.is_cuda_available() else "Warp"
+            raise QuadrupedError(
+                f"--device: {name}: {lacking} finds no CUDA GPU on this machine; check that nvidia-smi shows one, and "
+                f"that torch is a CUDA build (torch {torch.__version__} is installed), or use --device cpu"
             )
     try:
         return warp.get_device(name)
