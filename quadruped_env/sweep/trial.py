@@ -100,7 +100,7 @@ def _train(folder: SweepFolder, trial: TrialFolder, report: Report) -> dict[str,
     )
     trained = time.perf_counter() - began - (0.0 if observer is None else observer.seconds)
     if not whole:
-        raise QuadrupedError("the training was stopped by a signal; resume the sweep")
+        raise KeyboardInterrupt  # no result: the trial is trained again when the sweep is resumed
     from quadruped_env.policies import load_policy
     from quadruped_env.sweep.scoring import final_score
 

@@ -73,6 +73,20 @@ def test_sweep_whose_driver_is_killed_goes_on_from_its_files(tmp_path):
     assert "trials to run" not in sweeps.run("--resume", folder)
 
 
+def test_sweep_that_is_interrupted_ends_ray_and_says_how_to_go_on(tmp_path):
+    arguments = ("--seeds", 2, "--cores", 1, "--score", "none", *LONG, "-o", tmp_path / "sweeps")
+    log = tmp_path / "log"
+    with started(*arguments, output=log) as (process, family):
+        wait_until(lambda: runs_of(only(tmp_path / "sweeps"), 0), log.read_text, process)
+        family.update()
+        process.send_signal(signal.SIGINT)
+        assert status_of(process) == 130, log.read_text()
+        wait_until(lambda: not any(alive(trial) for trial in family.trials()), "the end of the trials")
+    folder = only(tmp_path / "sweeps")
+    assert result(folder, 1) is None
+    assert f"--resume {folder}" in log.read_text()
+
+
 @pytest.fixture
 def nodes():
     """A cluster of two nodes: its address, and a function that kills the second one."""
