@@ -124,6 +124,11 @@ class TrainConfig:
             raise QuadrupedError(
                 f"--device: {self.device} trains with ppo alone; found --algo {self.algo}; leave one of both out"
             )
+        if self.device != "cpu" and self.noise_correlation:
+            raise QuadrupedError(
+                f"--noise-correlation: found {self.noise_correlation:g} with --device {self.device}, whose noise is "
+                f"white; leave one of both out"
+            )
         for name in (
             "timesteps",
             "num_envs",

@@ -41,6 +41,8 @@ def needs_warp(test):
     [
         ({"device": "gpu"}, r"--device: 'gpu' is unknown; expected cpu, cuda, cuda:N or warp-cpu"),
         ({"device": "cuda:x"}, r"--device: 'cuda:x' is unknown"),
+        ({"device": "cuda", "noise_correlation": 0.5}, r"--noise-correlation: found 0.5 with --device cuda"),
+        ({"device": "cuda", "num_envs": 64, "ranks": 2}, r"--ranks: found 2 with --device cuda; ranks share the envs"),
         ({"device": "cuda", "algo": "sac"}, r"--device: cuda trains with ppo alone; found --algo sac"),
     ],
 )
