@@ -49,9 +49,9 @@ def launch(
         return train_in_processes(job)
     # Torch takes seconds to import.
     if job.config.device != "cpu":
-        from quadruped_env.training import warp
+        from quadruped_env.training.warp import train as train_on_gpu
 
-        return warp.train(job.config, job.runs, job.command, job.resume, job.task_file)
-    from quadruped_env.training import ppo
+        return train_on_gpu(job.config, job.runs, job.command, job.resume, job.task_file)
+    from quadruped_env.training.ppo import train
 
-    return ppo.train(job.config, job.runs, job.command, job.resume, job.task_file)
+    return train(job.config, job.runs, job.command, job.resume, job.task_file)
