@@ -112,9 +112,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.sweep.cluster import check_answers, check_installed
+    from quadruped_env.sweep.cluster import check_installed
     from quadruped_env.sweep.results import collect, table, write
     from quadruped_env.sweep.trial import cores
+    from quadruped_env.training.distributed.ray_address import check_answers
 
     here = cores() if arguments.cores is None else arguments.cores
     if here < 1:

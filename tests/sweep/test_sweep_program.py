@@ -14,6 +14,7 @@ from quadruped_env.cli.main import main
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.sweep import SweepConfig, cluster
 from quadruped_env.sweep.records import SweepFolder
+from quadruped_env.training.distributed import ray_address
 
 TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
 
@@ -89,7 +90,7 @@ def test_listener_that_is_no_ray_ends_in_an_error_after_a_bounded_wait():
         address = f"127.0.0.1:{silent.getsockname()[1]}"
         began = time.monotonic()
         with pytest.raises(QuadrupedError, match=rf"no Ray cluster can be used at {address}.*`ray status --address"):
-            cluster.check_answers(address, seconds=2.0)
+            ray_address.check_answers(address, seconds=2.0)
         assert time.monotonic() - began < DEADLINE
 
 

@@ -14,12 +14,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError, short
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.training.distributed.job import Job
+from quadruped_env.training.distributed.ray_address import check_answers, refused
 from quadruped_env.training.run import check_latest
 
-CONNECT_SECONDS: Final = 10.0
-"""Time that a cluster's address has to answer, s."""
 _PLACE_SECONDS: Final = 60.0
 """Time that Ray has to find free CPUs for the ranks, s."""
 _GRACE: Final = 10.0
@@ -159,32 +158,11 @@ def _connected(address: str) -> Iterator[Any]:
     try:
         ray.init(address=address, logging_level=logging.ERROR)
     except (ConnectionError, RuntimeError, ValueError) as error:
-        reason = str(error).strip().splitlines()[0]
-        raise QuadrupedError(
-            f"--address: Ray at {short(address)} cannot be used ({reason}); see `ray status` on that machine"
-        ) from error
+        raise refused(address, str(error).strip().splitlines()[0]) from error
     try:
         yield ray
     finally:
         ray.shutdown()
-
-
-def check_answers(address: str) -> None:
-    """Check that something answers at a cluster's address, within `CONNECT_SECONDS`.
-
-    Raises:
-        QuadrupedError: if the address is not `host:port`, or nothing answers; the message says what to check.
-    """
-    host, _, port = address.rpartition(":")
-    if not host or "/" in host or not port.isdigit():
-        raise QuadrupedError(f"--address: expected host:port, as `ray start --head` prints it; found {short(address)}")
-    try:
-        socket.create_connection((host, int(port)), CONNECT_SECONDS).close()
-    except (OSError, OverflowError) as error:
-        raise QuadrupedError(
-            f"--address: {address} does not answer ({error}); check that `ray start --head` runs there, that the port "
-            f"is the one it printed, and that no firewall is between"
-        ) from error
 
 
 def _placed(ray: Any, threads: int, ranks: int) -> Any:
