@@ -28,7 +28,7 @@ _TRIES: Final = 4
 """Seeds of the search for the first turn. Small causes decide which of several turns it finds, and all others start
 from it"""
 _NEIGHBOUR: Final = 0.6
-"""Share of the generations that a turn takes which starts from another"""
+"""Share of the generations that a search takes which starts from the result of another"""
 
 Log = Callable[[str], None]
 """Called with one line of text."""
@@ -215,6 +215,7 @@ def tune_commanded_gait(
     Each search starts from the result of its neighbour, so that the tables are smooth: first the straight gaits of all
     speeds, then from zero outwards what turning changes in them. The first turn is the best of several searches.
     """
+    fewer = max(1, round(_NEIGHBOUR * generations))
     straight: dict[float, NDArray[np.float64]] = {}
     ends: dict[float, float] = {}
     for speeds, first in ((forward, _FORWARD), (backward, _BACKWARD)):
@@ -222,7 +223,7 @@ def tune_commanded_gait(
         for speed in speeds:
             _, near = min(((abs(other - speed), other) for other in chain), default=(0.0, speed))
             start = np.concatenate([[chain.get(near, first) + (speed - near) * _FASTER], _NO_TURN])
-            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations)
+            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, fewer if chain else generations)
             say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
             chain[speed] = found.candidate[0]
             reached = float(found.achieved.forward_velocity[0])
@@ -237,7 +238,7 @@ def tune_commanded_gait(
             start = np.concatenate([straight[speed][None], turning])
             searches = []
             for seed in range(1 if table else _TRIES):
-                count = max(1, round(_NEIGHBOUR * generations)) if table else generations
+                count = fewer if table else generations
                 tried = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.2, count, seed, yaw_rates)
                 say(_line(f"{speed:+.2f} m/s in turns", tried, yaw_rates))
                 searches.append(tried)
