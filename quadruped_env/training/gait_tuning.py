@@ -45,7 +45,7 @@ _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
 _NO_TURN: Final = np.zeros((2, 2, 5))
 _FORWARD: Final = np.array([[-0.04, 0.36, -0.12, -0.2, -0.82], [0.22, 0.69, 0.15, -0.22, -0.79]])
-_BACKWARD: Final = np.array([[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]])
+_BACKWARD: Final = np.array([[0.3, 0.82, 0.24, -0.13, -0.62], [0.26, 0.69, -0.12, -0.28, -0.9]])
 _TURNING: Final = np.array(
     [
         [[-0.0944, 0.441, 0.1906, 0.1316, -0.1848], [-0.2471, -0.4042, 0.1055, 0.1676, -0.0201]],
