@@ -2,7 +2,7 @@
 
 They are the tables of the `tuned` gait over forward velocity, with what a yaw rate adds, and the presets trot, walk,
 bound and pace. Prints the numbers that belong in quadruped_env/gait/presets.py, and the velocities that the tuned gait
-reaches. Takes about ten minutes on two cores.
+reaches. Takes about 25 minutes on two idle cores.
 """
 
 import argparse
@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="gait cycles per second of the tuned gait (default: %(default)g)",
     )
     parser.add_argument(
-        "--generations", type=int, default=20, metavar="N", help="search generations per speed (default: %(default)s)"
+        "--generations", type=int, default=40, metavar="N", help="search generations per speed (default: %(default)s)"
     )
     add_output(parser, "FILE", "JSON file of the numbers (default: %(default)s)", Path("results/gait.json"))
     parser.add_argument("--table", action="store_true", help="only measure the tuned gait and print its table")

@@ -161,7 +161,7 @@ LIGHTEST = math.nextafter(1.0, 2.0)
 
 
 def trod(contacts=lambda gait, start, foot, stride: (), apex=lambda gait, start, foot, stride: 0.0):
-    """What is measured of feet with contacts (first step in the stride, steps, force) and apexes in m.
+    """Results of feet with contacts (first step in the stride, steps, force) and apexes in m.
 
     Where no contact is, the feet press with 1 N; outside whole strides they chatter, and are higher and lower.
     """
