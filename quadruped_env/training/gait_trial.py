@@ -1,14 +1,15 @@
 """Trials of open-loop gaits: what many of them reach on flat ground, in parallel."""
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, fields
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.simulation import BatchSimulation
+from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.quantities import FootLift, clock_agreement, mechanical_power, sliding_squared
 
@@ -22,13 +23,24 @@ SECONDS: Final = 3.0
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
 _RAMP: Final = 0.5
 """Time over which a candidate's amplitude grows from the stance, s."""
-_MIDDLE: Final = 0.8
-"""Threshold of the clock's sine above which a foot is in the middle of its swing."""
+
+
+class Start(NamedTuple):
+    """State in which a trial starts."""
+
+    clock: float
+    """Gait clock, rad."""
+    friction: float
+    """Coefficient of sliding friction of the ground and the robot"""
+
+
+STARTS: Final = (Start(0.0, 0.7), Start(math.pi, 0.9))
+"""Every gait is tried from these: from one start alone, the search finds gaits that other starts do not lead to."""
 
 
 @dataclass(frozen=True)
 class Achieved:
-    """Results of gaits on flat ground, one value per candidate."""
+    """Results of gaits on flat ground, one value per candidate: the mean over `STARTS`, unless said."""
 
     forward_velocity: NDArray[np.float64]
     """Mean velocity along the heading after the warm-up, m/s."""
@@ -47,13 +59,22 @@ class Achieved:
     [-1, 1]"""
     clock: NDArray[np.float64]
     """Agreement of the feet's contacts with that clock, in [-1, 1]"""
-    touchdowns: NDArray[np.float64]
-    """Touchdowns per stride, mean over the feet"""
+    touchdown_error: NDArray[np.float64]
+    """Difference of each foot's touchdowns per stride from one, mean over the feet"""
     clearance: NDArray[np.float64]
-    """Height of the soles in the middle of their swings, mean of the foot that is lifted least, m"""
+    """Largest height of a sole in a stride, m: the smallest of all whole strides, feet and starts"""
     highest: NDArray[np.float64]
-    """The same of the foot that is lifted most, m"""
+    """The same, mean over the whole strides of the foot that is lifted most, m"""
     fallen: NDArray[np.bool_]
+    """From any of the starts."""
+
+
+def trials(count: int) -> BatchSimulation:
+    """Simulation of so many gaits from each of `STARTS`: all from the first, then all from the second."""
+    simulation = BatchSimulation(build_model(robot=ROBOT), count * len(STARTS), robot=ROBOT)
+    # As in the task's randomization, all geoms are set: the larger friction of the two in contact counts.
+    simulation.model_field("geom_friction")[..., 0] = np.repeat([start.friction for start in STARTS], count)[:, None]
+    return simulation
 
 
 def measure(
@@ -62,24 +83,26 @@ def measure(
     angular_frequency: float,
     turns: tuple[float, ...],
 ) -> Achieved:
-    """Run joint targets, a function of time in s that gives (N, 8) in rad, from the stance.
+    """Run joint targets, a function of the gait clock in rad that gives (N, 8) in rad, from the stance.
 
-    Frequency (rad/s) and leg phases (cycles, one per leg) are the clock's.
+    The simulation is that of `trials`. Frequency (rad/s) and leg phases (cycles, one per leg) are the clock's.
     """
     n = simulation.num_envs
+    start_clock = np.repeat([start.clock for start in STARTS], n // len(STARTS))[:, None]
     qpos = np.zeros((n, ROBOT.num_positions))
     qpos[:, 2], qpos[:, 3], qpos[:, 7:] = ROBOT.stance_height, 1.0, ROBOT.stance
     simulation.reset(np.arange(n), qpos, np.zeros((n, ROBOT.num_velocities)))
     state = simulation.readings
     fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
     phases = np.array(turns) * 2.0 * np.pi
-    sums, height_in_swing = np.zeros((9, n)), np.zeros((n, 4))
-    steps, swings = 0, np.zeros(4)
+    sums, strides = np.zeros((8, n)), _Strides(n)
+    steps = 0
     contact = np.ones((n, 4), dtype=np.bool_)
     for k in range(1, round(SECONDS / CONTROL_TIMESTEP) + 1):
         t = k * CONTROL_TIMESTEP
         ramp = min(1.0, t / _RAMP)
-        simulation.step(ROBOT.stance + ramp * (joint_targets(t) - ROBOT.stance), SUBSTEPS)
+        targets = np.concatenate([joint_targets(angular_frequency * t + start.clock) for start in STARTS])
+        simulation.step(ROBOT.stance + ramp * (targets - ROBOT.stance), SUBSTEPS)
         fallen |= (state.up_b[:, 2] < 0.5) | (state.trunk_force > 1.0).any(axis=1) | simulation.diverged()
         if t > WARM_UP:
             steps += 1
@@ -91,15 +114,65 @@ def measure(
             before, contact = contact, state.foot_force > 1.0
             sliding = sliding_squared(state.foot_velocity, state.foot_angular_velocity, ROBOT.foot_radius)
             sums[5] += (sliding * contact).sum(axis=1)
-            height = state.foot_position[..., 2]
-            sine = np.sin(angular_frequency * t + phases)
-            sums[6] += clock_agreement(foot_lift(height - ROBOT.foot_radius), sine)
+            height = state.foot_position[..., 2] - ROBOT.foot_radius
+            angle = angular_frequency * t + start_clock + phases
+            sine = np.sin(angle)
+            strides.add(np.floor(angle / (2.0 * np.pi)), height, contact & ~before)
+            sums[6] += clock_agreement(foot_lift(height), sine)
             sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
-            sums[8] += (contact & ~before).mean(axis=1)
-            height_in_swing += height * (sine > _MIDDLE)
-            swings += sine > _MIDDLE
-    vx, wz, vy, tilt, power, slip, lift, clock, landings = sums / steps
-    touchdowns = landings / CONTROL_TIMESTEP * 2.0 * np.pi / angular_frequency
-    lifted = height_in_swing / swings - ROBOT.foot_radius
-    lifts = lifted.min(axis=1), lifted.max(axis=1)
-    return Achieved(vx, wz, vy, np.sqrt(tilt), power, np.sqrt(0.25 * slip), lift, clock, touchdowns, *lifts, fallen)
+    vx, wz, vy, tilt, power, slip, lift, clock = sums / steps
+    each = Achieved(
+        vx,
+        wz,
+        vy,
+        np.sqrt(tilt),
+        power,
+        np.sqrt(0.25 * slip),
+        lift,
+        clock,
+        np.abs(strides.touchdowns / strides.count - 1.0).mean(axis=1),
+        strides.lowest_apex.min(axis=1),
+        (strides.apexes / strides.count).max(axis=1),
+        fallen,
+    )
+    return _over_starts(each)
+
+
+def _over_starts(each: Achieved) -> Achieved:
+    """The results of each gait, from those of each gait and start."""
+    values = {field.name: getattr(each, field.name).reshape(len(STARTS), -1) for field in fields(Achieved)}
+    unlike_the_mean = {"clearance": values.pop("clearance").min(axis=0), "fallen": values.pop("fallen").any(axis=0)}
+    return Achieved(**{name: value.mean(axis=0) for name, value in values.items()}, **unlike_the_mean)
+
+
+class _Strides:
+    """Largest height and touchdowns of each foot (N, 4) in its whole strides, as the steps come in.
+
+    A stride starts with the swing, where the clock of the leg passes a multiple of 2 pi.
+    """
+
+    def __init__(self, n: int) -> None:
+        self.count = np.zeros((n, 4))
+        """Whole strides"""
+        self.touchdowns = np.zeros((n, 4))
+        """In whole strides"""
+        self.apexes = np.zeros((n, 4))
+        """Sum of the largest heights of all whole strides, m"""
+        self.lowest_apex = np.full((n, 4), np.inf)
+        """Largest height of the stride in which it is smallest, m"""
+        self._apex, self._landed = np.full((n, 4), -np.inf), np.zeros((n, 4))
+        self._whole = np.zeros((n, 4), dtype=np.bool_)
+        self._stride: NDArray[np.float64] | None = None
+
+    def add(self, stride: NDArray[np.float64], height: NDArray[np.float64], landed: NDArray[np.bool_]) -> None:
+        """One step: number of the stride, height of the soles in m, and True at a touchdown, (N, 4) each."""
+        ended = np.zeros(stride.shape, dtype=np.bool_) if self._stride is None else stride > self._stride
+        done = ended & self._whole  # the measurement starts within a stride
+        self.count += done
+        self.touchdowns += done * self._landed
+        self.apexes += np.where(done, self._apex, 0.0)
+        self.lowest_apex = np.where(done, np.minimum(self.lowest_apex, self._apex), self.lowest_apex)
+        self._whole |= ended
+        self._apex = np.maximum(np.where(ended, -np.inf, self._apex), height)
+        self._landed = np.where(ended, 0.0, self._landed) + landed
+        self._stride = stride

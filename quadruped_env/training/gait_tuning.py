@@ -2,10 +2,10 @@
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
 parts and its offset; and what turning changes in them, on both sides and between the sides. It is scored on flat
-ground from rest: difference from the commanded velocities, feet that clear the ground in their swing and touch it once
-per stride, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are hard bounds of
-the search. The straight gait is searched first, and what turning changes on top of it. Method: Rubinstein 1999,
-https://doi.org/10.1023/A:1010091220143.
+ground from rest, from two starts: difference from the commanded velocities, feet that clear the ground in every stride
+and touch it once per stride, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are
+hard bounds of the search. The straight gait is searched first, and what turning changes on top of it. Method:
+Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,15 +16,19 @@ from numpy.typing import NDArray
 
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.seeds import check_training_seeds
-from quadruped_env.simulation import BatchSimulation, build_model
-from quadruped_env.training.gait_trial import ROBOT, Achieved, measure
+from quadruped_env.training.gait_trial import ROBOT, Achieved, measure, trials
 
 CANDIDATES: Final = 80
 ELITE: Final = 12
-CLEARANCE: Final = 0.015
-"""Height that every sole must have in the middle of its swing, m."""
+CLEARANCE: Final = 0.018
+"""Height that every sole must reach in every stride, m."""
 HIGH_STEP: Final = 0.035
-"""Height in the middle of its swing that no sole needs, m."""
+"""Height that no sole needs to reach, m."""
+_TRIES: Final = 4
+"""Seeds of the search for the first turn. Small causes decide which of several turns it finds, and all others start
+from it"""
+_NEIGHBOUR: Final = 0.6
+"""Share of the generations that a search takes which starts from the result of another"""
 
 Log = Callable[[str], None]
 """Called with one line of text."""
@@ -40,12 +44,12 @@ _STANCE_LEG: Final = (0.0, float(ROBOT.stance[0]), 0.0, 0.0, float(ROBOT.stance[
 _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
 _NO_TURN: Final = np.zeros((2, 2, 5))
-_FORWARD: Final = np.array([[-0.05, 0.33, -0.15, -0.22, -0.95], [0.1, 0.42, 0.08, -0.25, -0.85]])
-_BACKWARD: Final = np.array([[0.24, 0.82, 0.13, -0.05, -0.58], [0.23, 0.62, -0.13, -0.265, -0.835]])
+_FORWARD: Final = np.array([[-0.04, 0.36, -0.12, -0.2, -0.82], [0.22, 0.69, 0.15, -0.22, -0.79]])
+_BACKWARD: Final = np.array([[0.3, 0.82, 0.24, -0.13, -0.62], [0.26, 0.69, -0.12, -0.28, -0.9]])
 _TURNING: Final = np.array(
     [
-        [[-0.1552, 0.1485, 0.0564, 0.0425, -0.4074], [-0.1684, -0.4131, 0.0597, 0.1393, -0.0614]],
-        [[-0.2783, -0.0004, 0.0995, -0.1213, -0.0125], [-0.0393, -0.0574, 0.055, 0.1377, 0.0873]],
+        [[-0.0944, 0.441, 0.1906, 0.1316, -0.1848], [-0.2471, -0.4042, 0.1055, 0.1676, -0.0201]],
+        [[-0.0382, 0.1369, -0.0238, -0.0394, -0.0613], [-0.0595, 0.0709, 0.0871, 0.1663, 0.1372]],
     ]
 )
 """Where the search of the commanded gait starts: with bent knees, the shank lifts the foot when it folds"""
@@ -65,18 +69,17 @@ def _legs(candidates: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray
 def gait_targets(
     candidates: NDArray[np.float64],
     size: NDArray[np.float64],
-    angular_frequency: float,
     turns: tuple[float, ...],
 ) -> Callable[[float], NDArray[np.float64]]:
-    """Joint targets over time for candidates (N, 3, 2, 5) in turns of sizes (N,) in rad/s, see `turn_size`.
+    """Joint targets over the gait clock in rad, for candidates (N, 3, 2, 5) in turns of sizes (N,), see `turn_size`.
 
     The fore legs of one side differ from those of the other only in phase and by the yaw rate, as do the hind legs.
     """
     phases = np.array(turns) * 2.0 * np.pi
     hip, hip_offset, knee_cosine, knee_sine, knee_offset = _legs(candidates, size).transpose(2, 0, 1)
 
-    def targets(t: float) -> NDArray[np.float64]:
-        angle = angular_frequency * t + phases
+    def targets(clock: float) -> NDArray[np.float64]:
+        angle = clock + phases
         sine, cosine = np.sin(angle), np.cos(angle)
         target = np.empty((len(candidates), 8))
         target[:, 0::2] = hip * sine + hip_offset
@@ -119,6 +122,8 @@ class Found(NamedTuple):
     """(3, 2, 5)"""
     achieved: Achieved
     """Its results, one value per yaw rate of the search."""
+    score: float
+    """Larger is better"""
 
 
 def search(
@@ -150,7 +155,7 @@ def search(
     """
     check_training_seeds("seed", seed)
     rng = np.random.default_rng(seed)
-    simulation = BatchSimulation(build_model(robot=ROBOT), CANDIDATES * len(yaw_rates), robot=ROBOT)
+    simulation = trials(CANDIDATES * len(yaw_rates))
     # All candidates at the first yaw rate, then all at the second.
     wanted, largest = np.repeat(yaw_rates, CANDIDATES), max(yaw_rates)
     sizes = turn_size(wanted, largest)
@@ -161,13 +166,13 @@ def search(
         candidates = mean + deviation * rng.standard_normal((CANDIDATES, *start.shape))
         candidates[0] = mean
         candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
-        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, angular_frequency, turns)
+        targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, turns)
         got = measure(targets, simulation, angular_frequency, turns)
-        # Turns are about as important as speed: 0.1 rad/s moves a foot as fast as 0.02 m/s.
+        # 0.1 rad/s moves a foot as fast as 0.02 m/s. Worth no more than that, turns were not met: not to turn is cheap.
         score = (
             (
                 -60.0 * np.abs(got.forward_velocity - speed)
-                - 15.0 * np.abs(got.yaw_rate - wanted)
+                - 40.0 * np.abs(got.yaw_rate - wanted)
                 - 4.0 * np.abs(got.lateral_velocity)
                 - 10.0 * got.tilt
                 - 0.02 * got.power
@@ -175,7 +180,8 @@ def search(
                 # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
                 + 5.0 * got.clock
                 + 2.0 * got.lift
-                - 3.0 * np.maximum(0.0, got.touchdowns - 1.0)
+                # Feet that bounce, and feet that never land.
+                - 10.0 * got.touchdown_error
                 - 600.0 * np.maximum(0.0, CLEARANCE - got.clearance)
                 # High steps are fast and clean, and a robot that hops falls.
                 - 100.0 * np.maximum(0.0, got.highest - HIGH_STEP)
@@ -190,7 +196,8 @@ def search(
         # Use the elite mean: the best sample's score may not survive rounding.
         if best is None or score[0] > best_score:
             best_score = float(score[0])
-            best = Found(candidates[0], Achieved(**{name: part[::CANDIDATES] for name, part in vars(got).items()}))
+            achieved = Achieved(**{name: part[::CANDIDATES] for name, part in vars(got).items()})
+            best = Found(candidates[0], achieved, best_score)
     assert best is not None
     return best
 
@@ -206,8 +213,9 @@ def tune_commanded_gait(
     """The tables of `CommandedGait` for the given speeds, m/s, the first of which include 0, and yaw rates, rad/s.
 
     Each search starts from the result of its neighbour, so that the tables are smooth: first the straight gaits of all
-    speeds, then from zero outwards what turning changes in them.
+    speeds, then from zero outwards what turning changes in them. The first turn is the best of several searches.
     """
+    fewer = max(1, round(_NEIGHBOUR * generations))
     straight: dict[float, NDArray[np.float64]] = {}
     ends: dict[float, float] = {}
     for speeds, first in ((forward, _FORWARD), (backward, _BACKWARD)):
@@ -215,7 +223,7 @@ def tune_commanded_gait(
         for speed in speeds:
             _, near = min(((abs(other - speed), other) for other in chain), default=(0.0, speed))
             start = np.concatenate([[chain.get(near, first) + (speed - near) * _FASTER], _NO_TURN])
-            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, generations)
+            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.1, fewer if chain else generations)
             say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
             chain[speed] = found.candidate[0]
             reached = float(found.achieved.forward_velocity[0])
@@ -228,8 +236,13 @@ def tune_commanded_gait(
         turning = table[0.0][1:] if table else _TURNING
         for speed in outwards:
             start = np.concatenate([straight[speed][None], turning])
-            found = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.2, generations, yaw_rates=yaw_rates)
-            say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
+            searches = []
+            for seed in range(1 if table else _TRIES):
+                count = fewer if table else generations
+                tried = search(speed, angular_frequency, LEG_PHASES["trot"], start, 0.2, count, seed, yaw_rates)
+                say(_line(f"{speed:+.2f} m/s in turns", tried, yaw_rates))
+                searches.append(tried)
+            found = max(searches, key=lambda tried: tried.score)
             table[ends[speed]], turning = found.candidate, found.candidate[1:]
     return commanded_gait(table, angular_frequency, max(yaw_rates))
 
@@ -262,10 +275,9 @@ def _line(what: str, found: Found, yaw_rates: tuple[float, ...]) -> str:
 
 def measure_commands(gait: CommandedGait, commands: NDArray[np.float64]) -> Achieved:
     """Results of the gait for commands (N, 2) in m/s and rad/s."""
-    simulation = BatchSimulation(build_model(robot=ROBOT), len(commands), robot=ROBOT)
     return measure(
-        lambda t: gait.positions(np.full(len(commands), gait.angular_frequency * t), commands),
-        simulation,
+        lambda clock: gait.positions(np.full(len(commands), clock), commands),
+        trials(len(commands)),
         gait.angular_frequency,
         LEG_PHASES["trot"],
     )
@@ -279,14 +291,14 @@ def achieved_table(gait: CommandedGait) -> str:
     got = measure_commands(gait, commands)
     lines = [
         "| command m/s, rad/s | forward m/s | yaw rate rad/s | sideways m/s | mechanical power W | least lift mm | "
-        "fell |",
-        "|---|---|---|---|---|---|---|",
+        "touchdown error | fell |",
+        "|---|---|---|---|---|---|---|---|",
     ]
     for i, (v, w) in enumerate(commands):
         lines.append(
             f"| {v:+.1f}, {w:+.1f} | {got.forward_velocity[i]:+.3f} | {got.yaw_rate[i]:+.3f} | "
             f"{got.lateral_velocity[i]:+.3f} | {got.power[i]:.1f} | {1e3 * got.clearance[i]:.0f} | "
-            f"{'yes' if got.fallen[i] else 'no'} |"
+            f"{got.touchdown_error[i]:.2f} | {'yes' if got.fallen[i] else 'no'} |"
         )
     return "\n".join(lines)
 

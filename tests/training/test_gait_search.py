@@ -9,7 +9,7 @@ from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT
 
 from quadruped_env import QuadrupedError
 from quadruped_env.gait import LEG_PHASES
-from quadruped_env.training import gait_tuning
+from quadruped_env.training import gait_trial, gait_tuning
 from quadruped_env.training.gait_tuning import Achieved
 
 LOW, HIGH = np.array([-0.5, 0.1, -0.5, -0.5, -1.3]), np.array([0.5, 1.1, 0.5, 0.5, -0.4])
@@ -27,25 +27,27 @@ def candidate_of(straight, turn=0.0, side=0.0):
 
 MEASURED = np.arange(51, 151)
 """Control steps of 0.02 s after the warm-up of 1 s, until 3 s"""
+CLOCKS = np.array([0.0, math.pi])
+"""Gait clock of the two starts, rad."""
 
 
 class FakeSimulation:
-    """Four robots with known readings, until 3 s; those before the measurement are wild."""
+    """Four robots from each of two starts with known readings, until 3 s; those before the measurement are wild."""
 
-    num_envs = 4
+    num_envs = 8
 
     def __init__(self, frequency, turns):
         self.targets = []
         self._frequency, self._turns = frequency, np.array(turns)
-        joints, feet = np.zeros((4, 8)), np.zeros((4, 4, 3))
+        joints, feet = np.zeros((8, 8)), np.zeros((8, 4, 3))
         self.readings = SimpleNamespace(
-            up_b=np.zeros((4, 3)),
-            trunk_force=np.zeros((4, 5)),
-            linear_velocity_b=np.zeros((4, 3)),
-            angular_velocity_b=np.zeros((4, 3)),
+            up_b=np.zeros((8, 3)),
+            trunk_force=np.zeros((8, 5)),
+            linear_velocity_b=np.zeros((8, 3)),
+            angular_velocity_b=np.zeros((8, 3)),
             joint_torque=joints,
             joint_velocity=joints.copy(),
-            foot_force=np.zeros((4, 4)),
+            foot_force=np.zeros((8, 4)),
             foot_velocity=feet,
             foot_angular_velocity=feet.copy(),
             foot_position=feet.copy(),
@@ -53,20 +55,22 @@ class FakeSimulation:
 
     def reset(self, env_ids, qpos, qvel):
         self.start = qpos.copy()
-        assert env_ids.tolist() == [0, 1, 2, 3]
-        assert qvel.shape == (4, 14)
+        assert env_ids.tolist() == list(range(8))
+        assert qvel.shape == (8, 14)
         assert not qvel.any()
 
     def diverged(self):
-        return np.array([False, False, False, len(self.targets) == 10])
+        return np.arange(8) == (3 if len(self.targets) == 10 else -1)
 
     def sine(self, steps):
-        return np.sin(2 * np.pi * (self._frequency * 0.02 * steps[:, None] + self._turns))
+        """Sine of each leg's clock from each start (steps, 2, 4)."""
+        cycles = self._frequency * 0.02 * steps[:, None, None] + self._turns
+        return np.sin(2 * np.pi * cycles + CLOCKS[:, None])
 
     def heights(self, steps):
-        """Heights of the soles (steps, 4), m: 8 to 11 mm in a swing, less of the second foot, and 0 in a stance."""
+        """Heights of the soles (steps, 2, 4), m: 8 to 11 mm in a swing, 1 mm less from the second start."""
         swing = self.sine(steps) > 1e-9
-        return swing * (0.001 * (8 + steps % 4)[:, None] - [0.0, 0.002, 0.0, 0.0])
+        return swing * (0.001 * (8 + steps % 4)[:, None, None] - [[0.0], [0.001]])
 
     def step(self, target, substeps):
         assert substeps == 4
@@ -74,18 +78,23 @@ class FakeSimulation:
         step, readings = len(self.targets), self.readings
         assert step <= 150
         readings.up_b[:] = [0.36, 0.48, 0.8]
-        readings.up_b[:2, 2] = np.where(step == 20, [0.5, math.nextafter(0.5, 0.0)], 0.8)
-        readings.trunk_force[:, 3] = [1.0, 0.0, 1.001 * (step == 120), 0.0]
+        readings.up_b[4:, :2] = [0.18, 0.24]
+        readings.up_b[[0, 4, 1], 2] = np.where(step == 20, [0.5, 0.5, math.nextafter(0.5, 0.0)], 0.8)
+        readings.trunk_force[:, 3] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.001 * (step == 120), 0.0]
         # 0.5 m/s at all steps but the first that is measured and the last: 50 more make the mean of 100 steps 1.5 m/s.
         readings.linear_velocity_b[:] = [0.5 + 50 * (step in (51, 150)), 0.25, 9.0] if step > 50 else 77.0
         readings.angular_velocity_b[:] = [9.0, 9.0, -0.125] if step > 50 else 77.0
+        if step > 50:
+            readings.linear_velocity_b[4:] *= 3.0
+            readings.angular_velocity_b[4:] *= 3.0
         readings.joint_torque[:, :3], readings.joint_velocity[:, :3] = [2.0, -1.0, 4.0], [3.0, 5.0, 0.5]
-        swing = self.sine(np.array([step]))[0] > 1e-9
+        readings.joint_torque[4:] *= 0.5
+        swing = np.repeat(self.sine(np.array([step]))[0] > 1e-9, 4, axis=0)
         readings.foot_force[:] = np.where(swing, 1.0, 1.001)
         readings.foot_velocity[..., 0] = np.where(swing, 7.0, 0.3)
         readings.foot_velocity[..., 1] = np.where(swing, 7.0, 0.4 - 2.0 * FOOT_RADIUS)
         readings.foot_angular_velocity[..., 0] = 2.0  # rolls the sole sideways, by the radius
-        readings.foot_position[..., 2] = FOOT_RADIUS + self.heights(np.array([step]))[0]
+        readings.foot_position[..., 2] = FOOT_RADIUS + np.repeat(self.heights(np.array([step]))[0], 4, axis=0)
 
 
 @pytest.fixture
@@ -93,15 +102,18 @@ def measured():
     """A simulation and what is measured in it, of targets 0.2 rad from the stance."""
     turns = LEG_PHASES["walk"]
     simulation = FakeSimulation(2.0, turns)
-    got = gait_tuning.measure(lambda t: np.tile(np.add(STANCE, 0.2), (4, 1)), simulation, 2 * np.pi * 2.0, turns)
+    got = gait_tuning.measure(lambda clock: np.tile(np.add(STANCE, 0.2), (4, 1)), simulation, 2 * np.pi * 2.0, turns)
     return simulation, got
 
 
-def test_measured_values_are_means_over_the_time_after_the_warm_up(measured):
+def test_measured_values_are_means_over_the_time_after_the_warm_up_and_over_the_starts(measured):
+    """Velocities are three times as large from the second start, tilt and torques half as large as from the first."""
     _, got = measured
-    for name, value in (("forward_velocity", 1.5), ("lateral_velocity", 0.25), ("yaw_rate", -0.125), ("tilt", 0.6)):
-        assert getattr(got, name).tolist() == pytest.approx([value] * 4), name
-    assert got.power.tolist() == pytest.approx([2.0 * 3.0 + 4.0 * 0.5] * 4), "braking gives nothing back"
+    for name, value in (("forward_velocity", 1.5), ("lateral_velocity", 0.25), ("yaw_rate", -0.125)):
+        assert getattr(got, name).tolist() == pytest.approx([(value + 3.0 * value) / 2] * 4), name
+    assert got.tilt.tolist() == pytest.approx([(0.6 + 0.3) / 2] * 4)
+    power = 2.0 * 3.0 + 4.0 * 0.5
+    assert got.power.tolist() == pytest.approx([0.75 * power] * 4), "braking gives nothing back"
 
 
 def test_measured_feet_slide_lift_and_keep_the_clock(measured):
@@ -109,65 +121,105 @@ def test_measured_feet_slide_lift_and_keep_the_clock(measured):
     sine, heights = simulation.sine(MEASURED), simulation.heights(MEASURED)
     swing = sine > 1e-9
     # The soles slide at 0.5 m/s while on the ground: root of the mean square over time and feet.
-    assert got.slip.tolist() == pytest.approx([math.sqrt(0.25 * (~swing).mean())] * 4)
+    assert got.slip.tolist() == pytest.approx([np.sqrt(0.25 * (~swing).mean(axis=(0, 2))).mean()] * 4)
     # The mean of |sin|.
     contact_agreement = (sine * np.where(swing, 1.0, -1.0)).mean()
     assert contact_agreement == pytest.approx(2 / math.pi, rel=0.01)
     assert got.clock.tolist() == pytest.approx([contact_agreement] * 4)
     missing = np.maximum(0.0, 1.0 - heights / 0.02)
     assert got.lift.tolist() == pytest.approx([(sine * (1.0 - 2.0 * missing**2)).mean()] * 4)
-    assert got.touchdowns.tolist() == pytest.approx([1.0] * 4)
+    assert got.touchdown_error.tolist() == [0.0] * 4
+    assert got.clearance.tolist() == pytest.approx([0.010] * 4), "11 mm from the first start"
+    assert got.highest.tolist() == pytest.approx([(0.011 + 0.010) / 2] * 4)
+
+
+# Each stride has 20 steps. The swing of the first and the last foot starts at step 60 from the first start, and at
+# step 70 from the second; that of the two others at 70 and at 60.
+STRIDES = {60: (60, 80, 100, 120), 70: (70, 90, 110, 130)}
+"""First steps of the whole strides in steps 51 to 150"""
+FIRST_STRIDE = np.array([[60, 70, 70, 60], [70, 60, 60, 70]])
+"""Of each start and foot."""
+A_LITTLE_LATE = (0.01, 0.51, 0.51, 0.01)
+"""Phases of a trot in cycles; without the hundredth a step would fall on the moment that begins a stride."""
 
 
 class SteppingSimulation(FakeSimulation):
-    """Four robots whose feet have known normal forces (150, 4, 4), N."""
+    """Robots whose feet have known normal forces in N and heights in m, (150, 8, 4) each, at 2.5 Hz."""
 
-    def __init__(self, forces):
-        super().__init__(2.5, TROT)
-        self._forces = forces
+    def __init__(self, forces, heights):
+        super().__init__(2.5, A_LITTLE_LATE)
+        self._forces, self._known_heights = forces, heights
 
     def step(self, target, substeps):
         super().step(target, substeps)
         self.readings.foot_force[:] = self._forces[len(self.targets) - 1]
+        self.readings.foot_position[..., 2] = FOOT_RADIUS + self._known_heights[len(self.targets) - 1]
 
 
 LIGHTEST = math.nextafter(1.0, 2.0)
 """Force of the lightest contact, N"""
 
 
-def feet(landings, contact=1, force=LIGHTEST):
-    """Forces on four feet (100, 4), N: each lands so often for some steps, and is unloaded to 1 N in between."""
-    forces = np.ones((100, 4))
-    for foot, count in enumerate(landings):
-        for i in range(count):
-            first = 2 + foot + 100 // count * i
-            forces[first : first + contact, foot] = force
-    return forces
+def trod(contacts=lambda gait, start, foot, stride: (), apex=lambda gait, start, foot, stride: 0.0):
+    """Results of feet with contacts (first step in the stride, steps, force) and apexes in m.
+
+    Where no contact is, the feet press with 1 N; outside whole strides they chatter, and are higher and lower.
+    """
+    forces, heights = np.ones((151, 8, 4)), np.zeros((151, 8, 4))
+    forces[1::2] = 30.0
+    heights[1::3], heights[2::3] = 0.5, -0.5
+    for gait, start, foot in np.ndindex(4, 2, 4):
+        robot = 4 * start + gait
+        first = FIRST_STRIDE[start, foot]
+        forces[first - 1 : first + 80, robot, foot], heights[first : first + 80, robot, foot] = 1.0, 0.0
+        for i, step in enumerate(STRIDES[first]):
+            for offset, steps, force in contacts(gait, start, foot, i):
+                forces[step + offset : step + offset + steps, robot, foot] = force
+            heights[step + 7, robot, foot] = apex(gait, start, foot, i)
+    simulation = SteppingSimulation(forces[1:], heights[1:])
+    return gait_tuning.measure(lambda clock: np.tile(STANCE, (4, 1)), simulation, 2 * np.pi * 2.5, A_LITTLE_LATE)
 
 
-def test_touchdowns_are_counted_per_stride_and_foot_after_the_warm_up():
-    """In 2 s at 2.5 Hz, five strides: a foot is on the ground above 1 N, and a contact that lasts counts once."""
-    forces = np.ones((150, 4, 4))
-    forces[1:50:2] = 30.0  # before the measurement all feet chatter
-    forces[50:, 0] = feet([5, 5, 5, 5], contact=10, force=20.0)
-    forces[50:, 1] = feet([5, 10, 20, 0])
-    forces[50:, 2] = 20.0  # as in the last step before
-    turns, frequency = TROT, 2 * np.pi * 2.5
-    got = gait_tuning.measure(lambda t: np.tile(STANCE, (4, 1)), SteppingSimulation(forces), frequency, turns)
-    assert got.touchdowns.tolist() == pytest.approx([1.0, (1 + 2 + 4 + 0) / 4, 0.0, 0.0], rel=1e-12)
+def test_touchdowns_of_whole_strides_are_compared_with_one_per_stride_and_foot():
+    """A foot is on the ground above 1 N, and a contact that lasts counts once."""
+    once, thrice = [(10, 8, 20.0)], [(1, 1, LIGHTEST), (5, 2, LIGHTEST), (12, 8, 20.0)]
+
+    def contacts(gait, start, foot, stride):
+        return (
+            once,
+            # One foot bounces and one never lands: their mean would be one.
+            [(), [*once, (1, 2, LIGHTEST)], once, once][foot],
+            thrice if start == 1 and foot == 3 else once,
+            once if stride in (0, 3) else (),
+        )[gait]
+
+    got = trod(contacts)
+    expected = [0.0, (1 + 1 + 0 + 0) / 4, (0 + 2 / 4) / 2, 2 / 4]
+    assert got.touchdown_error.tolist() == pytest.approx(expected, rel=1e-12)
 
 
-def test_clearance_is_that_of_the_foot_that_is_lifted_least_in_the_middle_of_its_swing(measured):
-    simulation, got = measured
-    sine, heights = simulation.sine(MEASURED), simulation.heights(MEASURED)
-    middle = sine > 0.8
-    feet = (heights * middle).sum(axis=0) / middle.sum(axis=0)
-    assert feet.argmin() == 1
-    assert got.clearance.tolist() == pytest.approx([feet[1]] * 4, abs=1e-12)
-    assert abs(feet[1] - heights[:, 1].sum() / (sine[:, 1] > 0).sum()) > 1e-5, "not of the whole swing"
+def test_clearance_is_the_lowest_whole_stride_of_the_foot_that_is_lifted_least():
+    """Of each gait, start, foot and stride."""
+    low = {(0, 0, 2, 3): 0.007, (0, 1, 2, 0): 0.012, (1, 1, 3, 0): 0.009, (1, 0, 0, 2): 0.011}
+    got = trod(apex=lambda *at: low.get(at, 0.02))
+    assert got.clearance.tolist() == pytest.approx([0.007, 0.009, 0.02, 0.02], abs=1e-12)
 
 
-def test_robot_that_once_tips_strikes_its_trunk_or_diverges_has_fallen(measured):
+def test_highest_is_the_mean_stride_of_the_foot_that_is_lifted_most():
+    high = {(0, 0, 2, stride): height for stride, height in enumerate((0.03, 0.05, 0.03, 0.05))}
+    high |= {(1, start, foot, 1): 0.06 for start in range(2) for foot in range(4)}
+    got = trod(apex=lambda *at: high.get(at, 0.02))
+    assert got.highest.tolist() == pytest.approx([(0.04 + 0.02) / 2, (0.06 + 3 * 0.02) / 4, 0.02, 0.02], abs=1e-12)
+
+
+def test_trials_start_with_each_friction():
+    simulation = gait_trial.trials(3)
+    assert simulation.num_envs == 6
+    friction = simulation.field_values("geom_friction")[..., 0]
+    np.testing.assert_array_equal(friction, np.repeat([0.7, 0.9], 3)[:, None] * np.ones(friction.shape))
+
+
+def test_robot_that_once_tips_strikes_its_trunk_or_diverges_from_either_start_has_fallen(measured):
     """At 60 degrees and at 1 N it has not; it has before the measurement as well."""
     assert measured[1].fallen.tolist() == [False, True, True, True]
 
@@ -175,17 +227,20 @@ def test_robot_that_once_tips_strikes_its_trunk_or_diverges_has_fallen(measured)
 def test_robot_starts_in_its_stance_and_the_amplitude_grows_within_half_a_second(measured):
     simulation, _ = measured
     assert len(simulation.targets) == 150
-    np.testing.assert_allclose(simulation.start, [[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]] * 4)
+    np.testing.assert_allclose(simulation.start, [[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]] * 8)
     for k, share in ((0, 0.04), (12, 0.52), (23, 0.96), (24, 1.0), (25, 1.0), (149, 1.0)):
-        np.testing.assert_allclose(simulation.targets[k], np.tile(np.add(STANCE, share * 0.2), (4, 1)))
+        np.testing.assert_allclose(simulation.targets[k], np.tile(np.add(STANCE, share * 0.2), (8, 1)))
 
 
-def test_targets_are_asked_for_the_time_at_the_end_of_each_step():
-    times = []
-    gait_tuning.measure(
-        lambda t: times.append(t) or np.tile(STANCE, (4, 1)), FakeSimulation(2.0, TROT), 2 * np.pi * 2.0, TROT
-    )
-    np.testing.assert_allclose(times, 0.02 * np.arange(1, 151))
+def test_targets_are_asked_for_the_clock_of_each_start_at_the_end_of_each_step():
+    def targets(clock):
+        return np.add(STANCE, [[clock + 100.0 * gait] * 8 for gait in range(4)])
+
+    simulation = FakeSimulation(2.0, TROT)
+    gait_tuning.measure(targets, simulation, 2 * np.pi * 2.0, TROT)
+    clocks = 2 * np.pi * 2.0 * 0.02 * np.arange(26, 151)[:, None] + np.repeat(CLOCKS, 4)
+    expected = (clocks + np.tile(100.0 * np.arange(4), 2))[..., None] + STANCE
+    np.testing.assert_allclose(simulation.targets[25:], expected, rtol=1e-12)
 
 
 # --- limits ---
@@ -233,18 +288,18 @@ class Trials:
 
     def __init__(self, monkeypatch, quantities):
         self.candidates, self.sizes, self._quantities = [], [], quantities
-        monkeypatch.setattr(gait_tuning, "BatchSimulation", lambda model, num_envs, robot: num_envs)
+        monkeypatch.setattr(gait_tuning, "trials", lambda count: count)
         monkeypatch.setattr(gait_tuning, "gait_targets", lambda *arguments: arguments)
         monkeypatch.setattr(gait_tuning, "measure", self._measure)
 
-    def _measure(self, targets, num_envs, angular_frequency, turns):
-        candidates, sizes, *clock = targets
-        assert len(candidates) == len(sizes) == num_envs
-        assert clock == [angular_frequency, turns]
+    def _measure(self, targets, count, angular_frequency, turns):
+        candidates, sizes, phases = targets
+        assert len(candidates) == len(sizes) == count
+        assert phases == turns
         self.candidates.append(np.array(candidates))
         self.sizes.append(np.array(sizes))
         values = NEUTRAL | self._quantities(candidates, sizes)
-        return Achieved(**{name: np.broadcast_to(value, num_envs) for name, value in values.items()})
+        return Achieved(**{name: np.broadcast_to(value, count) for name, value in values.items()})
 
 
 def hip_offset(candidates):
@@ -252,11 +307,14 @@ def hip_offset(candidates):
     return candidates[:, 0, 0, 1] - 0.6
 
 
+NOT_NEGATIVE = ("tilt", "power", "slip", "touchdown_error")
+
+
 @pytest.mark.parametrize(
     ("quantity", "wanted"),
     [
         *(("forward_velocity", speed) for speed in (0.3, -0.2)),
-        *((name, 0.0) for name in ("lateral_velocity", "yaw_rate", "tilt", "power", "slip")),
+        *((name, 0.0) for name in ("lateral_velocity", "yaw_rate", *NOT_NEGATIVE)),
         *((name, "more") for name in ("clock", "lift")),
     ],
 )
@@ -265,7 +323,7 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
 
     def quantities(given, _):
         offset = hip_offset(given)
-        return {"forward_velocity": 0.3, quantity: abs(offset) if quantity in ("tilt", "power", "slip") else offset}
+        return {"forward_velocity": 0.3, quantity: abs(offset) if quantity in NOT_NEGATIVE else offset}
 
     speed = wanted if quantity == "forward_velocity" else 0.3
     Trials(monkeypatch, quantities)
@@ -278,27 +336,18 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-def test_search_wants_every_foot_lifted_by_15_mm_and_no_more(monkeypatch):
+def test_search_wants_every_foot_lifted_by_18_mm_and_no_more(monkeypatch):
     def quantities(given, _):
         return {"clearance": 0.01 + 0.1 * hip_offset(given), "tilt": 0.1 * hip_offset(given)}
 
     Trials(monkeypatch, quantities)
     found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20)
-    assert found.achieved.clearance[0] == pytest.approx(0.015, abs=2e-4), "tilt speaks for less"
+    assert found.achieved.clearance[0] == pytest.approx(0.018, abs=2e-4), "tilt speaks for less"
 
 
-def test_search_wants_every_foot_to_land_once_per_stride_and_no_less(monkeypatch):
-    def quantities(given, _):
-        return {"touchdowns": 1.5 + 10.0 * hip_offset(given), "tilt": -0.1 * hip_offset(given)}
-
-    Trials(monkeypatch, quantities)
-    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20)
-    assert found.achieved.touchdowns[0] == pytest.approx(1.0, abs=0.02), "tilt speaks for more"
-
-
-@pytest.mark.parametrize(("worth", "wanted"), [(0.1 / 0.02, 0.1), (0.1 / 0.03, 0.0)])
-def test_search_weighs_a_yaw_rate_by_how_fast_it_moves_the_feet(monkeypatch, worth, wanted):
-    """0.1 rad/s are worth 2 to 3 cm/s. Speed is met at an offset of 0, the yaw rate at 0.1 rad."""
+@pytest.mark.parametrize(("worth", "wanted"), [(0.1 / 0.06, 0.1), (0.1 / 0.07, 0.0)])
+def test_search_weighs_a_yaw_rate_by_how_fast_it_moves_the_feet_and_more(monkeypatch, worth, wanted):
+    """0.1 rad/s are worth 6 to 7 cm/s. Speed is met at an offset of 0, the yaw rate at 0.1 rad."""
 
     def quantities(given, _):
         offset = hip_offset(given)
