@@ -7,6 +7,7 @@ import contextlib
 import importlib.util
 import logging
 import os
+import tempfile
 from collections.abc import Iterator
 from typing import Any, Final
 
@@ -58,7 +59,7 @@ def connected(address: str | None, cores: int) -> Iterator[Any]:
         reason = (str(error).strip().splitlines() or [type(error).__name__])[0]
         if address is None:
             raise QuadrupedError(
-                f"Ray does not start on this machine ({reason}); see /tmp/ray/session_latest/logs"
+                f"Ray does not start on this machine ({reason}); see {tempfile.gettempdir()}/ray/session_latest/logs"
             ) from error
         raise refused(address, reason) from error
     try:
