@@ -13,7 +13,7 @@ from quadruped_env.training.config import TrainConfig, defaults
 SPEED = 0.4
 TASK = settings(forward_velocity=(0.3, 0.5), shares=(0.0, 1.0))
 """Straight ahead only, which takes fewer samples than the whole task."""
-BUDGET = {"timesteps": 40_960, "num_envs": 64, "batch_size": 256, "n_epochs": 6, "learning_rate": 5e-3}
+BUDGET = {"timesteps": 122_880, "num_envs": 64, "batch_size": 256, "n_epochs": 6, "learning_rate": 5e-3}
 
 
 def evaluate(act):
@@ -29,16 +29,14 @@ def evaluate(act):
 
 
 @pytest.mark.slow
-def test_ppo_with_a_small_budget_more_than_doubles_the_reward(tmp_path):
-    config = TrainConfig(
-        action_mode="position", hidden=(32, 32), task=TASK, seed=0, **defaults("ppo", "position") | BUDGET
-    )
+def test_ppo_with_a_small_budget_learns_to_walk_forward(tmp_path):
+    config = TrainConfig(action_mode="position", task=TASK, seed=0, **defaults("ppo", "position") | BUDGET)
     directory, finished = ppo.train(config, tmp_path, "a test")
     assert finished
-    # A fresh policy does what the zero action does, and stands: 3.0 per second at 0.00 m/s.
+    # A fresh policy does what the zero action does, and stands: 6.0 per second at 0.00 m/s.
     before, standing = evaluate(lambda observation: np.zeros((8, 8), dtype=np.float32))
-    after, _ = evaluate(load_policy(directory).predict)
+    after, walking = evaluate(load_policy(directory).predict)
     assert abs(standing) < 0.02
-    # Three seeds each of networks of 32 and 64 units reached 7.9 to 8.7 per second: the feet keep the clock, and the
-    # robot begins to move forward.
-    assert after > 2.0 * before
+    # Three seeds reached 0.36 to 0.42 m/s, and 2.5 to 2.9 times the reward.
+    assert walking > 0.2
+    assert after > 1.8 * before
