@@ -41,13 +41,13 @@ def main() -> int:
     parser.add_argument(
         "--timesteps",
         type=int,
-        default=1_000_000,
+        default=200_000,
         help="budget with which the schedules end, and after which a seed has failed to walk (default: %(default)s)",
     )
     parser.add_argument(
         "--every",
         type=int,
-        default=16_384,
+        default=4_096,
         help="environment steps between two tests of walking (default: %(default)s)",
     )
     parser.add_argument(
