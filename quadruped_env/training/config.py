@@ -57,7 +57,8 @@ class TrainConfig:
     num_envs: int = 256
     """Number of parallel envs"""
     ranks: int = 1
-    """Number of processes that share the envs and average their gradients (ppo only; docs/distributed.md)"""
+    """Number of processes that share the envs and average their gradients, with `--device cuda` one on each GPU (ppo
+    only; docs/distributed.md)"""
     name: str = "ppo"
     """Last part of the run directory's name"""
     checkpoint_seconds: float = 20.0
@@ -185,10 +186,10 @@ class TrainConfig:
                 f"--ranks: found {self.ranks} with --algo {self.algo}; only ppo averages gradients over ranks: leave "
                 f"--ranks out, or choose --algo ppo"
             )
-        if self.device != "cpu":
+        if self.device.startswith("cuda:"):
             raise QuadrupedError(
-                f"--ranks: found {self.ranks} with --device {self.device}; ranks share the envs of CPUs: leave one of "
-                f"both out"
+                f"--device: found {self.device} with --ranks {self.ranks}, and each rank needs a GPU of its own; "
+                f"choose --device cuda: rank i of a machine uses GPU i (CUDA_VISIBLE_DEVICES selects some)"
             )
         if self.ranks > self.num_envs:
             raise QuadrupedError(
@@ -214,6 +215,11 @@ class TrainConfig:
 def on_gpu(device: str) -> bool:
     """True for a device that is a GPU, whose defaults differ."""
     return device.startswith("cuda")
+
+
+def equal_batches(config: TrainConfig) -> int:
+    """Number of batches in an update of rsl-rl, which need equal sizes: `--batch-size` is rounded."""
+    return max(1, round(config.num_envs * config.n_steps / config.batch_size))
 
 
 def defaults(algo: str, action_mode: str) -> dict[str, Any]:

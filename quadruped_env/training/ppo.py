@@ -34,7 +34,7 @@ from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, 
 from quadruped_env.training.statistics import StepStatistics
 
 try:
-    from stable_baselines3.common.logger import configure
+    from stable_baselines3.common.logger import Logger, configure
     from tqdm import tqdm
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
@@ -88,20 +88,47 @@ def train(
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
     recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
     try:
+        record(run, model, recorder, lambda: learn(config, model, recorder, fresh=parent is None))
+    finally:
+        env.close()
+    return run.directory, not recorder.stopped
+
+
+def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
+    """Train as a rank other than 0, which writes no files; see `train`."""
+    config, parent, env, model = prepare(config, resume, task_file, group)
+    try:
+        model.set_logger(Logger(None, []))
+        learn(config, model, StepStatistics(group), fresh=parent is None)
+    finally:
+        env.close()
+
+
+def record(run: Run, model: Any, recorder: "Recorder", learning: Callable[[], None]) -> None:
+    """Train a model, and leave what it learned in the run directory, also after an error.
+
+    Args:
+        run: the run directory.
+        model: the model, with SB3's `set_logger`.
+        recorder: its recorder.
+        learning: the training.
+
+    Raises:
+        QuadrupedError: the error of the training or of its files, with the run directory.
+    """
+    try:
         with ExitStack() as stack:
             # In the end the last of these comes first, and each though another fails.
             stack.enter_context(_quiet_threads())
-            stack.callback(env.close)
             stack.callback(run.close)
             model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
             stack.callback(recorder.finish)
             stack.push(recorder.save_after)
-            learn(config, model, recorder, fresh=parent is None)
+            learning()
     except (OSError, QuadrupedError) as error:
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
         kind = type(cause) if isinstance(cause, _BETWEEN_RANKS) else QuadrupedError
         raise kind(f"{cause}; what was saved before is kept in {run.directory}") from error
-    return run.directory, not recorder.stopped
 
 
 def prepare(

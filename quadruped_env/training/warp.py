@@ -3,13 +3,9 @@
 import copy
 import io
 import time
-from contextlib import ExitStack
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, Protocol
-
-import numpy as np
-from numpy.typing import NDArray
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training.models import LinearSchedule, linear_layers
@@ -18,19 +14,20 @@ from quadruped_env.training.models import LinearSchedule, linear_layers
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.files import unwritable
 from quadruped_env.policies import Policy
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.actor_critic import symmetrized
-from quadruped_env.training.config import WARP_DEVICES, TrainConfig
-from quadruped_env.training.ppo import Recorder, stop_on_signal
+from quadruped_env.training.config import WARP_DEVICES, TrainConfig, on_gpu
+from quadruped_env.training.distributed.group import ALONE, Group
+from quadruped_env.training.ppo import Recorder, record, stop_on_signal
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import RSL_FILE, Run, check_latest
+from quadruped_env.training.statistics import StepStatistics
+from quadruped_env.training.warp_statistics import WarpStatistics
 
 try:
     import torch
-    from stable_baselines3.common.logger import configure
 
     from quadruped_env.training.warp_env import WarpVecEnv
     from quadruped_env.training.warp_ppo import make_ppo
@@ -40,6 +37,9 @@ except ImportError as error:  # pragma: no cover
 
 class Watcher(Protocol):
     """Object that watches a training and may end it, such as a `Recorder`."""
+
+    ended: bool
+    """True if the training is to end after this rollout, without an update"""
 
     def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
         """Called before the first step."""
@@ -59,14 +59,17 @@ class WarpModel:
 
     Args:
         config: settings of the training.
-        env: the envs.
+        env: the envs, of several ranks this one's share.
+        group: this rank.
     """
 
-    def __init__(self, config: TrainConfig, env: WarpVecEnv) -> None:
-        self._config, self._env = config, env
-        self.ppo = make_ppo(config, env)
+    def __init__(self, config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> None:
+        self._config, self._env, self._group = config, env, group
+        self.ppo = make_ppo(config, env, group)
         self.num_timesteps = self._first = 0
         self.budget_left_at_start = 1.0
+        self.agreed_budget_left: float | None = None
+        """The share that all ranks of a training use after a rollout, whatever their own clocks say; None: one rank"""
         self._learning_rate = LinearSchedule(config.learning_rate)
         self._log_std = (config.log_std_init, min(config.log_std_init, config.final_log_std))
         self._started = time.perf_counter()
@@ -75,6 +78,10 @@ class WarpModel:
     def get_env(self) -> WarpVecEnv:
         """The envs."""
         return self._env
+
+    def set_logger(self, logger: Any) -> None:
+        """Set the logger of the progress, of Stable-Baselines3."""
+        self.logger = logger
 
     def budget_left(self) -> float:
         """Share of the schedules that is left, from 1 at the start of a first training to 0."""
@@ -85,29 +92,44 @@ class WarpModel:
         return self.budget_left_at_start * max(0.0, 1.0 - used)
 
     def learn(self, recorder: Watcher) -> None:
-        """Train until the budget is used, or the recorder stops it."""
+        """Train until the budget is used, or the recorder stops it.
+
+        Raises:
+            DifferentWeightsError: if the weights of the ranks differ after an update.
+        """
         ppo, env, config = self.ppo, self._env, self._config
         self._first, self._started = self.num_timesteps, time.perf_counter()
         recorder.on_training_start({}, {})
         observations = env.get_observations()
         ppo.train_mode()
+        left = self.budget_left_at_start
         while config.seconds is not None or self.num_timesteps - self._first < config.timesteps:
-            left = self.budget_left()
-            first, final = self._log_std
-            actor: Any = ppo.actor
-            actor.distribution.log_std_param.data.clamp_(max=final + (first - final) * left)
-            for group in ppo.optimizer.param_groups:
-                group["lr"] = self._learning_rate(left)
+            self._follow_schedules(left)
             with torch.no_grad():
                 for _ in range(config.n_steps):
                     observations, rewards, done, extras = env.step(ppo.act(observations))
                     ppo.process_env_step(observations, rewards, done, extras)
-                    self.num_timesteps += env.num_envs
+                    self.num_timesteps += env.num_envs * self._group.ranks
                     if not recorder.on_step():
                         return
                 ppo.compute_returns(observations)
             recorder.on_rollout_end()
+            if recorder.ended:
+                return
             ppo.update()
+            if self._group.ranks > 1:
+                weights = [*ppo.actor.parameters(), *ppo.critic.parameters()]
+                self._group.check_same(weights, f"after {self.num_timesteps:,} steps")
+            agreed = self.agreed_budget_left
+            left = self.budget_left() if agreed is None else agreed
+
+    def _follow_schedules(self, left: float) -> None:
+        """Set the bound of the exploration and the learning rate for this share of the budget."""
+        first, final = self._log_std
+        actor: Any = self.ppo.actor
+        actor.distribution.log_std_param.data.clamp_(max=final + (first - final) * left)
+        for group in self.ppo.optimizer.param_groups:
+            group["lr"] = self._learning_rate(left)
 
     def save(self, file: io.BytesIO) -> None:
         """Write the networks and the optimizer's state."""
@@ -145,31 +167,10 @@ class WarpModel:
         )
 
 
-class WarpRecorder(Recorder):
-    """Watches a training on a GPU; what it sums up stays on the device until it is logged."""
+class WarpRecorder(Recorder, WarpStatistics):
+    """Watches a training on a GPU."""
 
     resume_file = RSL_FILE
-
-    def _clear(self) -> None:
-        super()._clear()
-        xp = self._task.simulation.xp
-        self._squares, self._terms = xp.zeros(2), xp.zeros(len(self._task.term_names))
-        self._falls_before = float(self._env.falls[0])
-
-    def _on_step(self) -> bool:
-        error = self._task.tracking_error
-        self._squares += (error * error).mean(axis=0)
-        self._terms += self._env.last_terms.mean(axis=0)
-        self._steps += 1
-        self.elapsed = time.perf_counter() - self._start
-        return not self._over()
-
-    @property
-    def sums(self) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-        """See `StepStatistics.sums`."""
-        xp = self._task.simulation.xp
-        falls = float(self._env.falls[0]) - self._falls_before
-        return xp.numpy(self._squares), xp.numpy(self._terms), falls
 
     def _policy(self, card: dict[str, Any]) -> Policy:
         model: Any = self.model
@@ -177,10 +178,36 @@ class WarpRecorder(Recorder):
 
 
 def train(
-    config: TrainConfig, runs: Path, command: str, resume: Path | None = None, task_file: Path | None = None
+    config: TrainConfig,
+    runs: Path,
+    command: str,
+    resume: Path | None = None,
+    task_file: Path | None = None,
+    group: Group = ALONE,
 ) -> tuple[Path, bool]:
     """Train a policy on a GPU; see `quadruped_env.training.ppo.train`."""
     check_latest(runs)
+    config, parent, env, model = prepare(config, resume, task_file, group)
+    task = env.task.config
+    if parent is None:
+        run = Run(runs, config, task.to_dict(), command)
+    else:
+        run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
+    recorder = WarpRecorder(run, config, task, 0.0 if parent is None else parent.seconds, group)
+    record(run, model, recorder, lambda: learn(model, recorder))
+    return run.directory, not recorder.stopped
+
+
+def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
+    """Train as a rank other than 0, which writes no files; see `train`."""
+    _, _, _, model = prepare(config, resume, task_file, group)
+    learn(model, WarpStatistics(group))
+
+
+def prepare(
+    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE
+) -> tuple[TrainConfig, Parent | None, WarpVecEnv, WarpModel]:
+    """Everything that a training, or one rank of it, needs to learn; see `quadruped_env.training.ppo.prepare`."""
     parent = None
     if resume is not None:
         parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
@@ -188,29 +215,42 @@ def train(
         config = replace(config, task=parent.config.task)
     task = task_config(config.action_mode, config.task, task_file)
     check_training_seeds("config.terrain.seed", task.terrain["seed"])
-    device = WARP_DEVICES.get(config.device, config.device)
-    print(
-        f"MuJoCo Warp loads its kernels for {device}; once per machine it compiles them, which takes minutes",
-        flush=True,
-    )
-    env = WarpVecEnv(task, config.num_envs, device, config.seed, config.asymmetric_critic)
-    model = WarpModel(config, env)
-    if parent is None:
-        run = Run(runs, config, task.to_dict(), command)
-    else:
+    device = device_of(config.device, group)
+    if group.rank == 0:
+        print(
+            f"MuJoCo Warp loads its kernels for {device}; once per machine it compiles them, which takes minutes",
+            flush=True,
+        )
+    share = config.num_envs // group.ranks
+    env = WarpVecEnv(task, share, device, config.seed + group.rank * share, config.asymmetric_critic)
+    model = WarpModel(config, env, group)
+    if parent is not None:
         model.go_on_from(parent)
-        run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
-    recorder = WarpRecorder(run, config, task, 0.0 if parent is None else parent.seconds)
-    recorder.init_callback(model)
-    try:
-        with ExitStack() as stack:
-            stack.callback(run.close)
-            model.logger = configure(str(run.directory / "tensorboard"), ["tensorboard"])
-            stack.callback(recorder.finish)
-            stack.callback(recorder.save)
-            with stop_on_signal(recorder):
-                model.learn(recorder)
-    except (OSError, QuadrupedError) as error:
-        cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
-        raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
-    return run.directory, not recorder.stopped
+    return config, parent, env, model
+
+
+def learn(model: WarpModel, statistics: StepStatistics) -> None:
+    """Train a model until its budget is used, or a signal stops it.
+
+    Args:
+        model: of `prepare`.
+        statistics: callback that knows when to stop.
+    """
+    callback: Any = statistics
+    callback.init_callback(model)
+    with stop_on_signal(statistics):
+        model.learn(callback)
+
+
+def device_of(device: str, group: Group) -> str:
+    """Warp's name of the device of a rank. Of several ranks on GPUs, each has the GPU with its index, as torch's own.
+
+    Args:
+        device: as `--device`.
+        group: the rank.
+    """
+    if group.ranks == 1 or not on_gpu(device):
+        return WARP_DEVICES.get(device, device)
+    # NCCL uses the GPU that is torch's current one.
+    torch.cuda.set_device(group.local_rank)
+    return f"cuda:{group.local_rank}"

@@ -11,7 +11,8 @@ from rsl_rl.storage import RolloutStorage
 from tensordict import TensorDict
 
 from quadruped_env.control.symmetry import MirrorMap
-from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.config import TrainConfig, equal_batches
+from quadruped_env.training.distributed.group import ALONE, Group
 from quadruped_env.training.warp_env import FINAL, OBSERVATION, PRIVILEGED, TIME_OUTS, WarpVecEnv
 
 _OUTPUT_GAIN = {"actor": 0.01, "critic": 1.0}
@@ -96,8 +97,14 @@ class NativePPO(PPO):
         super().process_env_step(obs, rewards, dones, {})
 
 
-def make_ppo(config: TrainConfig, env: WarpVecEnv) -> NativePPO:
-    """PPO for a training, with fresh networks on the env's device."""
+def make_ppo(config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> NativePPO:
+    """PPO for a training, with fresh networks on the env's device.
+
+    Args:
+        config: settings of the training.
+        env: the envs, of several ranks this one's share.
+        group: this rank; all begin with the same networks.
+    """
     torch.manual_seed(config.seed)
     observations = env.get_observations()
     groups = {"actor": [OBSERVATION], "critic": [OBSERVATION, *([PRIVILEGED] if config.asymmetric_critic else [])]}
@@ -110,25 +117,31 @@ def make_ppo(config: TrainConfig, env: WarpVecEnv) -> NativePPO:
     own: dict[str, Any] = {"distribution_cfg": gaussian, **common, **_mirror(config, env, False)}
     actor = Network(observations, groups, "actor", env.num_actions, **own)
     critic = Network(observations, groups, "critic", 1, **common, **_mirror(config, env, True))
-    storage = RolloutStorage("rl", env.num_envs, config.n_steps, observations, [env.num_actions], env.device)
-    return NativePPO(
-        actor,
-        critic,
-        storage,
-        num_learning_epochs=config.n_epochs,
-        num_mini_batches=max(1, round(env.num_envs * config.n_steps / config.batch_size)),
-        clip_param=config.clip_range,
-        gamma=config.gamma,
-        lam=config.gae_lambda,
-        value_loss_coef=_VALUE_LOSS,
-        entropy_coef=config.ent_coef,
-        learning_rate=config.learning_rate,
-        max_grad_norm=config.max_grad_norm,
-        use_clipped_value_loss=False,
-        schedule="fixed",
-        normalize_advantage_per_mini_batch=True,
-        device=env.device,
-    )
+    rollout = ("rl", env.num_envs, config.n_steps, observations, [env.num_actions], env.device)
+    settings: dict[str, Any] = {
+        "num_learning_epochs": config.n_epochs,
+        "num_mini_batches": equal_batches(config),
+        "clip_param": config.clip_range,
+        "gamma": config.gamma,
+        "lam": config.gae_lambda,
+        "value_loss_coef": _VALUE_LOSS,
+        "entropy_coef": config.ent_coef,
+        "learning_rate": config.learning_rate,
+        "max_grad_norm": config.max_grad_norm,
+        "use_clipped_value_loss": False,
+        "schedule": "fixed",
+        "device": env.device,
+    }
+    if group.ranks == 1:
+        settings["normalize_advantage_per_mini_batch"] = True
+        return NativePPO(actor, critic, RolloutStorage(*rollout), **settings)
+    from quadruped_env.training.distributed.warp_model import DistributedWarpPPO, SharedStorage
+
+    ppo = DistributedWarpPPO(actor, critic, SharedStorage(group, *rollout), group=group, **settings)
+    if group.rank:
+        # Ranks explore with random numbers of their own.
+        torch.manual_seed(config.seed + group.rank * env.num_envs)
+    return ppo
 
 
 def _mirror(config: TrainConfig, env: WarpVecEnv, critic: bool) -> dict[str, Any]:

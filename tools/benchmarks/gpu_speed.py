@@ -64,6 +64,7 @@ class Watch:
         self.model: WarpModel | None = None
         self.learning = 0.0
         self.rollouts = 0
+        self.ended = False
         self.last: WalkTest | None = None
 
     def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:

@@ -6,7 +6,8 @@ import os
 import socket
 import struct
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any, Final
 
 import torch
@@ -16,7 +17,11 @@ from quadruped_env.errors import QuadrupedError
 TIMEOUT: Final = datetime.timedelta(minutes=5)
 """Longest wait for another rank: for its start, or for the slower one of two updates."""
 LOOPBACK: Final = "lo0" if sys.platform == "darwin" else "lo"
-"""Network interface of ranks on one machine. Gloo would listen on that of the host's name otherwise."""
+"""Network interface of ranks on one machine."""
+ON_LOOPBACK: Final[Mapping[str, str]] = MappingProxyType(
+    {"GLOO_SOCKET_IFNAME": LOOPBACK, "NCCL_SOCKET_IFNAME": f"={LOOPBACK}"}
+)
+"""Environment of ranks on one machine. Gloo would listen on the host name's interface, and NCCL on any other one."""
 _SIOCGIFADDR: Final = 0x8915
 """Linux's request for the address of a network interface, of <linux/sockios.h>."""
 
@@ -36,10 +41,11 @@ class Group:
         rank: index of this rank.
         ranks: number of ranks.
         threads: threads of this rank for physics and updates; 0: all cores.
+        local_rank: index of this rank among those of its machine, and of its GPU if it uses one.
     """
 
-    def __init__(self, rank: int = 0, ranks: int = 1, threads: int = 0) -> None:
-        self.rank, self.ranks, self.threads = rank, ranks, threads
+    def __init__(self, rank: int = 0, ranks: int = 1, threads: int = 0, local_rank: int = 0) -> None:
+        self.rank, self.ranks, self.threads, self.local_rank = rank, ranks, threads, local_rank
 
     def sum(self, values: torch.Tensor) -> None:
         """Replace values by their sum over all ranks, which has the same bits on each.
@@ -60,6 +66,15 @@ class Group:
         self.sum(values)
         unflatten(values, listed)
 
+    def average(self, tensors: Iterable[torch.Tensor]) -> None:
+        """Replace tensors by their mean over all ranks, in one sum."""
+        if self.ranks == 1:
+            return
+        listed = list(tensors)
+        values = flat(listed)
+        self.sum(values)
+        unflatten(values / self.ranks, listed)
+
     def check_same(self, tensors: Iterable[torch.Tensor], moment: str) -> None:
         """Check that tensors have the same bits on all ranks.
 
@@ -78,7 +93,8 @@ class Group:
             ranks = ", ".join(map(str, different[:8])) + ", ..." * (len(different) > 8)
             raise DifferentWeightsError(
                 f"ranks: the weights of {ranks} differ from those of rank 0 {moment}; ranks need the same package "
-                f"versions and the same type of CPU (ATEN_CPU_CAPABILITY=default makes torch round as on any other)"
+                f"versions and the same types of CPU and GPU (ATEN_CPU_CAPABILITY=default makes torch round as on any "
+                f"other CPU)"
             )
 
 
@@ -90,15 +106,15 @@ class TorchGroup(Group):
     """A rank that is connected to the others by `torch.distributed`: gloo for tensors on the CPU, NCCL on a GPU.
 
     Args:
-        rank, ranks, threads: see `Group`.
+        rank, ranks, threads, local_rank: see `Group`.
         rendezvous: how the ranks find each other: `init_method` or `store` of `init_process_group`.
 
     Raises:
         RankLostError: if the others do not come within `TIMEOUT`.
     """
 
-    def __init__(self, rank: int, ranks: int, threads: int, rendezvous: dict[str, Any]) -> None:
-        super().__init__(rank, ranks, threads)
+    def __init__(self, rank: int, ranks: int, threads: int, rendezvous: dict[str, Any], local_rank: int = 0) -> None:
+        super().__init__(rank, ranks, threads, local_rank)
         backend = "cpu:gloo,cuda:nccl" if torch.cuda.is_available() else "gloo"
         try:
             torch.distributed.init_process_group(backend, rank=rank, world_size=ranks, timeout=TIMEOUT, **rendezvous)
@@ -130,8 +146,8 @@ def on_this_machine(store: str, rank: int, ranks: int, threads: int) -> TorchGro
         ranks: number of ranks.
         threads: threads of this rank.
     """
-    os.environ["GLOO_SOCKET_IFNAME"] = LOOPBACK
-    return TorchGroup(rank, ranks, threads, {"store": torch.distributed.FileStore(store, ranks)})
+    os.environ.update(ON_LOOPBACK)
+    return TorchGroup(rank, ranks, threads, {"store": torch.distributed.FileStore(store, ranks)}, local_rank=rank)
 
 
 def over_network(host: str, port: int, rank: int, ranks: int, threads: int) -> TorchGroup:

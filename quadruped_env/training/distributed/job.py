@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from quadruped_env.files import write_whole
-from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.config import TrainConfig, equal_batches, on_gpu
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,16 @@ class Job:
         """Shares of the ranks in envs and batches, and the schedule of the learning rate."""
         config = self.config
         samples = config.num_envs * config.n_steps
-        steps = -(-samples // config.batch_size) * config.n_epochs
+        batch, batches = config.batch_size, -(-samples // config.batch_size)
+        if config.device != "cpu":
+            batches = equal_batches(config)
+            batch = samples // config.ranks // batches * config.ranks
+        own = "one GPU" if on_gpu(config.device) else f"{threads} threads"
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         return (
-            f"{config.ranks} ranks of {config.num_envs // config.ranks} envs and {threads} threads each; effective "
-            f"batch: {config.batch_size} samples, {config.batch_size // config.ranks} per rank; {steps} gradient steps "
-            f"after every {samples:,} steps; learning rate {config.learning_rate:g}, falling linearly to a tenth "
-            f"within {budget}"
+            f"{config.ranks} ranks of {config.num_envs // config.ranks} envs and {own} each; effective batch: {batch} "
+            f"samples, {batch // config.ranks} per rank; {batches * config.n_epochs} gradient steps after every "
+            f"{samples:,} steps; learning rate {config.learning_rate:g}, falling linearly to a tenth within {budget}"
         )
 
 

@@ -3,7 +3,8 @@
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.training.config import on_gpu
 from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.job import Job
 
@@ -38,9 +39,16 @@ def launch(
             )
         if job.config.ranks == 1:
             raise QuadrupedError("--launcher: found ray with one rank, which needs no launcher; give --ranks 2 or more")
+        if on_gpu(job.config.device):
+            raise QuadrupedError(
+                f"--launcher: found ray with --device {job.config.device}; Ray's ranks share CPUs here: leave "
+                f"--launcher out for the GPUs of this machine, or start the ranks with torchrun"
+            )
         from quadruped_env.training.distributed.ray_cluster import train_on_ray
 
         return train_on_ray(job, address)
+    if job.config.ranks > 1 and on_gpu(job.config.device):
+        check_gpus(job.config.ranks if here is None else here.local_ranks)
     if here is not None:
         return torchrun.train_here(job, here)
     if job.config.ranks > 1:
@@ -55,3 +63,27 @@ def launch(
     from quadruped_env.training.ppo import train
 
     return train(job.config, job.runs, job.command, job.resume, job.task_file)
+
+
+def check_gpus(ranks: int) -> None:
+    """Check that each of the ranks on this machine has a GPU of its own.
+
+    Args:
+        ranks: number of ranks on this machine.
+
+    Raises:
+        QuadrupedError: if there are fewer GPUs.
+        MissingExtraError: if torch is not installed.
+    """
+    try:
+        import torch
+    except ImportError as error:
+        raise MissingExtraError("--device cuda", "gpu") from error
+    found = torch.cuda.device_count()
+    if found >= ranks:
+        return
+    fix = f"choose --ranks {found}" if found else "check that nvidia-smi shows them and that torch is the CUDA build"
+    raise QuadrupedError(
+        f"--ranks: found {ranks} ranks on this machine with --device cuda, each of which needs a GPU of its own, and "
+        f"torch finds {found} GPU{'' if found == 1 else 's'}; {fix}, or try it with --device warp-cpu"
+    )

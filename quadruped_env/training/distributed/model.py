@@ -9,7 +9,7 @@ from typing import Any
 import torch
 from stable_baselines3.common.utils import set_random_seed
 
-from quadruped_env.training.distributed.group import Group, flat, unflatten
+from quadruped_env.training.distributed.group import Group
 from quadruped_env.training.models import native
 from quadruped_env.training.statistics import StepStatistics
 
@@ -20,7 +20,7 @@ _EPSILON = 1e-8
 def moments(values: torch.Tensor) -> torch.Tensor:
     """Number, sum and sum of squares of values; those of several ranks add up."""
     double = values.double()
-    return torch.stack([torch.tensor(double.numel(), dtype=torch.float64), double.sum(), (double * double).sum()])
+    return torch.stack([double.new_tensor(double.numel()), double.sum(), (double * double).sum()])
 
 
 def normalized(values: torch.Tensor, total: torch.Tensor) -> torch.Tensor:
@@ -84,10 +84,7 @@ class DistributedPPO(native("ppo")):  # type: ignore[misc]
     def _limit_gradients(self) -> None:
         """Gradients become the mean over ranks, with a limited norm."""
         gradients = [parameter.grad for parameter in self.policy.parameters() if parameter.grad is not None]
-        if self.group.ranks > 1:
-            values = flat(gradients)
-            self.group.sum(values)
-            unflatten(values / self.group.ranks, gradients)
+        self.group.average(gradients)
         super()._limit_gradients()
 
     def _excluded_save_params(self) -> list[str]:

@@ -4,20 +4,18 @@ import os
 import sys
 import threading
 import warnings
-from contextlib import ExitStack
 from pathlib import Path
+from types import ModuleType
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.ppo import learn, prepare, train
+from quadruped_env.training import ppo
 
 # isort: split
 import torch
-from stable_baselines3.common.logger import Logger
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.training.distributed.group import DifferentWeightsError, Group, RankLostError, on_this_machine
 from quadruped_env.training.distributed.job import Job, Report, read_process, write_plain
-from quadruped_env.training.statistics import StepStatistics
 
 
 def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
@@ -37,15 +35,22 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
     """
     # From the beginning, since the bits of the network's first weights depend on it.
     torch.set_num_threads(group.threads)
+    trainer = _trainer(job.config.device)
     if group.rank == 0:
         print(job.description(group.threads), flush=True)
-        return train(job.config, job.runs, job.command, job.resume, job.task_file, group)
-    config, parent, env, model = prepare(job.config, job.resume, job.task_file, group)
-    with ExitStack() as stack:
-        stack.callback(env.close)
-        model.set_logger(Logger(None, []))
-        learn(config, model, StepStatistics(group), fresh=parent is None)
+        result: tuple[Path, bool] = trainer.train(job.config, job.runs, job.command, job.resume, job.task_file, group)
+        return result
+    trainer.follow(job.config, job.resume, job.task_file, group)
     return None
+
+
+def _trainer(device: str) -> ModuleType:
+    """The module that trains on a device."""
+    if device == "cpu":
+        return ppo
+    from quadruped_env.training import warp
+
+    return warp
 
 
 def main() -> int:
@@ -57,10 +62,9 @@ def main() -> int:
         warnings.simplefilter("ignore", QuadrupedWarning)
     try:
         group = on_this_machine(process.store, process.rank, process.job.config.ranks, process.threads)
-        try:
-            result = run_rank(process.job, group)
-        finally:
-            group.close()
+        result = run_rank(process.job, group)
+        # Not after an error: NCCL would wait for the other ranks, which wait for this one.
+        group.close()
     except (QuadrupedError, MissingExtraError) as error:
         fault = "lost" if isinstance(error, RankLostError) else "own"
         if isinstance(error, DifferentWeightsError):

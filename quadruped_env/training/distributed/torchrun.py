@@ -20,6 +20,8 @@ class Place:
     ranks: int
     local_ranks: int
     """Number of ranks on this machine"""
+    local_rank: int = 0
+    """Index of this rank among them"""
 
     @property
     def on_one_machine(self) -> bool:
@@ -49,12 +51,14 @@ def place(environment: Mapping[str, str] = os.environ) -> Place | None:
             f"{missing[0]}: WORLD_SIZE is {ranks}, and this environment variable is missing; start the ranks with "
             f"torchrun, which sets both, or unset WORLD_SIZE"
         )
-    rank, local = _number(environment, "RANK", 0), 1
+    rank, local_ranks, local_rank = _number(environment, "RANK", 0), 1, 0
     if rank >= ranks:
         raise QuadrupedError(f"RANK: expected 0 to {ranks - 1}, since WORLD_SIZE is {ranks}; found {rank}")
     if "LOCAL_WORLD_SIZE" in environment:
-        local = _number(environment, "LOCAL_WORLD_SIZE", 1)
-    return Place(rank, ranks, local)
+        local_ranks = _number(environment, "LOCAL_WORLD_SIZE", 1)
+    if "LOCAL_RANK" in environment:
+        local_rank = _number(environment, "LOCAL_RANK", 0)
+    return Place(rank, ranks, local_ranks, local_rank)
 
 
 def check_ranks(asked: int, here: Place) -> None:
@@ -83,19 +87,21 @@ def train_here(job: Job, here: Place) -> tuple[Path, bool] | None:
     from quadruped_env.training.distributed.rank import run_rank
 
     # isort: split
-    from quadruped_env.training.distributed.group import LOOPBACK, DifferentWeightsError, RankLostError, TorchGroup
+    from quadruped_env.training.distributed.group import ON_LOOPBACK, DifferentWeightsError, RankLostError, TorchGroup
 
     if here.on_one_machine:
-        os.environ.setdefault("GLOO_SOCKET_IFNAME", LOOPBACK)
-    group = TorchGroup(here.rank, here.ranks, here.threads, {"init_method": "env://"})
+        for name, value in ON_LOOPBACK.items():
+            os.environ.setdefault(name, value)
+    group = TorchGroup(here.rank, here.ranks, here.threads, {"init_method": "env://"}, here.local_rank)
     try:
-        return run_rank(job, group)
+        result = run_rank(job, group)
     except (RankLostError, DifferentWeightsError):
         if here.rank:
             raise SystemExit(1) from None
         raise
-    finally:
-        group.close()
+    # Not after an error: NCCL would wait for the other ranks, which wait for this one.
+    group.close()
+    return result
 
 
 def _number(environment: Mapping[str, str], name: str, least: int) -> int:
