@@ -4,15 +4,17 @@ import contextlib
 import csv
 import subprocess
 import sys
+from importlib.util import find_spec
 
 import numpy as np
+import pytest
 from paths import ROOT
 from waiting import DEADLINE, wait_until
 
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, RSL_FILE
 
 SCRIPT = ROOT / "train" / "ppo.py"
 TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
@@ -21,6 +23,14 @@ SMALL = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "hidden": (8,), "learnin
 STEPS = 32
 """Environment steps of an update of a training with the settings `SMALL`."""
 RUN_FILES = {CONFIG_FILE, PROGRESS_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, "tensorboard"}
+WARP_FILES = RUN_FILES - {RESUME_FILE} | {RSL_FILE}
+
+
+def needs_warp(test):
+    """A slow test that is skipped without MuJoCo Warp or rsl-rl."""
+    lacking = [module for module in ("mujoco_warp", "rsl_rl") if find_spec(module) is None]
+    reason = f"{' and '.join(lacking)} not installed: pip install -e '.[gpu]'"
+    return pytest.mark.slow(pytest.mark.skipif(bool(lacking), reason=reason)(test))
 
 
 def command(runs, *arguments):
@@ -56,8 +66,8 @@ def scalars(directory):
     return {tag: len(events.Scalars(tag)) for tag in events.Tags()["scalars"]}
 
 
-def assert_complete(directory):
-    assert {path.name for path in directory.iterdir()} >= RUN_FILES
+def assert_complete(directory, files=RUN_FILES):
+    assert {path.name for path in directory.iterdir()} >= files
     policy = load_policy(directory)
     assert Parent.load(directory).timesteps == policy.card["timesteps"]
     assert progress(directory)

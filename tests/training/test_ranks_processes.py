@@ -1,17 +1,14 @@
 """A training on several ranks as processes: its files, what listens where, and ranks that die."""
 
-import contextlib
 import signal
 import subprocess
-import sys
 
-import numpy as np
 import psutil
 import pytest
+from rank_processes import assert_gone, check_death_of_a_rank, check_signal, ranks_of, torchrun
 from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
-from waiting import DEADLINE, output_of, wait_until
+from waiting import DEADLINE, output_of
 
-from quadruped_env.control.policy import CHECKPOINTS
 from quadruped_env.policies import load_policy
 from quadruped_env.training.resume import Parent
 
@@ -26,30 +23,6 @@ STEPS = int(TINY[1])
 def run(tmp_path_factory):
     """A finished tiny training on two ranks."""
     return train(tmp_path_factory.mktemp("runs"), *TINY, *RANKS, "--recipe", "rough")
-
-
-def ranks_of(process):
-    """The processes of the ranks, in their order."""
-    found = []
-    for child in psutil.Process(process.pid).children(recursive=True):
-        with contextlib.suppress(psutil.Error):
-            if "quadruped_env.training.distributed.rank" in child.cmdline():
-                found.append(child)
-    return sorted(found, key=lambda child: child.cmdline()[-1])
-
-
-def with_checkpoint(runs):
-    return len(checkpoints_of(runs / "latest")) >= 2
-
-
-def checkpoints_of(directory):
-    """Checkpoints that are complete; the one that a killed rank was writing has a hidden name."""
-    checkpoints = directory / CHECKPOINTS
-    return [path for path in checkpoints.iterdir() if path.suffix != ".part"] if checkpoints.is_dir() else []
-
-
-def assert_gone(processes):
-    wait_until(lambda: not any(process.is_running() and process.status() != "zombie" for process in processes), "exit")
 
 
 def test_run_of_two_ranks_is_complete_and_counts_the_steps_of_all(run):
@@ -87,29 +60,7 @@ def test_ranks_of_one_machine_listen_on_loopback_alone(tmp_path):
 
 @pytest.mark.parametrize("rank", [0, 1])
 def test_rank_that_dies_ends_the_run_with_one_error_and_a_whole_checkpoint(rank, tmp_path):
-    with running(tmp_path, *ENDLESS, *RANKS, "--checkpoint-seconds", "0.5") as process:
-        wait_until(lambda: with_checkpoint(tmp_path), "two checkpoints", alive=process)
-        ranks = ranks_of(process)
-        ranks[rank].kill()
-        _, errors = output_of(process)
-    assert process.returncode == 2
-    assert_gone(ranks)
-    lines = [line for line in errors.splitlines() if "error" in line]
-    assert len(lines) == 1, errors
-    assert f"rank {rank} was killed by SIGKILL" in lines[0]
-    assert "Traceback" not in errors
-    directory = (tmp_path / "latest").resolve()
-    assert f"--resume {directory}" in lines[0]
-    for checkpoint in checkpoints_of(directory):
-        assert_complete_checkpoint(checkpoint)
-    with pytest.warns(UserWarning, match="checkpoint"):
-        assert Parent.load(directory).timesteps > 0
-
-
-def assert_complete_checkpoint(directory):
-    policy = load_policy(directory)
-    assert Parent.load(directory).timesteps == policy.card["timesteps"]
-    assert np.isfinite(policy.weights[0]).all()
+    check_death_of_a_rank(rank, tmp_path)
 
 
 def test_ranks_end_with_the_process_that_watches_them(tmp_path):
@@ -122,18 +73,10 @@ def test_ranks_end_with_the_process_that_watches_them(tmp_path):
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_signal_stops_all_ranks_after_a_rollout_and_saves(number, tmp_path):
-    with running(tmp_path, *ENDLESS, *RANKS) as process:
-        ranks = ranks_of(process)
-        process.send_signal(number)
-        output, errors = output_of(process)
-    assert process.returncode == 0, errors
-    assert "stopped, and saved what was learned" in output
-    assert_gone(ranks)
-    assert assert_complete((tmp_path / "latest").resolve()).card["timesteps"] > 0
+    check_signal(number, tmp_path)
 
 
 TASK = """
-import sys
 from quadruped_env import QuadrupedError
 from quadruped_env.task import reward
 
@@ -168,18 +111,6 @@ def test_budget_in_seconds_ends_all_ranks(tmp_path):
 
 
 # --- torchrun ---
-
-
-def torchrun(runs, *arguments):
-    return [
-        sys.executable,
-        "-m",
-        "torch.distributed.run",
-        "--standalone",
-        "--nproc-per-node",
-        "2",
-        *command(runs, *arguments)[1:],
-    ]
 
 
 def test_rank_of_torchrun_that_dies_ends_the_run_with_one_error(tmp_path):

@@ -3,11 +3,10 @@
 import dataclasses
 import json
 import shutil
-from importlib.util import find_spec
 
 import numpy as np
 import pytest
-from trainings import learn, progress
+from trainings import learn, needs_warp, progress
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
@@ -29,20 +28,14 @@ COMMAND = (0.4, 0.0)
 """Forward velocity, m/s, and yaw rate, rad/s."""
 
 
-def needs_warp(test):
-    """A slow test that is skipped without MuJoCo Warp or rsl-rl."""
-    lacking = [module for module in ("mujoco_warp", "rsl_rl") if find_spec(module) is None]
-    reason = f"{' and '.join(lacking)} not installed: pip install -e '.[gpu]'"
-    return pytest.mark.slow(pytest.mark.skipif(bool(lacking), reason=reason)(test))
-
-
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
         ({"device": "gpu"}, r"--device: 'gpu' is unknown; expected cpu, cuda, cuda:N or warp-cpu"),
         ({"device": "cuda:x"}, r"--device: 'cuda:x' is unknown"),
         ({"device": "cuda", "noise_correlation": 0.5}, r"--noise-correlation: found 0.5 with --device cuda"),
-        ({"device": "cuda", "num_envs": 64, "ranks": 2}, r"--ranks: found 2 with --device cuda; ranks share the envs"),
+        ({"device": "cuda:1", "ranks": 2}, r"--device: found cuda:1 with --ranks 2, .*; choose --device cuda: rank i"),
+        ({"device": "cuda", "num_envs": 64, "ranks": 65}, r"--ranks: found 65, more than the 64 envs"),
         ({"device": "cuda", "algo": "sac"}, r"--device: cuda trains with ppo alone; found --algo sac"),
     ],
 )
