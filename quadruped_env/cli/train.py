@@ -8,7 +8,7 @@ mini-quadruped train --randomization hard     with other masses, motors, latency
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
 mini-quadruped train --ranks 2                share the envs and the updates between two processes
-mini-quadruped train --device cuda            on a GPU, thousands of robots at once
+mini-quadruped train --device cuda            on a GPU, thousands of robots at once; with --ranks 2, on two GPUs
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 

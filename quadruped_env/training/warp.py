@@ -223,6 +223,8 @@ def prepare(
         )
     share = config.num_envs // group.ranks
     env = WarpVecEnv(task, share, device, config.seed + group.rank * share, config.asymmetric_critic)
+    if group.ranks > 1 and on_gpu(config.device):
+        torch.cuda.set_device(env.device)  # on which NCCL synchronizes
     model = WarpModel(config, env, group)
     if parent is not None:
         model.go_on_from(parent)
@@ -243,7 +245,7 @@ def learn(model: WarpModel, statistics: StepStatistics) -> None:
 
 
 def device_of(device: str, group: Group) -> str:
-    """Warp's name of the device of a rank. Of several ranks on GPUs, each has the GPU with its index, as torch's own.
+    """Warp's name of the device of a rank: of several ranks on GPUs, each has the GPU with its index.
 
     Args:
         device: as `--device`.
@@ -251,6 +253,4 @@ def device_of(device: str, group: Group) -> str:
     """
     if group.ranks == 1 or not on_gpu(device):
         return WARP_DEVICES.get(device, device)
-    # NCCL uses the GPU that is torch's current one.
-    torch.cuda.set_device(group.local_rank)
     return f"cuda:{group.local_rank}"
