@@ -29,8 +29,8 @@ from quadruped_env.training.warp_statistics import WarpStatistics
 try:
     import torch
 
+    from quadruped_env.training.distributed.warp_model import make_rank_ppo
     from quadruped_env.training.warp_env import WarpVecEnv
-    from quadruped_env.training.warp_ppo import make_ppo
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("--device cuda", "gpu") from error
 
@@ -65,7 +65,7 @@ class WarpModel:
 
     def __init__(self, config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> None:
         self._config, self._env, self._group = config, env, group
-        self.ppo = make_ppo(config, env, group)
+        self.ppo = make_rank_ppo(config, env, group)
         self.num_timesteps = self._first = 0
         self.budget_left_at_start = 1.0
         self.agreed_budget_left: float | None = None

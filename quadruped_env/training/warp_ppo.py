@@ -1,6 +1,7 @@
 """PPO of rsl-rl with this project's networks and the details of Stable-Baselines3's PPO."""
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,6 @@ from tensordict import TensorDict
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.training.config import TrainConfig, equal_batches
-from quadruped_env.training.distributed.group import ALONE, Group
 from quadruped_env.training.warp_env import FINAL, OBSERVATION, PRIVILEGED, TIME_OUTS, WarpVecEnv
 
 _OUTPUT_GAIN = {"actor": 0.01, "critic": 1.0}
@@ -97,13 +97,19 @@ class NativePPO(PPO):
         super().process_env_step(obs, rewards, dones, {})
 
 
-def make_ppo(config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> NativePPO:
+def make_ppo(
+    config: TrainConfig,
+    env: WarpVecEnv,
+    kind: Callable[..., NativePPO] = NativePPO,
+    storage: Callable[..., RolloutStorage] = RolloutStorage,
+) -> NativePPO:
     """PPO for a training, with fresh networks on the env's device.
 
     Args:
         config: settings of the training.
-        env: the envs, of several ranks this one's share.
-        group: this rank; all begin with the same networks.
+        env: the envs.
+        kind: class of the PPO.
+        storage: class of its rollout.
     """
     torch.manual_seed(config.seed)
     observations = env.get_observations()
@@ -117,31 +123,24 @@ def make_ppo(config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> Nati
     own: dict[str, Any] = {"distribution_cfg": gaussian, **common, **_mirror(config, env, False)}
     actor = Network(observations, groups, "actor", env.num_actions, **own)
     critic = Network(observations, groups, "critic", 1, **common, **_mirror(config, env, True))
-    rollout = ("rl", env.num_envs, config.n_steps, observations, [env.num_actions], env.device)
-    settings: dict[str, Any] = {
-        "num_learning_epochs": config.n_epochs,
-        "num_mini_batches": equal_batches(config),
-        "clip_param": config.clip_range,
-        "gamma": config.gamma,
-        "lam": config.gae_lambda,
-        "value_loss_coef": _VALUE_LOSS,
-        "entropy_coef": config.ent_coef,
-        "learning_rate": config.learning_rate,
-        "max_grad_norm": config.max_grad_norm,
-        "use_clipped_value_loss": False,
-        "schedule": "fixed",
-        "device": env.device,
-    }
-    if group.ranks == 1:
-        settings["normalize_advantage_per_mini_batch"] = True
-        return NativePPO(actor, critic, RolloutStorage(*rollout), **settings)
-    from quadruped_env.training.distributed.warp_model import DistributedWarpPPO, SharedStorage
-
-    ppo = DistributedWarpPPO(actor, critic, SharedStorage(group, *rollout), group=group, **settings)
-    if group.rank:
-        # Ranks explore with random numbers of their own.
-        torch.manual_seed(config.seed + group.rank * env.num_envs)
-    return ppo
+    return kind(
+        actor,
+        critic,
+        storage("rl", env.num_envs, config.n_steps, observations, [env.num_actions], env.device),
+        num_learning_epochs=config.n_epochs,
+        num_mini_batches=equal_batches(config),
+        clip_param=config.clip_range,
+        gamma=config.gamma,
+        lam=config.gae_lambda,
+        value_loss_coef=_VALUE_LOSS,
+        entropy_coef=config.ent_coef,
+        learning_rate=config.learning_rate,
+        max_grad_norm=config.max_grad_norm,
+        use_clipped_value_loss=False,
+        schedule="fixed",
+        normalize_advantage_per_mini_batch=True,
+        device=env.device,
+    )
 
 
 def _mirror(config: TrainConfig, env: WarpVecEnv, critic: bool) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """rsl-rl's PPO on several ranks, each with a GPU: the updates of one rank, as in `model`."""
 
+import functools
 from collections.abc import Iterator
 from typing import Any
 
@@ -7,9 +8,11 @@ import torch
 from rsl_rl.storage import RolloutStorage
 from tensordict import TensorDict
 
+from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.distributed.group import Group
 from quadruped_env.training.distributed.model import moments, normalized
-from quadruped_env.training.warp_ppo import NativePPO
+from quadruped_env.training.warp_env import WarpVecEnv
+from quadruped_env.training.warp_ppo import NativePPO, make_ppo
 
 
 class SharedStorage(RolloutStorage):
@@ -47,7 +50,8 @@ class DistributedWarpPPO(NativePPO):
 
     def __init__(self, *args: Any, group: Group, **kwargs: Any) -> None:
         place = {"global_rank": group.rank, "local_rank": group.local_rank, "world_size": group.ranks}
-        super().__init__(*args, multi_gpu_cfg=place, normalize_advantage_per_mini_batch=False, **kwargs)
+        super().__init__(*args, multi_gpu_cfg=place, **kwargs)
+        self.normalize_advantage_per_mini_batch = False
         self._group = group
         group.broadcast(self.parameters())
 
@@ -68,3 +72,20 @@ class DistributedWarpPPO(NativePPO):
         super().compute_returns(obs)
         # Without rsl-rl's normalization over this rank's rollout: the storage normalizes each batch.
         self.storage.advantages = self.storage.returns - self.storage.values
+
+
+def make_rank_ppo(config: TrainConfig, env: WarpVecEnv, group: Group) -> NativePPO:
+    """PPO for a rank of a training: all begin with the same networks, and explore with random numbers of their own.
+
+    Args:
+        config: settings of the training.
+        env: this rank's share of the envs.
+        group: this rank; a training on one rank gets the plain PPO.
+    """
+    if group.ranks == 1:
+        return make_ppo(config, env)
+    kind = functools.partial(DistributedWarpPPO, group=group)
+    ppo = make_ppo(config, env, kind, functools.partial(SharedStorage, group))
+    if group.rank:
+        torch.manual_seed(config.seed + group.rank * env.num_envs)
+    return ppo
