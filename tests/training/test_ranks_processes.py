@@ -77,6 +77,7 @@ def test_signal_stops_all_ranks_after_a_rollout_and_saves(number, tmp_path):
 
 
 TASK = """
+import sys
 from quadruped_env import QuadrupedError
 from quadruped_env.task import reward
 

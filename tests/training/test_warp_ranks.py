@@ -26,7 +26,7 @@ from quadruped_env.policies import load_policy  # noqa: E402
 from quadruped_env.simulation import BatchSimulation  # noqa: E402
 from quadruped_env.task import Task, TaskConfig  # noqa: E402
 from quadruped_env.training import TrainConfig, warp  # noqa: E402
-from quadruped_env.training.distributed.group import Group, checksum, flat, unflatten  # noqa: E402
+from quadruped_env.training.distributed.group import DifferentWeightsError, Group, checksum, flat, unflatten  # noqa: E402
 from quadruped_env.training.distributed.job import Job  # noqa: E402
 from quadruped_env.training.distributed.warp_model import make_rank_ppo  # noqa: E402
 from quadruped_env.training.resume import Parent  # noqa: E402
@@ -271,13 +271,12 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     config = dataclasses.replace(
         CONFIG, ranks=2, timesteps=50 * 160, n_steps=40, task={"termination": {"max_tilt": 0.08}}
     )
+    envs = [warp.prepare(config, None, None, Group(rank, 2))[2] for rank in range(2)]
     lock = threading.Lock()
 
     def run(group):
-        with lock:
-            env = warp.prepare(config, None, None, Group(group.rank, 2))[2]
-        model = warp.WarpModel(config, env, group)
-        steps = watch_steps(env, lock)
+        model = warp.WarpModel(config, envs[group.rank], group)
+        steps = watch_steps(envs[group.rank], lock)
         # Rank 1 alone is asked to stop.
         found = Recorded(group, 3 if group.rank else 99)
         warp.learn(model, found)
@@ -296,6 +295,28 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
         expected[-1] *= 2.0
         for found in (one, other):
             np.testing.assert_allclose(found.shared[index], expected, rtol=1e-5, atol=1e-9)
+
+
+@needs_warp
+def test_weights_are_compared_after_every_update():
+    config = dataclasses.replace(CONFIG, ranks=2)
+    envs = [warp.prepare(config, None, None, Group(rank, 2))[2] for rank in range(2)]
+    lock = threading.Lock()
+
+    def run(group):
+        model = warp.WarpModel(config, envs[group.rank], group)
+        steps, update = watch_steps(envs[group.rank], lock), model.ppo.update
+
+        def drift():
+            update()
+            if group.rank and len(steps) == 3 * config.n_steps:
+                model.ppo.actor.distribution.log_std_param.data += 1e-6
+
+        model.ppo.update = drift
+        with pytest.raises(DifferentWeightsError, match=f"weights of 1 differ from those of rank 0 after {3 * STEPS} "):
+            warp.learn(model, WarpStatistics(group))
+
+    on_ranks(2, run)
 
 
 # --- processes ---
