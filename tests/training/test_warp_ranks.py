@@ -299,7 +299,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 
 @needs_warp
 def test_weights_are_compared_after_every_update():
-    config = dataclasses.replace(CONFIG, ranks=2)
+    config = dataclasses.replace(CONFIG, ranks=2, timesteps=5 * STEPS)
     envs = [warp.prepare(config, None, None, Group(rank, 2))[2] for rank in range(2)]
     lock = threading.Lock()
 
