@@ -16,7 +16,6 @@ import torch
 from numpy.typing import NDArray
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import MlpExtractor
-from torch.nn.utils.parametrize import register_parametrization
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
@@ -43,8 +42,11 @@ class Mirrored:
         return cls(np.arange(width), np.ones(width, dtype=np.float32))
 
 
-class _Tied(torch.nn.Module):
-    """Makes a layer's weights (out, in) or biases (out,) commute with the mirror: half the sum with their mirror image.
+class _Projection:
+    """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
+
+    It is half the sum with the mirror image. Gradients that are projected keep the weights projected, to the last bit:
+    the two entries of a pair take the same steps, up to their sign.
 
     Args:
         outputs: mirror of the layer's outputs.
@@ -52,41 +54,35 @@ class _Tied(torch.nn.Module):
     """
 
     def __init__(self, outputs: Mirrored, inputs: Mirrored | None = None) -> None:
-        super().__init__()
         order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
         # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
         if inputs is not None:
             width = len(inputs.order)
             order = order[:, None] * width + torch.as_tensor(inputs.order)
             sign = sign[:, None] * torch.as_tensor(inputs.sign)
-        self.register_buffer("order", order.reshape(-1), persistent=False)
-        self.register_buffer("sign", sign, persistent=False)
+        self._order, self._half = order, 0.5 * sign
 
-    def forward(self, free: torch.Tensor) -> torch.Tensor:
-        """Tied values of free ones, of the same shape."""
-        return 0.5 * (free + free.flatten()[self.order].view_as(free) * self.sign)
-
-    def right_inverse(self, tied: torch.Tensor) -> torch.Tensor:
-        """Free values of given ones, which tying projects."""
-        return tied
+    def __call__(self, values: torch.Tensor) -> torch.Tensor:
+        """Projected values, of the same shape."""
+        return torch.take(values, self._order).mul_(self._half).add_(values, alpha=0.5)
 
 
-def _tie(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> None:
-    """Make a layer's output the mirror image when its input is."""
-    with torch.no_grad():
-        # The mean of a random weight and its mirror image is smaller than either.
-        layer.weight.mul_(np.sqrt(2.0))
-    register_parametrization(layer, "weight", _Tied(outputs, inputs), unsafe=True)
-    register_parametrization(layer, "bias", _Tied(outputs), unsafe=True)
+_Tied = tuple[torch.nn.Parameter, _Projection]
 
 
-def _tie_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: Mirrored) -> None:
+def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[_Tied]:
+    """Parameters of a layer whose output is the mirror image when its input is."""
+    return [(layer.weight, _Projection(outputs, inputs)), (layer.bias, _Projection(outputs))]
+
+
+def _tied_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: Mirrored) -> list[_Tied]:
+    tied = []
     layers = [module for module in modules if isinstance(module, torch.nn.Linear)]
     for layer in layers[:-1]:
         hidden = Mirrored.pairs(layer.out_features)
-        _tie(layer, inputs, hidden)
+        tied += _tied(layer, inputs, hidden)
         inputs = hidden
-    _tie(layers[-1], inputs, outputs)
+    return tied + _tied(layers[-1], inputs, outputs)
 
 
 class _Extractor(MlpExtractor):
@@ -128,6 +124,7 @@ class ActorCritic(ActorCriticPolicy):
         **kwargs: Any,
     ) -> None:
         self.actor_width, self.mirror, self.critic_mirror = actor_width, mirror, critic_mirror
+        self._tied: list[_Tied] = []
         super().__init__(*args, **kwargs)
 
     def _get_constructor_parameters(self) -> dict[str, Any]:
@@ -148,12 +145,21 @@ class ActorCritic(ActorCriticPolicy):
         if self.mirror is None or self.critic_mirror is None:
             return
         actions = Mirrored(self.mirror.action_order, np.ones(len(self.mirror.action_order), dtype=np.float32))
-        _tie_perceptron([*self.mlp_extractor.policy_net, self.action_net], _observations(self.mirror), actions)
-        _tie_perceptron(
-            [*self.mlp_extractor.value_net, self.value_net], _observations(self.critic_mirror), Mirrored.same(1)
-        )
-        # Again, because the layers have other parameters now.
-        self.optimizer = self.optimizer_class(self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs)
+        actor, critic = self.mlp_extractor.policy_net, self.mlp_extractor.value_net
+        self._tied = [
+            *_tied_perceptron([*actor, self.action_net], _observations(self.mirror), actions),
+            *_tied_perceptron([*critic, self.value_net], _observations(self.critic_mirror), Mirrored.same(1)),
+        ]
+        self.project()
+        for parameter, projection in self._tied:
+            # The mean of a random weight and its mirror image is smaller than either.
+            parameter.data *= np.sqrt(2.0)
+            parameter.register_hook(projection)
+
+    def project(self) -> None:
+        """Make a symmetric network symmetric again, after anything but a gradient step has changed its parameters."""
+        for parameter, projection in self._tied:
+            parameter.data.copy_(projection(parameter.data))
 
 
 def _observations(mirror: MirrorMap) -> Mirrored:

@@ -15,7 +15,6 @@ from stable_baselines3.common.buffers import RolloutBuffer
 from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.utils import explained_variance
 from stable_baselines3.common.vec_env import VecEnv
-from torch.nn.utils import parametrize
 
 _LOG_ROOT_TAU = 0.5 * math.log(math.tau)
 
@@ -56,7 +55,7 @@ class FastPPO(PPO):
         rollout_buffer.reset()
         callback.on_rollout_start()
         low, high = self.action_space.low, self.action_space.high
-        with torch.inference_mode(), parametrize.cached():
+        with torch.inference_mode():
             noise = self._noise(n_rollout_steps, *rollout_buffer.actions.shape[1:])
             deviations = noise * self.policy.log_std.exp()
             cut_off: list[tuple[int, int]] = []
@@ -130,6 +129,8 @@ class FastPPO(PPO):
         log_probs, advantages, returns = (
             torch.from_numpy(part).view(size) for part in (buffer.log_probs, buffer.advantages, buffer.returns)
         )
+        # Once, because to find them takes longer than to clear them.
+        self._parameters = list(self.policy.parameters())
         records = []
         for _ in range(self.n_epochs):
             batches = torch.randperm(size).split(self.batch_size)
@@ -173,7 +174,8 @@ class FastPPO(PPO):
         value_loss = torch.nn.functional.mse_loss(values, returns)
         entropy_loss = -(log_std + 0.5 + _LOG_ROOT_TAU).sum()
         loss = policy_loss + self.ent_coef * entropy_loss + self.vf_coef * value_loss
-        policy.optimizer.zero_grad()
+        for parameter in self._parameters:
+            parameter.grad = None
         loss.backward()
         self._limit_gradients()
         policy.optimizer.step()
@@ -184,4 +186,4 @@ class FastPPO(PPO):
 
     def _limit_gradients(self) -> None:
         """Scale the gradients so that their norm is `max_grad_norm` or less."""
-        torch.nn.utils.clip_grad_norm_(self.policy.parameters(), self.max_grad_norm)
+        torch.nn.utils.clip_grad_norm_(self._parameters, self.max_grad_norm)

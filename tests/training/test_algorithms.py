@@ -6,6 +6,7 @@ import json
 import numpy as np
 import pytest
 import torch
+from networks import perturb
 from trainings import assert_complete, learn, progress
 
 from quadruped_env import MissingExtraError, QuadrupedError
@@ -48,9 +49,8 @@ def model_of(name, **changes):
     torch.manual_seed(0)
     env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic)
     model = make_model(config, env)
+    perturb(model)
     with torch.no_grad():
-        for parameter in model.policy.parameters():
-            parameter.add_(0.2 * torch.randn_like(parameter))
         for key, values in model.policy.named_buffers():
             if key.endswith("ra_mean"):
                 values.copy_(torch.randn_like(values))
@@ -79,6 +79,18 @@ def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tm
     difference = np.abs(policy.predict(mirror.observation(seen)) - mirror.action(policy.predict(seen))).max()
     assert (difference < 1e-4) == symmetric
     assert np.abs(policy.predict(50.0 * seen)).max() <= 1.0
+
+
+@pytest.mark.parametrize("name", [name for name, entry in ALGORITHMS.items() if entry.on_policy])
+def test_gradient_steps_keep_a_symmetric_network_symmetric_to_the_last_bit(name):
+    model, _ = model_of(name)
+    before = [parameter.detach().clone() for parameter in model.policy.parameters()]
+    model.learn(3 * model.n_steps * model.n_envs)
+    after = [parameter.detach().clone() for parameter in model.policy.parameters()]
+    assert any(not torch.equal(one, two) for one, two in zip(before, after, strict=True))
+    model.policy.project()
+    for one, two in zip(after, model.policy.parameters(), strict=True):
+        assert torch.equal(one, two)
 
 
 @pytest.mark.parametrize("name", ["sac", "td3"])

@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 import pytest
 import torch
+from networks import perturb
 from settings import settings
 from trainings import SMALL, STEPS, assert_complete, learn
 
@@ -126,9 +127,7 @@ def model_of(**changes):
     config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, **changes)
     env = make_sb3_vec_env(2, seed=0, privileged=config.asymmetric_critic)
     model = make_model(config, env)
-    with torch.no_grad():
-        for parameter in model.policy.parameters():
-            parameter.add_(0.1 * torch.randn_like(parameter))
+    perturb(model, 0.1)
     return model, env
 
 

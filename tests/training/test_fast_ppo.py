@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 import pytest
 import torch
+from networks import perturb
 from settings import settings
 from stable_baselines3 import PPO
 from stable_baselines3.common.callbacks import BaseCallback
@@ -27,9 +28,7 @@ def fresh(**changes):
     )
     torch.manual_seed(1)
     model = make_model(TrainConfig(**changes), env)
-    with torch.no_grad():
-        for parameter in model.policy.parameters():
-            parameter.add_(0.2 * torch.randn_like(parameter))
+    perturb(model)
     model.set_logger(configure(None, []))
     model._setup_learn(10**6)
     return model
