@@ -45,8 +45,8 @@ class Mirrored:
 class _Projection:
     """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
 
-    It is half the sum with the mirror image. Gradients that are projected keep the weights projected, to the last bit:
-    the two entries of a pair take the same steps, up to their sign.
+    It is half the sum with the mirror image. Projected gradients keep weights projected, because the two entries of a
+    pair take the same steps, up to their sign.
 
     Args:
         outputs: mirror of the layer's outputs.
@@ -68,6 +68,7 @@ class _Projection:
 
 
 _Tied = tuple[torch.nn.Parameter, _Projection]
+"""A parameter whose mirror images are the same, and the projection that keeps them so"""
 
 
 def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[_Tied]:
