@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+import threading
 import warnings
 from collections.abc import Callable
 from typing import Any, Final
@@ -23,6 +24,20 @@ class CommandFormatter(argparse.RawDescriptionHelpFormatter):
         super().add_argument(action)
         if isinstance(action, argparse._SubParsersAction):
             self._action_max_length += self._indent_increment
+
+
+def end_with_parent() -> None:
+    """Let this process end with the one that started it, in whatever way that ends.
+
+    Its standard input must be a pipe that the parent holds open.
+    """
+    threading.Thread(target=_exit_at_end_of_input, daemon=True).start()
+
+
+def _exit_at_end_of_input() -> None:
+    while os.read(sys.stdin.fileno(), 1):
+        pass
+    os._exit(1)
 
 
 def run_program(prog: str, run: Callable[[], int]) -> int:

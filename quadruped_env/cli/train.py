@@ -134,8 +134,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if result is None:
         return 0  # one of torchrun's other ranks
     directory, finished = result
-    steps = load_policy(directory, task_file).card["timesteps"]
+    card = load_policy(directory, task_file).card
+    steps = card["timesteps"]
     advice = shortness(config.action_mode, steps) if config.algo == TrainConfig.algo else ""
+    print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     if advice:

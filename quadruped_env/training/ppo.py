@@ -40,7 +40,11 @@ except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
 _LOG_INTERVAL = 1.0
-"""Interval of the progress bar, progress.csv and TensorBoard, s."""
+"""Interval of progress.csv and TensorBoard, s."""
+_BAR_INTERVAL = 0.5
+"""Interval of the progress bar, s."""
+_FIRST_LINE, _LINE_INTERVAL = 1.5, 10.0
+"""Time of the first line about the progress where there is no terminal for a bar, and time between lines, s."""
 _BETWEEN_RANKS = (RankLostError, DifferentWeightsError)
 """Errors after which this rank's policy is not that of a whole update of all ranks."""
 
@@ -272,7 +276,9 @@ class Recorder(StepStatistics):
         super()._on_training_start()
         self._next_log = _LOG_INTERVAL
         self._next_checkpoint = self._config.checkpoint_seconds
-        start = self.model.num_timesteps
+        self._next_bar, self._next_line = _BAR_INTERVAL, _FIRST_LINE
+        self._state = ""
+        self._first = start = self.model.num_timesteps
         total = start + self._config.timesteps if self._config.seconds is None else None
         self._bar = tqdm(
             total=total,
@@ -286,14 +292,35 @@ class Recorder(StepStatistics):
 
     def _on_step(self) -> bool:
         self.elapsed = time.perf_counter() - self._start
+        # Not only after a rollout, which on a slow machine takes seconds.
+        if self.elapsed >= self._next_bar:
+            self._show()
         return super()._on_step()
+
+    def _show(self) -> None:
+        """Show the progress: on a bar in a terminal, and in lines of a log."""
+        self._next_bar = self.elapsed + _BAR_INTERVAL
+        self._bar.update(self.num_timesteps - self._bar.n)
+        if self._bar.disable and self.elapsed >= self._next_line:
+            self._next_line = self.elapsed + _LINE_INTERVAL
+            print(f"{self.num_timesteps:,} steps{self._speed()}{self._state}", file=sys.stderr, flush=True)
+
+    def _speed(self) -> str:
+        """Speed so far, and the time that the rest of the budget takes with it."""
+        learned = self.num_timesteps - self._first
+        rate = learned / self.elapsed
+        if self._config.seconds is not None:
+            left = self._config.seconds - self.elapsed
+        else:
+            left = (self._config.timesteps - learned) / rate
+        return f", {rate:,.0f} steps/s, {max(0.0, left):.0f} s left"
 
     def _over(self) -> bool:
         return self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds)
 
     def _on_rollout_end(self) -> None:
         super()._on_rollout_end()
-        self._bar.update(self.num_timesteps - self._bar.n)
+        self._show()
         if self.elapsed >= self._next_log:
             self._next_log = self.elapsed + _LOG_INTERVAL
             self._log()
@@ -328,10 +355,11 @@ class Recorder(StepStatistics):
         for name, value in self.mean_levels().items():
             self.logger.record(f"terrain/{name}", value)
         self.logger.dump(self.num_timesteps)
-        self._bar.set_postfix_str(
-            f"return {row['return']:.1f}, falls {row['fall_rate']:.2f}, "
-            f"errors {errors[0]:.2f} m/s {errors[1]:.2f} rad/s{self._remaining()}"
+        self._state = (
+            f", return {row['return']:.1f}, falls {row['fall_rate']:.2f}, errors {errors[0]:.2f} m/s "
+            f"{errors[1]:.2f} rad/s"
         )
+        self._bar.set_postfix_str(self._state.removeprefix(", ") + self._remaining())
         self._clear()
 
     def _remaining(self) -> str:

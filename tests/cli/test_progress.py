@@ -1,32 +1,44 @@
 """The line that shows the progress of a program."""
 
+import pytest
+
 from quadruped_env.cli.progress import ProgressLine
 
 
-def test_progress_is_quiet_until_it_takes_long(capsys, monkeypatch):
+@pytest.fixture
+def report(capsys, monkeypatch):
+    """A function that reports progress at times in s, and returns what was printed."""
     now = [0.0]
     monkeypatch.setattr("time.monotonic", lambda: now[0])
+
+    def reported(line, *progress):
+        for now[0], share in progress:
+            line(share)
+        return capsys.readouterr().err
+
+    return reported
+
+
+def test_progress_is_quiet_until_it_takes_long_and_ends_with_the_time(report):
     line = ProgressLine("playing")
-    for now[0], share in ((0.5, 0.1), (2.0, 0.25), (4.0, 0.5), (8.0, 1.0)):
-        line(share)
-    assert capsys.readouterr().err == "playing:  25%, 8 s left\nplaying: 100%, 0 s left\n"
+    assert report(line, (0.5, 0.1), (2.0, 0.2)) == ""
+    assert report(line, (4.5, 0.6), (5.0, 0.65), (8.0, 1.0)) == "playing:  60%, 3 s left\nplaying: 100% in 7.5 s\n"
 
 
-def test_progress_estimates_from_the_first_step_and_not_from_earlier_work(capsys, monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    line = ProgressLine("filming")
-    # Ten seconds of plots, then a second for every twentieth of the film.
-    for number in range(1, 5):
-        now[0] = 10.0 + number
-        line(number / 20)
-    assert capsys.readouterr().err == "filming:  10%, 18 s left\n"
+def test_short_work_prints_nothing(report):
+    assert report(ProgressLine("playing"), (0.0, 0.1), (1.9, 1.0)) == ""
 
 
-def test_progress_starts_again_with_the_next_piece_of_work(capsys, monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    line = ProgressLine("filming")
-    for now[0], share in ((0.0, 0.5), (0.5, 1.0), (20.0, 0.1), (22.0, 0.3)):
-        line(share)
-    assert capsys.readouterr().err == "filming:  30%, 7 s left\n"
+def test_estimate_leaves_out_a_slow_beginning(report):
+    """A second and a half for the first thousandth of a film, and then a twentieth per second."""
+    rest = [(1.5 + 0.1 * i, 0.001 + 0.005 * i) for i in range(1, 31)]
+    assert report(ProgressLine("filming"), (0.0, 0.0), (1.5, 0.001), *rest) == "filming:   3%, 19 s left\n"
+
+
+def test_nothing_is_estimated_from_a_few_calls(report):
+    assert report(ProgressLine("filming"), (0.0, 0.001), (4.0, 0.002)) == "filming:   0%\n"
+
+
+def test_progress_starts_again_with_the_next_piece_of_work(report):
+    pieces = ((0.0, 0.5), (0.5, 1.0), (20.0, 0.1), (21.0, 0.2), (22.0, 0.3))
+    assert report(ProgressLine("filming"), *pieces) == "filming:  30%, 7 s left\n"

@@ -60,7 +60,7 @@ def check_death_of_a_rank(rank, runs, *options):
         _, errors = output_of(process)
     assert process.returncode == 2
     assert_gone(ranks)
-    lines = [line for line in errors.splitlines() if "error" in line]
+    lines = [line for line in errors.splitlines() if " error: " in line]
     assert len(lines) == 1, errors
     assert f"rank {rank} was killed by SIGKILL" in lines[0]
     assert "Traceback" not in errors

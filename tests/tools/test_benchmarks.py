@@ -1,7 +1,12 @@
 import json
+import signal
+import subprocess
+import sys
 
 import numpy as np
 import pytest
+from paths import importing
+from waiting import killed_on_failure, output_of
 
 from benchmarks import terrain_speed, throughput
 from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
@@ -73,3 +78,14 @@ def test_measures_are_written_as_a_table_and_as_json(tmp_path):
     path = tmp_path / "results" / "throughput.json"
     throughput.write([measure], "machine", {"numpy": np.__version__}, path)
     assert json.loads(path.read_text())["measures"][0]["value"] == 0.5
+
+
+def test_a_measurement_ends_with_the_program_that_is_killed():
+    """The measuring process writes a byte when it begins; this test's end of the pipe closes when it has ended."""
+    measurement = "import os, time; os.write(2, b'.'); time.sleep(1e6)"
+    program = f"from benchmarks.throughput import run_python; run_python({measurement!r})"
+    process = subprocess.Popen([sys.executable, "-c", program], stderr=subprocess.PIPE, env=importing())
+    with killed_on_failure(process):
+        assert process.stderr.read(1) == b"."
+        process.send_signal(signal.SIGKILL)
+        assert output_of(process)[1] == b""

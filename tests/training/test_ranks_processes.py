@@ -101,7 +101,7 @@ def test_error_of_a_rank_is_the_error_of_the_program(tmp_path):
         timeout=DEADLINE,
     )
     assert done.returncode == 2
-    lines = [line for line in done.stderr.splitlines() if "error" in line]
+    lines = [line for line in done.stderr.splitlines() if " error: " in line]
     assert len(lines) == 1, done.stderr
     assert "rank 1: reward broken: QuadrupedError: broken: cannot be computed" in lines[0]
 

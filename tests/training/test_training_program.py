@@ -48,7 +48,7 @@ def final_output(tmp_path, monkeypatch, capsys):
     def train(config, runs, command, resume, task_file):
         directory = runs / "20260101-000000-flat"
         policy = load_policy("flat")
-        policy.with_card({"timesteps": config.timesteps}).save(directory)
+        policy.with_card({"timesteps": config.timesteps, "seconds": 2.4}).save(directory)
         with contextlib.suppress(FileNotFoundError):
             (runs / "latest").unlink()
         (runs / "latest").symlink_to(directory.name)
@@ -80,13 +80,14 @@ def test_commands_of_the_final_output_can_be_pasted(final_output, tmp_path):
 def test_short_training_reports_its_length_and_the_previous_latest_run(final_output, tmp_path):
     latest = tmp_path / "my runs" / "latest"
     lines = final_output("--timesteps", "10000")
-    assert lines[1] == f"{latest} now means this run"
-    assert lines[2].startswith("it has learned for only 10,000 steps; in mode 'residual' a policy takes about 62,000 ")
+    assert lines[0] == "learned from 10,000 steps in 2 s"
+    assert lines[2] == f"{latest} now means this run"
+    assert lines[3].startswith("it has learned for only 10,000 steps; in mode 'residual' a policy takes about 62,000 ")
     (latest.parent / "20250101-000000-other").mkdir()
     latest.unlink()
     latest.symlink_to("20250101-000000-other")
     lines = final_output("--timesteps", "100000")
-    assert lines[1] == f"{latest} now means this run, and no longer 20250101-000000-other"
+    assert lines[2] == f"{latest} now means this run, and no longer 20250101-000000-other"
     assert not any("it has learned for" in line for line in lines)
     assert any(
         "it has learned for" in line for line in final_output("--timesteps", "100000", "--action-mode", "position")

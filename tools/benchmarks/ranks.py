@@ -9,11 +9,13 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Mapping
+from contextlib import ExitStack
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
+from quadruped_env.program import end_with_parent
 from quadruped_env.training.distributed.job import threads_per_rank
 
 NEVER: Final = float("inf")
@@ -44,22 +46,25 @@ _SPEED_TOLERANCE: Final = 0.1
 
 def run_ranks(measure: str, ranks: int, **values: Any) -> dict[str, Any]:
     """The result of a function of this module's `MEASURES` on rank 0, run on all ranks in processes of this machine."""
-    with TemporaryDirectory() as folder:
+    with TemporaryDirectory() as folder, ExitStack() as stack:
         processes = []
         for rank in range(ranks):
             # One rank is plain training, which uses all cores.
             place = {"rank": rank, "ranks": ranks, "threads": threads_per_rank(ranks) if ranks > 1 else 0}
             arguments = json.dumps({"measure": measure, **place, "store": f"{folder}/store", **values})
             paths = str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH")
-            processes.append(
-                subprocess.Popen(  # noqa: S603
-                    [sys.executable, "-m", "benchmarks.ranks", arguments],
-                    stdout=subprocess.PIPE,
-                    text=True,
-                    env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))},
-                )
+            process = subprocess.Popen(  # noqa: S603
+                [sys.executable, "-m", "benchmarks.ranks", arguments],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))},
             )
-        outputs = [process.communicate()[0] for process in processes]
+            processes.append(stack.enter_context(process))
+        # Not `communicate`, which ends the input of one rank, and with it the rank, while others need it.
+        outputs = [process.stdout.read() for process in processes if process.stdout is not None]
+        for process in processes:
+            process.wait()
     for rank, process in enumerate(processes):
         if process.returncode:
             raise RuntimeError(f"rank {rank} of {measure} ended with status {process.returncode}")
@@ -252,6 +257,7 @@ def _main() -> None:
     # isort: split
     from quadruped_env.training.distributed.group import ALONE, on_this_machine
 
+    end_with_parent()
     values = json.loads(sys.argv[1])
     measure, rank, ranks, threads, store = (
         values.pop(name) for name in ("measure", "rank", "ranks", "threads", "store")

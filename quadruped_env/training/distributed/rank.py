@@ -1,8 +1,6 @@
 """One rank of a training, and the process that runs it for `processes`."""
 
-import os
 import sys
-import threading
 import warnings
 from pathlib import Path
 from types import ModuleType
@@ -14,6 +12,7 @@ from quadruped_env.training import ppo
 import torch
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
+from quadruped_env.program import end_with_parent
 from quadruped_env.training.distributed.group import DifferentWeightsError, Group, RankLostError, on_this_machine
 from quadruped_env.training.distributed.job import Job, Report, read_process, write_plain
 
@@ -55,7 +54,7 @@ def _trainer(device: str) -> ModuleType:
 
 def main() -> int:
     """Run the rank of the file that the first argument names, as `processes` starts it; the exit status."""
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    end_with_parent()
     process = read_process(Path(sys.argv[1]))
     if process.rank:
         # Those of all ranks are the same.
@@ -75,13 +74,6 @@ def main() -> int:
         directory, finished = result
         write_plain(process.report, Report("", str(directory), finished).to_dict())
     return 0
-
-
-def _end_with_parent() -> None:
-    # The other end of this pipe closes when the process that started this one ends, in whatever way.
-    while os.read(sys.stdin.fileno(), 1):
-        pass
-    os._exit(1)
 
 
 if __name__ == "__main__":
