@@ -114,6 +114,7 @@ def test_an_observation_of_another_width_is_refused(shape):
 @pytest.mark.parametrize("activation", ACTIVATIONS)
 def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, symmetric, tmp_path):
     import torch
+    from networks import perturb
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
@@ -125,10 +126,8 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, sym
     )
     env = make_sb3_vec_env(4, seed=0, config=TASK)
     model = make_model(config, env)
-    with torch.no_grad():
-        # At initialization, the last layer is almost zero and the biases are zero.
-        for parameter in model.policy.parameters():
-            parameter.add_(0.3 * torch.randn_like(parameter))
+    # At initialization, the last layer is almost zero and the biases are zero.
+    perturb(model, 0.3)
     export_policy(model, TASK, activation, {"seed": 0}).save(tmp_path)
     policy = load_policy(tmp_path)
     assert [weight.shape[1] for weight in policy.weights] == [32, 24, 16, ACTION_WIDTH]

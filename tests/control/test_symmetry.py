@@ -50,6 +50,7 @@ def test_mirroring_twice_changes_nothing():
 
 def test_symmetric_policy_gives_mirrored_actions_and_equal_values_on_both_sides():
     import torch
+    from networks import perturb
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
@@ -62,9 +63,8 @@ def test_symmetric_policy_gives_mirrored_actions_and_equal_values_on_both_sides(
         torch.manual_seed(0)
         config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
         model = make_model(config, make_sb3_vec_env(2, seed=0))
+        perturb(model, 0.1)
         with torch.no_grad():
-            for parameter in model.policy.parameters():
-                parameter.add_(0.1 * torch.randn_like(parameter))
             mean = [model.policy.get_distribution(side).distribution.mean.numpy() for side in both]
             value = [model.policy.predict_values(side).numpy() for side in both]
         differs[symmetric] = max(abs(mean[1] - MIRROR.action(mean[0])).max(), abs(value[1] - value[0]).max())

@@ -192,8 +192,9 @@ def test_symmetric_policy_stays_symmetric_in_the_graph():
 
 @pytest.mark.parametrize("symmetric", [True, False])
 def test_graph_of_a_training_is_torchs_policy(symmetric):
-    """From SB3's own network, of which a symmetric policy runs two mirrored copies, over the saved policy to ONNX."""
+    """From SB3's own network over the saved policy to ONNX."""
     import torch
+    from networks import perturb
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
@@ -203,9 +204,7 @@ def test_graph_of_a_training_is_torchs_policy(symmetric):
     config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
     env = make_sb3_vec_env(2, seed=0, action_mode="residual")
     model = make_model(config, env)
-    with torch.no_grad():
-        for parameter in model.policy.parameters():
-            parameter.add_(0.1 * torch.randn_like(parameter))
+    perturb(model, 0.1)
     policy = export_policy(model, env.task.config, config.activation, {})
     readings, command, phase, last_action = random_states(policy)
     observation = control_of(policy, command, phase, last_action).observe(readings)
