@@ -45,9 +45,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     gait = tune_commanded_gait(
         math.tau * arguments.frequency,
-        speeds=(0.3, 0.2, 0.1, 0.0, -0.2, -0.3, -0.4, 0.4, 0.5, 0.65),
-        # In place last: it is the hardest, and starts from the turn at a small speed.
-        turning_speeds=(0.3, 0.2, 0.1, -0.3, 0.4, 0.5, 0.0),
+        speeds=(0.3, 0.2, 0.1, 0.0, -0.2, -0.3, -0.4, 0.4, 0.5, 0.65, -0.1),
+        # In place last: it is the hardest, and starts from the turn at a small speed. A speed that is there again is
+        # searched again from its own result.
+        turning_speeds=(0.3, 0.2, 0.1, -0.3, 0.4, 0.5, 0.0, -0.2, 0.0, 0.0, -0.2),
         yaw_rates=(0.25, 0.5, 0.8),
         generations=arguments.generations,
         say=log,

@@ -47,10 +47,10 @@ def test_a_standing_robot_has_its_feet_on_the_ground():
 
 def test_the_tuned_gait_turns_at_the_commanded_rate_on_lifted_feet():
     got = gait_tuning.measure_commands(TUNED, TURN_COMMANDS)
-    np.testing.assert_allclose(got.yaw_rate, TURN_COMMANDS[:, 1], atol=0.1)
-    np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.15)
-    forwards = TURN_COMMANDS[:, 0] > 0.0
-    assert got.clearance[forwards].min() > 0.005
+    np.testing.assert_allclose(got.yaw_rate, TURN_COMMANDS[:, 1], atol=0.08)
+    np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.08)
+    backwards = TURN_COMMANDS[:, 0] < 0.0  # there a foot drags in some strides
+    assert got.clearance[~backwards].min() > 0.005
 
 
 @pytest.mark.parametrize(("name", "angular_frequency", "speed"), gait_tuning.PRESET_SPEEDS)
@@ -152,7 +152,7 @@ def test_table_of_results_names_every_command():
     assert [row.split(" | ")[0].removeprefix("| ") for row in rows] == straight + turning
     assert all(row.endswith("| no |") for row in rows)
     values = np.array([[float(value) for value in row.split(" | ")[1:6]] for row in rows])
-    np.testing.assert_allclose(values[:10, 0], [float(row[2:6]) for row in rows[:10]], atol=0.07)
+    np.testing.assert_allclose(values[:10, 0], [max(float(row[2:6]), TUNED.speeds[0]) for row in rows[:10]], atol=0.015)
     np.testing.assert_array_equal(np.sign(values[10:, 1]), [-1, -1, 1, 1] * 2)
     assert (abs(values[:10, 2]) < 0.035).all(), "sideways, straight ahead"
     assert (abs(values[10:, 2]) < 0.08).all(), "sideways, in turns"
