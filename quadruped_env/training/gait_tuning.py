@@ -208,12 +208,14 @@ def tune_commanded_gait(
     yaw_rates: tuple[float, ...],
     generations: int,
     say: Log,
+    left_out: tuple[float, ...] = (),
 ) -> CommandedGait:
     """The tables of `CommandedGait` for the given yaw rates, rad/s, and speeds, m/s, in the order of the searches.
 
     Each search starts from the result of its neighbour, so that the tables are smooth: first the straight gaits of all
     speeds, then what turning changes in those for turning. The neighbour is the nearest of the speeds that were
-    searched before. The other speeds turn as their nearest ones do.
+    searched before. The other speeds turn as their nearest ones do. The speeds `left_out` are searched, but are not in
+    the tables.
     """
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
@@ -243,7 +245,7 @@ def tune_commanded_gait(
         turning[speed] = found.candidate[1:]
     largest = max(yaw_rates)
     table = {}
-    for speed in speeds:
+    for speed in set(speeds) - set(left_out):
         near = min(turning, key=lambda other: abs(other - speed))
         whole = np.concatenate([[straight[speed]], turning[near]])
         # The turn of another speed, on top of this one's straight gait, may be beyond the limits.
