@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         yaw_rates=(0.25, 0.5, 0.8),
         generations=arguments.generations,
         say=log,
-        # Of 56 starts 5 lead to a slower gait there; between its neighbours none does.
+        # Of 56 starts 5 lead to a slower gait there; between its neighbours none of them does.
         left_out=(-0.2,),
     )
     log(f"\n{achieved_table(gait)}\n")
