@@ -2,7 +2,7 @@
 
 They are the tables of the `tuned` gait over forward velocity, with what a yaw rate adds, and the presets trot, walk,
 bound and pace. Prints the numbers that belong in quadruped_env/gait/presets.py, and the velocities that the tuned gait
-reaches. Takes about 25 minutes on two idle cores.
+reaches. Takes about 15 minutes on two idle cores.
 """
 
 import argparse
@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="gait cycles per second of the tuned gait (default: %(default)g)",
     )
     parser.add_argument(
-        "--generations", type=int, default=40, metavar="N", help="search generations per speed (default: %(default)s)"
+        "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"
     )
     add_output(parser, "FILE", "JSON file of the numbers (default: %(default)s)", Path("results/gait.json"))
     parser.add_argument("--table", action="store_true", help="only measure the tuned gait and print its table")
@@ -45,14 +45,19 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     gait = tune_commanded_gait(
         math.tau * arguments.frequency,
-        forward=(0.3, 0.2, 0.1, 0.0, 0.4, 0.5, 0.6),
-        backward=(-0.2, -0.1, -0.3, -0.4),
-        yaw_rates=(0.3, 0.55, 0.8),
+        speeds=(0.3, 0.2, 0.1, 0.0, -0.2, -0.3, -0.4, 0.4, 0.5, 0.65, -0.1),
+        # In place last: it is the hardest, and starts from the turn at a small speed. A speed that is there again is
+        # searched again from its own result.
+        turning_speeds=(0.3, 0.2, 0.1, -0.3, 0.4, 0.5, 0.0, -0.2, 0.0, 0.0, -0.2),
+        yaw_rates=(0.25, 0.5, 0.8),
         generations=arguments.generations,
         say=log,
+        # Of 56 starts 5 lead to a slower gait there; between its neighbours none of them does.
+        left_out=(-0.2,),
     )
     log(f"\n{achieved_table(gait)}\n")
-    presets = tune_presets(arguments.generations, log)
+    # They start from a small step, the tables from a gait.
+    presets = tune_presets(3 * arguments.generations, log)
     write_json(arguments.output, {"tuned": gait.parameters(), "presets": presets})
     log(f"written to {arguments.output}")
     return 0

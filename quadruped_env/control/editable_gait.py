@@ -1,5 +1,6 @@
 """A scripted gait whose settings can be changed while it runs."""
 
+from dataclasses import replace
 from typing import Final, Protocol, runtime_checkable
 
 import numpy as np
@@ -64,10 +65,20 @@ class EditableGaitController:
         command = float(control.command[0, 0]), float(control.command[0, 1])
         if command != self._command:
             self._command = command
-            self._gait = edited(self._preset(command), self._settings)
+            self._gait = self._edited(self._preset(command))
         target = self._gait.positions(np.array([self._time]))
         self._time += control.config.timestep
         return target
+
+    def _edited(self, gait: SinusoidalGait) -> SinusoidalGait:
+        """The gait with the current settings."""
+        if not self.follows_command:
+            return edited(gait, self._settings)
+        # The hips' phases depend on the command; the settings are those of the preset, so its phases are subtracted.
+        preset = GaitSettings.of(SinusoidalGait.preset(self.name, self._robot)).phases
+        own = zip(GaitSettings.of(gait).phases, self._settings.phases, preset, strict=True)
+        phases = tuple((phase + setting - base) % 1.0 for phase, setting, base in own)
+        return edited(gait, replace(self._settings, phases=phases))
 
     def complaints(self) -> list[str]:
         """Messages about joint limits that the gait exceeds; empty if there are none."""

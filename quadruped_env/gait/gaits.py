@@ -146,30 +146,6 @@ class SinusoidalGait:
         return found
 
 
-def _tuned_for_one_speed(name: str) -> SinusoidalGait:
-    """A preset on the robot for which it was tuned."""
-    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
-    hip_amplitude, hip_offset, cosine, sine, knee_offset = zip(fore, fore, hind, hind, strict=True)
-    lags = [math.atan2(-s, c) for c, s in zip(cosine, sine, strict=True)]
-    return SinusoidalGait(
-        hip_amplitude=hip_amplitude,
-        hip_offset=hip_offset,
-        knee_amplitude=tuple(math.hypot(c, s) for c, s in zip(cosine, sine, strict=True)),
-        knee_offset=knee_offset,
-        angular_frequency=angular_frequency,
-        phases=tuple(
-            math.tau * phase + joint for phase, lag in zip(LEG_PHASES[name], lags, strict=True) for joint in (0.0, lag)
-        ),
-        robot=TUNED_ON,
-    )
-
-
-_PRESETS: Final = {
-    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
-    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
-}
-
-
 def _published(robot: Robot) -> SinusoidalGait:
     """The gait `article` on another robot: each corner's leg keeps its angles and phases."""
     article = _PRESETS["article"]
@@ -218,6 +194,23 @@ def _sinusoids(
         phases=tuple(phases.tolist()),
         robot=robot,
     )
+
+
+def _tuned_for_one_speed(name: str) -> SinusoidalGait:
+    """A preset on the robot for which it was tuned."""
+    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
+    legs = (fore, fore, hind, hind)
+    sine = np.array([part for leg in legs for part in (leg.hip_sine, leg.knee_sine)])
+    cosine = np.array([part for leg in legs for part in (leg.hip_cosine, leg.knee_cosine)])
+    offset = np.array([part for leg in legs for part in (leg.hip_offset, leg.knee_offset)])
+    phases = math.tau * np.repeat(LEG_PHASES[name], 2)
+    return _sinusoids(TUNED_ON, angular_frequency, phases, sine, cosine, offset)
+
+
+_PRESETS: Final = {
+    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
+    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
+}
 
 
 def turn_size(yaw_rate: NDArray[np.float64], largest: float) -> NDArray[np.float64]:
@@ -286,7 +279,7 @@ class CommandedGait:
         waves = np.zeros((3, len(self.speeds), 2 * len(legs)))
         for leg, corner in enumerate(legs):
             table = fore if corner < 2 else hind
-            waves[0::2, :, 2 * leg] = table.hip_amplitude, table.hip_offset
+            waves[:, :, 2 * leg] = table.hip_sine, table.hip_cosine, table.hip_offset
             waves[:, :, 2 * leg + 1] = table.knee_sine, table.knee_cosine, table.knee_offset
         return waves
 

@@ -242,11 +242,11 @@ class TestGait:
             assert np.abs(moves[0][name]).max() > 0.005
 
     def test_tuned_gait_walks_and_turns_as_commanded(self):
-        found = walk(CommandedGaitController(), [(0.3, 0.0), (-0.2, 0.0), (0.2, 0.4), (0.2, -0.4), (0.0, 0.0)])
+        found = walk(CommandedGaitController(), [(0.3, 0.0), (-0.3, 0.0), (0.2, 0.4), (0.2, -0.4), (0.0, 0.0)])
         assert found[:, 2].min() > 0.97  # upright
         forward, turn = found[:, 0], found[:, 1]
         assert 0.2 < forward[0] < 0.4
-        assert -0.3 < forward[1] < -0.1
+        assert -0.4 < forward[1] < -0.2
         assert turn[2] > 0.1
         assert turn[3] < -0.1
         np.testing.assert_allclose(found[4, :2], 0.0, atol=0.02)
