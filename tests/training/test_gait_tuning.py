@@ -249,15 +249,6 @@ def test_tables_have_the_speeds_that_were_reached(monkeypatch):
     assert [call.speed for call in calls[4:]] == [0.194, 0.485, -0.097, 0.0], "turns are searched at them"
 
 
-def test_speeds_that_are_left_out_are_searched_but_not_in_the_tables(monkeypatch):
-    monkeypatch.setattr(gait_tuning, "search", searches := FakeSearch(1.0))
-    gait = gait_tuning.tune_commanded_gait(
-        13.0, SPEEDS, TURNING_SPEEDS, YAW_RATES, 7, lambda line: None, left_out=(0.2,)
-    )
-    assert len(searches.calls) == 8
-    assert gait.speeds == (-0.1, 0.0, 0.5)
-
-
 def test_each_search_says_what_it_reached(monkeypatch):
     lines = []
     tuned_with(monkeypatch, 0.9, lines.append)
