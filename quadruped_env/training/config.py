@@ -19,7 +19,14 @@ STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
 
 
 _FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
-    {"timesteps": 3_000_000, "n_steps": 16, "batch_size": 1024, "log_std_init": -1.0, "final_log_std": -4.0}
+    {
+        "timesteps": 3_000_000,
+        "n_steps": 16,
+        "batch_size": 1024,
+        "learning_rate": 2e-3,
+        "log_std_init": -1.0,
+        "final_log_std": -4.0,
+    }
 )
 """Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
 On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
@@ -71,7 +78,7 @@ class TrainConfig:
     """Samples in a gradient step"""
     n_epochs: int = 4
     """Passes over the samples of an update"""
-    learning_rate: float = 2e-3
+    learning_rate: float = 1e-3
     """Adam's initial step size; it decreases linearly to a tenth"""
     gamma: float = 0.985
     """Discount per step of 0.02 s"""
@@ -106,7 +113,7 @@ class TrainConfig:
     """Make the policy left/right symmetric by construction, as the robot is"""
     asymmetric_critic: bool = False
     """Let the value function see privileged readings that only the simulation knows; the policy never sees them"""
-    log_std_init: float = -2.5
+    log_std_init: float = -3.5
     """Logarithm of the exploration's initial standard deviation"""
     final_log_std: float = -5.0
     """Upper bound of that logarithm at the end, reached linearly. Noise slows the robot down, and a policy that

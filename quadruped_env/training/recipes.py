@@ -29,6 +29,7 @@ _BEYOND_THE_GAIT: Final[Mapping[str, Any]] = MappingProxyType(
     {
         "n_steps": 24,
         "batch_size": 3072,
+        "learning_rate": 2e-3,
         "hidden": (128, 128),
         "log_std_init": -1.0,
         "final_log_std": -4.0,
