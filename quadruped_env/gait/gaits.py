@@ -9,7 +9,7 @@ The form is that of the ROS 2 tutorial, whose parameters are the preset `article
 commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 
 The other presets were tuned on the built-in robot. On another robot with a hip and a knee per leg, the feet make the
-same motions about its stance, to first order: the joint angles are mapped by the legs' Jacobians.
+same motions about its stance, as nearly as sinusoids can.
 """
 
 import functools
@@ -24,7 +24,7 @@ from quadruped_env._plain import plain
 from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.presets import ARTICLE, LEG_PHASES, PRESETS, TUNED, TUNED_FOR_ONE_SPEED, TUNED_ON, LegTable
-from quadruped_env.gait.waves import Waves, joint_phases, leg_maps, map_waves, wave_positions
+from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positions
 from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
@@ -167,7 +167,7 @@ def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
         np.stack([np.zeros(4), knee_amplitude * np.cos(lag)], axis=1).ravel(),
         np.stack([hip_offset, knee_offset], axis=1).ravel(),
     )
-    mapped = map_waves(robot, leg_maps(robot), *waves)
+    mapped = map_waves(robot, *waves)
     return _sinusoids(robot, gait.angular_frequency, np.repeat(phases[:, 0], 2), *mapped)
 
 
@@ -260,17 +260,17 @@ class CommandedGait:
     """Change of the waves times the signed size of the turn, per rad/s, (K, J) each."""
 
     def __post_init__(self) -> None:
-        maps, legs = leg_maps(self.robot), corners(self.robot)
+        legs = corners(self.robot)
         sides = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
         # A wider robot's feet are moved farther by the same yaw rate.
         width = 1.0 if self.robot == TUNED_ON else half_track(self.robot) / half_track(TUNED_ON)
         straight = self._waves_of(self.fore, self.hind, legs)
         turn = width * self._waves_of(self.fore_turn, self.hind_turn, legs)
         side = width * self._waves_of(self.fore_side, self.hind_side, legs) * sides
-        mapped = map_waves(self.robot, maps, *straight)
+        mapped = map_waves(self.robot, *straight)
         object.__setattr__(self, "straight", mapped)
         for name, change in (("turn", turn), ("side", side)):
-            changed = map_waves(self.robot, maps, *(straight + change))
+            changed = map_waves(self.robot, *(straight + change))
             object.__setattr__(self, name, tuple(a - b for a, b in zip(changed, mapped, strict=True)))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
 

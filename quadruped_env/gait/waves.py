@@ -4,16 +4,21 @@ A joint's wave at its leg's angle a is sine * sin(a) + cosine * cos(a) + offset.
 """
 
 import math
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.gait.presets import LEG_PHASES, TUNED_ON
-from quadruped_env.robot.corners import corners, leg_jacobians
+from quadruped_env.robot.corners import corners, leg_jacobians, postures_with_feet_at
 from quadruped_env.robot.robot import Robot
 
 Waves = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 """Sine part, cosine part and offset of joint positions (..., J), rad."""
+
+
+_SAMPLES: Final = 12
+"""Samples of a cycle."""
 
 
 def joint_phases(robot: Robot, gait: str = "trot") -> NDArray[np.float64]:
@@ -22,34 +27,30 @@ def joint_phases(robot: Robot, gait: str = "trot") -> NDArray[np.float64]:
     return np.repeat(phases * math.tau, 2)
 
 
-def leg_maps(robot: Robot) -> NDArray[np.float64] | None:
-    """Matrix (2, 2) of each leg from a change of hip and knee of the tuned robot to one of this robot (L, 2, 2).
+def map_waves(
+    robot: Robot, sine: NDArray[np.float64], cosine: NDArray[np.float64], offset: NDArray[np.float64]
+) -> Waves:
+    """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot.
 
-    Both move the foot by the same distance forwards and upwards. None for the tuned robot itself.
+    Its feet make the same motions about its stance, as nearly as sinusoids can: the joint positions of a cycle are found
+    by inverse kinematics, and their waves by projection.
+
+    Raises:
+        QuadrupedError: if the robot has not one leg with hip and knee in each corner, or a straight one in the stance.
     """
     if robot == TUNED_ON:
-        return None
-    own, tuned = leg_jacobians(robot), leg_jacobians(TUNED_ON)[list(corners(robot))]
-    return np.array(np.linalg.solve(own, tuned), dtype=np.float64)
-
-
-def map_waves(
-    robot: Robot,
-    maps: NDArray[np.float64] | None,
-    sine: NDArray[np.float64],
-    cosine: NDArray[np.float64],
-    offset: NDArray[np.float64],
-) -> Waves:
-    """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot."""
-    if maps is None:
         return sine, cosine, offset
-    tuned_stance = TUNED_ON.stance.reshape(-1, 2)[list(corners(robot))].ravel()
-
-    def apply(change: NDArray[np.float64]) -> NDArray[np.float64]:
-        legs = change.reshape(*change.shape[:-1], robot.num_legs, 2)
-        return np.einsum("lij,...lj->...li", maps, legs).reshape(change.shape)
-
-    return apply(sine), apply(cosine), robot.stance + apply(offset - tuned_stance)
+    leg_jacobians(robot)
+    legs = list(corners(robot))
+    angle = math.tau * np.arange(_SAMPLES).reshape(-1, *(1,) * np.ndim(sine)) / _SAMPLES
+    joints = (sine * np.sin(angle) + cosine * np.cos(angle) + offset).reshape(-1, robot.num_legs, 2)
+    # The tuned robot's legs are in the order of the corners.
+    feet = TUNED_ON.foot_centres(joints[:, np.argsort(legs)].reshape(len(joints), -1))
+    away = (feet - TUNED_ON.foot_centres(TUNED_ON.stance))[:, legs, ::2]
+    mapped = postures_with_feet_at(robot, robot.foot_centres(robot.stance)[:, ::2] + away)
+    mapped = mapped.reshape(_SAMPLES, *np.shape(sine))
+    wave = 2.0 / _SAMPLES
+    return wave * (mapped * np.sin(angle)).sum(0), wave * (mapped * np.cos(angle)).sum(0), mapped.mean(0)
 
 
 def wave_positions(

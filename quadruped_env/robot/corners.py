@@ -12,6 +12,12 @@ from quadruped_env.robot.robot import Robot
 _MIN_DETERMINANT: Final = 1e-5
 """Least determinant of a leg's Jacobian, m^2/rad^2; that of the built-in robot is 2.8e-3."""
 
+_INVERSE_STEPS: Final = 12
+_DAMPING: Final = 1e-5
+"""Of the inverse kinematics, m^2/rad^2."""
+_DIFFERENCE: Final = 1e-5
+"""Step of numeric derivatives, rad."""
+
 
 def corners(robot: Robot) -> tuple[int, ...]:
     """Corner of each leg: 0 left fore, 1 right fore, 2 left hind, 3 right hind.
@@ -42,6 +48,29 @@ def leg_jacobians(robot: Robot) -> NDArray[np.float64]:
             f"bend the knees of its stance"
         )
     return found
+
+
+def postures_with_feet_at(robot: Robot, feet: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Joint positions (N, J) in rad with the feet's centres at x and z (N, L, 2) in m in the base frame.
+
+    Where a foot cannot get there within the joints' ranges, it gets near. Damped least squares from the stance.
+    """
+    positions = np.tile(robot.stance, (len(feet), 1))
+    for _ in range(_INVERSE_STEPS):
+        missing = feet - robot.foot_centres(positions)[..., ::2]
+        jacobians = np.empty((*missing.shape, 2))
+        for joint in range(2):
+            ahead = positions.copy()
+            ahead[:, joint::2] += _DIFFERENCE
+            behind = positions.copy()
+            behind[:, joint::2] -= _DIFFERENCE
+            change = robot.foot_centres(ahead) - robot.foot_centres(behind)
+            jacobians[..., joint] = change[..., ::2] / (2.0 * _DIFFERENCE)
+        transposed = jacobians.swapaxes(-1, -2)
+        damped = transposed @ jacobians + _DAMPING * np.eye(2)
+        positions += np.linalg.solve(damped, transposed @ missing[..., None]).reshape(positions.shape)
+        positions = np.clip(positions, robot.joint_position_low, robot.joint_position_high)
+    return positions
 
 
 def half_track(robot: Robot) -> float:

@@ -34,7 +34,7 @@ def test_the_tuned_gait_walks_at_the_speeds_of_its_table(walked):
 def test_the_tuned_gait_lifts_every_foot(walked):
     assert walked.clearance.min() > 0.010
     assert walked.clock.min() > 0.45
-    assert walked.touchdown_error.max() < 0.5
+    assert walked.touchdown_error.max() < 0.35
 
 
 def test_a_standing_robot_has_its_feet_on_the_ground():
@@ -45,14 +45,23 @@ def test_a_standing_robot_has_its_feet_on_the_ground():
     assert standing.touchdown_error[0] == 1.0
 
 
-def test_the_tuned_gait_turns_at_the_commanded_rate_on_lifted_feet():
+def test_the_tuned_gait_turns_at_the_commanded_rate():
     got = gait_tuning.measure_commands(TUNED, TURN_COMMANDS)
-    backwards = TURN_COMMANDS[:, 0] < 0.0
-    np.testing.assert_allclose(got.yaw_rate[~backwards], TURN_COMMANDS[~backwards, 1], atol=0.08)
-    # Backwards it turns less, and a foot drags in some strides.
-    assert (got.yaw_rate * np.sign(TURN_COMMANDS[:, 1]) > 0.5 * np.abs(TURN_COMMANDS[:, 1])).all()
-    np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.15)
-    assert got.clearance[~backwards].min() > 0.005
+    ahead = TURN_COMMANDS[:, 0] >= 0.0
+    np.testing.assert_allclose(got.yaw_rate[ahead], TURN_COMMANDS[ahead, 1], atol=0.08)
+    # Backwards two gaits exist, and which one an episode has depends on its start.
+    np.testing.assert_allclose(got.yaw_rate[~ahead], TURN_COMMANDS[~ahead, 1], atol=0.2)
+    np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.05)
+    # The inner fore foot steps twice in a stride.
+    assert got.touchdown_error.max() < 0.8
+
+
+def test_no_hip_is_sent_near_its_limit():
+    """A hip overshoots its target by up to a tenth of a radian; its limit is 1.5 rad."""
+    speeds, yaw_rates = np.linspace(-0.4, 0.7, 45), np.linspace(-1.0, 1.0, 21)
+    commands = np.stack(np.meshgrid(speeds, yaw_rates), axis=-1).reshape(-1, 2)
+    sine, cosine, offset = TUNED.waves(commands)
+    assert (offset + np.hypot(sine, cosine))[:, 0::2].max() < 1.355
 
 
 @pytest.mark.parametrize(("name", "angular_frequency", "speed"), gait_tuning.PRESET_SPEEDS)
