@@ -32,8 +32,8 @@ def map_waves(
 ) -> Waves:
     """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot.
 
-    Its feet make the same motions about its stance, as nearly as sinusoids can: the joint positions of a cycle are found
-    by inverse kinematics, and their waves by projection.
+    Its feet make the same motions about its stance, as nearly as sinusoids can: inverse kinematics gives the joint
+    positions of a cycle, and projection their waves.
 
     Raises:
         QuadrupedError: if the robot has not one leg with hip and knee in each corner, or a straight one in the stance.

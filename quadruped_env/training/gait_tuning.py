@@ -246,9 +246,9 @@ def tune_commanded_gait(
         turning[speed] = found.candidate[1:]
     largest = max(yaw_rates)
     table = {}
-    for speed in straight:
+    for speed, legs in straight.items():
         near = min(turning, key=lambda other: abs(other - speed))
-        whole = np.concatenate([[straight[speed]], turning[near]])
+        whole = np.concatenate([[legs], turning[near]])
         # The turn of another speed, on top of this one's straight gait, may be beyond the limits.
         limited = _within_limits(whole[None], angular_frequency, largest)[0]
         table[reached[speed]] = whole if near == speed else limited

@@ -47,13 +47,13 @@ TRAINING: Final = {
     "batch_size": 4096,
     "n_epochs": 4,
     "hidden": (64, 64),
-    "learning_rate": 2e-3,
+    "learning_rate": 1e-3,
     "gamma": 0.985,
     "gae_lambda": 0.95,
     "clip_range": 0.2,
     "ent_coef": 0.0,
     "max_grad_norm": 1.0,
-    "log_std_init": -2.5,
+    "log_std_init": -3.5,
     "final_log_std": -5.0,
 }
 """Defaults of a training with PPO."""
