@@ -231,7 +231,7 @@ def test_recordings_and_replays_can_be_filmed():
     assert recording.timestep == pytest.approx(0.02)
     assert recording.contact.shape == (26, 4)
     assert 0.3 < recording.contact[1:].mean() < 0.9
-    travelled = np.linalg.norm(np.diff(recording.base_pose[:, :2], axis=0), axis=1).sum()
+    travelled = np.abs(np.diff(recording.base_pose[:, 0])).sum()
     assert travelled == pytest.approx(np.abs(recording.velocity[:, 0]).sum() * 0.02, rel=0.3)
 
     played = replay(JointTrajectory(commands.stamps, commands.names, commands.positions), "kinematic").film().trace
