@@ -2,7 +2,7 @@
 
 They are the tables of the `tuned` gait over forward velocity, with what a yaw rate adds, and the presets trot, walk,
 bound and pace. Prints the numbers that belong in quadruped_env/gait/presets.py, and the velocities that the tuned gait
-reaches. Takes about 15 minutes on two idle cores.
+reaches. Takes about 20 minutes on two idle cores.
 """
 
 import argparse

@@ -24,7 +24,7 @@ def walked():
     return gait_tuning.measure_commands(TUNED, TABLE)
 
 
-# A walking robot is chaotic: on another processor some starts lead to another stride, and a few of them to feet that drag.
+# A walking robot is chaotic: on another processor some starts lead to another stride, a few of them to feet that drag.
 
 
 def test_the_tuned_gait_walks_at_the_speeds_of_its_table(walked):
