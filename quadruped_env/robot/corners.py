@@ -12,9 +12,13 @@ from quadruped_env.robot.robot import Robot
 _MIN_DETERMINANT: Final = 1e-5
 """Least determinant of a leg's Jacobian, m^2/rad^2; that of the built-in robot is 2.8e-3."""
 
-_INVERSE_STEPS: Final = 12
-_DAMPING: Final = 1e-5
-"""Of the inverse kinematics, m^2/rad^2."""
+_INVERSE_STEPS: Final = 16
+_LARGEST_CHANGE: Final = 0.2
+"""Of a joint in one step, rad."""
+_DAMPING: Final = 0.1
+"""Of the inverse kinematics, per square of a foot's distance, 1/rad^2."""
+_LEAST_DAMPING: Final = 1e-9
+"""m^2/rad^2."""
 _DIFFERENCE: Final = 1e-5
 """Step of numeric derivatives, rad."""
 
@@ -64,11 +68,14 @@ def postures_with_feet_at(robot: Robot, feet: NDArray[np.float64]) -> NDArray[np
             ahead[:, joint::2] += _DIFFERENCE
             behind = positions.copy()
             behind[:, joint::2] -= _DIFFERENCE
-            change = robot.foot_centres(ahead) - robot.foot_centres(behind)
-            jacobians[..., joint] = change[..., ::2] / (2.0 * _DIFFERENCE)
+            difference = robot.foot_centres(ahead) - robot.foot_centres(behind)
+            jacobians[..., joint] = difference[..., ::2] / (2.0 * _DIFFERENCE)
         transposed = jacobians.swapaxes(-1, -2)
-        damped = transposed @ jacobians + _DAMPING * np.eye(2)
-        positions += np.linalg.solve(damped, transposed @ missing[..., None]).reshape(positions.shape)
+        # Near a straight leg an undamped step is far too long.
+        damping = _DAMPING * (missing * missing).sum(axis=-1)[..., None, None] + _LEAST_DAMPING
+        damped = transposed @ jacobians + damping * np.eye(2)
+        change = np.linalg.solve(damped, transposed @ missing[..., None]).reshape(positions.shape)
+        positions += np.clip(change, -_LARGEST_CHANGE, _LARGEST_CHANGE)
         positions = np.clip(positions, robot.joint_position_low, robot.joint_position_high)
     return positions
 
