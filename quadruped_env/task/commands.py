@@ -1,6 +1,7 @@
 """Random sampling of commands."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from quadruped_env.task.randomization import between
 from quadruped_env.task.settings import Section
 
 Floats = NDArray[np.float64]
+
+_STRAIGHT_SPEEDS: Final = (1 / 2, 5 / 6)
+"""Range of the commands straight ahead of `straight_only`, as shares of the largest forward velocity."""
 
 
 class CommandSampler:
@@ -28,14 +32,22 @@ class CommandSampler:
         self.purposes = Purposes({"command/kind": 1, **{f"command/{name}": 1 for name in names}, "command/interval": 1})
         ranges = frozen(np.array([config[name] for name in names]))
         self._low, self._high = ranges[:, 0], ranges[:, 1]
+        self.straight_only = False
+        """True: every command is straight ahead, neither slow nor as fast as it gets."""
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
         """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
         kind, config = draws[:, 0], self._config
+        interval = between(config.resample_interval, draws[:, -1])
+        if self.straight_only:
+            command = np.zeros_like(draws[:, 1:-1])
+            slowest, fastest = _STRAIGHT_SPEEDS
+            command[:, 0] = self._high[0] * (slowest + (fastest - slowest) * draws[:, 1])
+            return command, interval
         command = self._low + (self._high - self._low) * draws[:, 1:-1]
         standing = config.standing_fraction
         straight = standing + config.straight_fraction
         turning = (kind >= straight) & (kind < straight + config.turning_fraction)
         np.copyto(command[:, 1], 0.0, where=kind < straight)
         np.copyto(command[:, 0], 0.0, where=(kind < standing) | turning)
-        return command, between(config.resample_interval, draws[:, -1])
+        return command, interval

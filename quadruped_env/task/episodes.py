@@ -77,7 +77,8 @@ class Randomizer:
         self._xp = simulation.xp
         self._config = config
         robot = control.robot
-        self._commands = CommandSampler(config.definition.commands, config.command)
+        self.commands = CommandSampler(config.definition.commands, config.command)
+        """Samples the commands."""
         active = [r for r in config.definition.randomizations if is_active(config.randomization[r.name])]
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
         self.sensors = _sensors(simulation, config, active)
@@ -85,7 +86,7 @@ class Randomizer:
         self._check(starting)
         starts = Purposes({r.name: r.draws(robot) for r in starting})
         self._at_start = (
-            starts + Purposes({"phase": 1, **{f"{r.name}/interval": 1 for r in recurring}}) + self._commands.purposes
+            starts + Purposes({"phase": 1, **{f"{r.name}/interval": 1 for r in recurring}}) + self.commands.purposes
         )
         self._command_columns = slice(
             self._at_start.slices["command/kind"].start, self._at_start.slices["command/interval"].stop
@@ -174,7 +175,7 @@ class Randomizer:
         for entry in self._recurring:
             column = self._at_start.slices[f"{entry.name}/interval"].start
             entry.due[env_ids] = self._in_steps(between(entry.interval, draws[:, column]))
-        sampled, seconds = self._commands.sample(draws[:, self._command_columns])
+        sampled, seconds = self.commands.sample(draws[:, self._command_columns])
         self.command_due[env_ids] = self._in_steps(seconds)
         if command is None:
             command = sampled
@@ -184,7 +185,7 @@ class Randomizer:
     def next_command(self, env_ids: EnvIds) -> Floats:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""
         steps = self._control.steps[env_ids]
-        command, seconds = self._commands.sample(self._draws.uniform(self._commands.purposes, env_ids, steps))
+        command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
         self.command_due[env_ids] = steps + self._in_steps(seconds)
         return command
 

@@ -63,7 +63,8 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "FastPPO",
             "",
             "ActorCriticPolicy",
-            _ON_POLICY | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm", "noise_correlation"},
+            _ON_POLICY
+            | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm", "clock_noise", "straight_steps"},
         ),
         "a2c": Algorithm(
             "stable_baselines3.a2c",

@@ -24,12 +24,17 @@ _FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
         "n_steps": 16,
         "batch_size": 1024,
         "learning_rate": 2e-3,
-        "log_std_init": -1.0,
+        "log_std_init": -1.5,
         "final_log_std": -4.0,
+        "clock_noise": 0.9,
+        "straight_steps": 250_000,
     }
 )
 """Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
 On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
+
+ON_CPU_ALONE: Final = ("clock_noise", "straight_steps")
+"""Fields of `TrainConfig` that PPO has on the CPU alone; 0: without them."""
 
 GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
     {"num_envs": 4096, "n_steps": 24, "batch_size": 24_576, "timesteps": 50_000_000}
@@ -90,8 +95,10 @@ class TrainConfig:
     """Weight of the entropy bonus"""
     max_grad_norm: float = 1.0
     """Maximum norm of the gradient"""
-    noise_correlation: float = 0.0
-    """Correlation of PPO's exploration noise from one step to the next"""
+    clock_noise: float = 0.0
+    """Largest share of PPO's exploration that swings with the gait clock; the more the policy swings, the less"""
+    straight_steps: int = 0
+    """Environment steps at the start of a training of PPO with commands straight ahead alone, and bolder updates"""
     buffer_size: int = 500_000
     """Environment steps in the replay buffer of sac, td3, ddpg, tqc and crossq"""
     learning_starts: int = 10_000
@@ -132,11 +139,8 @@ class TrainConfig:
             raise QuadrupedError(
                 f"--device: {self.device} trains with ppo alone; found --algo {self.algo}; leave one of both out"
             )
-        if self.device != "cpu" and self.noise_correlation:
-            raise QuadrupedError(
-                f"--noise-correlation: found {self.noise_correlation:g} with --device {self.device}, whose noise is "
-                f"white; leave one of both out"
-            )
+        if self.device != "cpu":
+            self._check_on_cpu_alone()
         for name in (
             "timesteps",
             "num_envs",
@@ -160,7 +164,8 @@ class TrainConfig:
             ("clip_range", 0 < self.clip_range < math.inf, "more than 0, and finite"),
             ("ent_coef", 0 <= self.ent_coef < math.inf, "0 or more, and finite"),
             ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
-            ("noise_correlation", 0 <= self.noise_correlation < 1, "0 to below 1"),
+            ("clock_noise", 0 <= self.clock_noise < 1, "0 to below 1"),
+            ("straight_steps", self.straight_steps >= 0, "0 or more"),
             ("learning_starts", self.learning_starts >= 0, "0 or more"),
             ("tau", 0 < self.tau <= 1, "more than 0, and at most 1"),
             ("action_noise", 0 <= self.action_noise < math.inf, "0 or more, and finite"),
@@ -186,6 +191,15 @@ class TrainConfig:
             )
         if self.ranks > 1:
             self._check_ranks()
+
+    def _check_on_cpu_alone(self) -> None:
+        for name in ON_CPU_ALONE:
+            value = getattr(self, name)
+            if value:
+                raise QuadrupedError(
+                    f"--{name.replace('_', '-')}: found {value:g} with --device {self.device}, whose trainer does not "
+                    f"have it; leave one of both out"
+                )
 
     def _check_ranks(self) -> None:
         if self.algo != "ppo":

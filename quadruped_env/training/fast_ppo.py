@@ -16,6 +16,8 @@ from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.utils import explained_variance
 from stable_baselines3.common.vec_env import VecEnv
 
+from quadruped_env.training.exploration import ClockNoise
+
 _LOG_ROOT_TAU = 0.5 * math.log(math.tau)
 
 
@@ -27,9 +29,8 @@ class FastPPO(PPO):
 
     Args:
         args, kwargs: of `PPO`.
-        noise_correlation: correlation of the exploration's noise from one step to the next, 0 to below 1. What lasts
-            moves a leg where white noise only shakes it. The distribution of each action stays the policy's, as
-            learning assumes: Hollenstein et al. 2024, https://arxiv.org/abs/2312.11091.
+        clock_noise: largest share of the exploration that swings with the gait clock; see `ClockNoise`.
+        straight_steps: number of time steps for which all commands are straight ahead, and updates are bolder.
     """
 
     # Of SB3, which leaves out their types.
@@ -38,13 +39,28 @@ class FastPPO(PPO):
     _last_episode_starts: Any
     clip_range: Any
 
-    def __init__(self, *args: Any, noise_correlation: float = 0.0, **kwargs: Any) -> None:
-        self.noise_correlation = noise_correlation
-        self._last_noise: torch.Tensor | None = None
+    def __init__(self, *args: Any, clock_noise: float = 0.0, straight_steps: int = 0, **kwargs: Any) -> None:
+        self.clock_noise = clock_noise
+        self.straight_steps = straight_steps
+        self._waves: ClockNoise | None = None
         super().__init__(*args, **kwargs)
 
     def _excluded_save_params(self) -> list[str]:
-        return [*super()._excluded_save_params(), "_last_noise"]
+        return [*super()._excluded_save_params(), "_waves"]
+
+    def _setup_learn(self, *args: Any, **kwargs: Any) -> Any:
+        # Before the envs are reset, which draws their first commands.
+        self._begin_stage()
+        return super()._setup_learn(*args, **kwargs)
+
+    def _begin_stage(self) -> None:
+        """Commands of the present stage of the training, from the next one on."""
+        if self.straight_steps:
+            self._task.straight_only = self.num_timesteps < self.straight_steps
+
+    @property
+    def _task(self) -> Any:
+        return self.env.task
 
     def collect_rollouts(
         self, env: VecEnv, callback: BaseCallback, rollout_buffer: RolloutBuffer, n_rollout_steps: int
@@ -54,17 +70,22 @@ class FastPPO(PPO):
         self.policy.set_training_mode(False)
         rollout_buffer.reset()
         callback.on_rollout_start()
+        self._begin_stage()
         low, high = self.action_space.low, self.action_space.high
         with torch.inference_mode():
-            noise = self._noise(n_rollout_steps, *rollout_buffer.actions.shape[1:])
-            deviations = noise * self.policy.log_std.exp()
+            noise = torch.randn(rollout_buffer.actions.shape)
+            deviation = self.policy.log_std.exp()
+            means = torch.empty_like(noise)
             cut_off: list[tuple[int, int]] = []
             last_observations = []
             for step in range(n_rollout_steps):
                 observations = rollout_buffer.observations[step]
                 observations[:] = self._last_obs
                 actions = rollout_buffer.actions[step]
-                actions[:] = (self._mean_action(torch.from_numpy(observations)) + deviations[step]).numpy()
+                means[step] = self._mean_action(torch.from_numpy(observations))
+                if self._waves is not None:
+                    self._waves.add(noise[step], *self._clock())
+                actions[:] = (means[step] + noise[step] * deviation).numpy()
                 new_obs, rewards, dones, infos = env.step(np.clip(actions, low, high))
                 self.num_timesteps += env.num_envs
                 callback.update_locals(locals())
@@ -86,21 +107,18 @@ class FastPPO(PPO):
                 where = tuple(np.transpose(cut_off))
                 rollout_buffer.rewards[where] += self.gamma * self._values(np.stack(last_observations))
             last_values = torch.from_numpy(self._values(new_obs))
+            if self.clock_noise:
+                self._waves = self._waves or ClockNoise(self.clock_noise, *noise.shape[1:])
+                self._waves.follow(means, deviation)
         rollout_buffer.compute_returns_and_advantage(last_values=last_values, dones=dones)
         callback.update_locals(locals())
         callback.on_rollout_end()
         return True
 
-    def _noise(self, steps: int, *shape: int) -> torch.Tensor:
-        """Standard normal noise (steps, N, J), correlated from each step to the next and from rollout to rollout."""
-        noise = torch.randn(steps, *shape)
-        if self.noise_correlation:
-            fresh = math.sqrt(1.0 - self.noise_correlation**2)
-            last = torch.randn(*shape) if self._last_noise is None else self._last_noise
-            for row in noise:
-                last = row.mul_(fresh).add_(last, alpha=self.noise_correlation)
-            self._last_noise = last.clone()
-        return noise
+    def _clock(self) -> tuple[torch.Tensor, torch.Tensor]:
+        """Phases of the gait clocks (N,) in rad, and 1 where a motion is commanded, else 0, (N,)."""
+        control = self._task.control
+        return torch.from_numpy(control.phase).float(), torch.from_numpy(control.moving).float()
 
     def _mean_action(self, observations: torch.Tensor) -> torch.Tensor:
         """Mean action (N, J) of observations (N, width)."""
@@ -120,6 +138,12 @@ class FastPPO(PPO):
         """Update the policy from the buffer. See SB3."""
         self.policy.set_training_mode(True)
         self._update_learning_rate(self.policy.optimizer)
+        batch_size = self.batch_size
+        if self.num_timesteps <= self.straight_steps:
+            import os
+            batch_size //= int(os.environ.get("SB", "1"))
+            for group in self.policy.optimizer.param_groups:
+                group["lr"] *= float(os.environ.get("SL", "2.5"))
         clip_range = self.clip_range(self._current_progress_remaining)
         buffer = self.rollout_buffer
         size = buffer.buffer_size * buffer.n_envs
@@ -133,7 +157,7 @@ class FastPPO(PPO):
         self._parameters = list(self.policy.parameters())
         records = []
         for _ in range(self.n_epochs):
-            batches = torch.randperm(size).split(self.batch_size)
+            batches = torch.randperm(size).split(batch_size)
             normalized = self._normalized([advantages[batch] for batch in batches])
             for batch, advantage in zip(batches, normalized, strict=True):
                 samples = (observations.index_select(0, batch), actions.index_select(0, batch), log_probs[batch])

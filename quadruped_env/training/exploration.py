@@ -1,0 +1,56 @@
+"""Exploration that swings with the gait clock.
+
+White noise at 50 Hz behind a servo of 9 Hz shakes the joints and makes no longer strides. Noise that lasts does: see
+Hollenstein et al. 2024, https://arxiv.org/abs/2312.11091. Here a part of it has the rhythm of the gait, so that a
+stride, and not a step of 0.02 s, is what learning tries out.
+"""
+
+import math
+from typing import Final
+
+import torch
+
+_KEPT: Final = 0.98
+"""Correlation of a wave with itself one control step later: it lasts for about a second, two strides."""
+
+
+class ClockNoise:
+    """Standard normal noise (N, J), of which a part is a wave a cos(phase) + b sin(phase) for each joint of each robot.
+
+    The distribution of each number stays standard normal, as learning assumes. A policy without a gait gets the most
+    waves. The more its own actions swing, the fewer: noise in the rhythm of a gait that is there spoils it. Where the
+    clock stands still, because standing is commanded, there are none.
+
+    Args:
+        share: largest share of the waves in the variance, 0 to below 1.
+        num_envs: number of robots, N.
+        joints: number of joints, J.
+    """
+
+    def __init__(self, share: float, num_envs: int, joints: int) -> None:
+        self._share = share
+        self._waves = torch.randn(2, num_envs, joints)
+        self._present = torch.zeros(joints)
+
+    def follow(self, mean_actions: torch.Tensor, deviation: torch.Tensor) -> None:
+        """Set the share of the waves by the actions of a rollout.
+
+        Args:
+            mean_actions: the policy's actions without noise (steps, N, J).
+            deviation: standard deviation of the noise (J,).
+        """
+        variance = deviation.square()
+        self._present = self._share * variance / (variance + mean_actions.var(dim=(0, 1)))
+
+    def add(self, white: torch.Tensor, phase: torch.Tensor, moving: torch.Tensor) -> None:
+        """Turn white noise (N, J) into this noise, in place, and go on by a control step.
+
+        Args:
+            phase: phase of each robot's gait clock (N,), rad.
+            moving: 1 where a motion is commanded, else 0, (N,).
+        """
+        share = self._present * moving[:, None]
+        cosine, sine = self._waves
+        wave = cosine * phase.cos()[:, None] + sine * phase.sin()[:, None]
+        white.mul_((1.0 - share).sqrt()).add_(share.sqrt() * wave)
+        self._waves.mul_(_KEPT).add_(torch.randn_like(self._waves), alpha=math.sqrt(1.0 - _KEPT**2))
