@@ -19,6 +19,8 @@ from stable_baselines3.common.vec_env import VecEnv
 from quadruped_env.training.exploration import ClockNoise
 
 _LOG_ROOT_TAU = 0.5 * math.log(math.tau)
+_BOLDER = 2.5
+"""Factor of the learning rate while all commands are straight ahead."""
 
 
 class FastPPO(PPO):
@@ -138,12 +140,9 @@ class FastPPO(PPO):
         """Update the policy from the buffer. See SB3."""
         self.policy.set_training_mode(True)
         self._update_learning_rate(self.policy.optimizer)
-        batch_size = self.batch_size
         if self.num_timesteps <= self.straight_steps:
-            import os
-            batch_size //= int(os.environ.get("SB", "1"))
             for group in self.policy.optimizer.param_groups:
-                group["lr"] *= float(os.environ.get("SL", "2.5"))
+                group["lr"] *= _BOLDER
         clip_range = self.clip_range(self._current_progress_remaining)
         buffer = self.rollout_buffer
         size = buffer.buffer_size * buffer.n_envs
@@ -157,7 +156,7 @@ class FastPPO(PPO):
         self._parameters = list(self.policy.parameters())
         records = []
         for _ in range(self.n_epochs):
-            batches = torch.randperm(size).split(batch_size)
+            batches = torch.randperm(size).split(self.batch_size)
             normalized = self._normalized([advantages[batch] for batch in batches])
             for batch, advantage in zip(batches, normalized, strict=True):
                 samples = (observations.index_select(0, batch), actions.index_select(0, batch), log_probs[batch])
