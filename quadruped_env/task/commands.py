@@ -15,7 +15,7 @@ from quadruped_env.task.settings import Section
 Floats = NDArray[np.float64]
 
 _STRAIGHT_SPEEDS: Final = (1 / 2, 5 / 6)
-"""Range of the commands straight ahead of `straight_only`, as shares of the largest forward velocity."""
+"""Range of the speeds of `straight_only`, as shares of the largest one."""
 
 
 class CommandSampler:
@@ -33,7 +33,7 @@ class CommandSampler:
         ranges = frozen(np.array([config[name] for name in names]))
         self._low, self._high = ranges[:, 0], ranges[:, 1]
         self.straight_only = False
-        """True: every command is straight ahead, neither slow nor as fast as it gets."""
+        """True: every command is straight ahead, in the direction with the larger range, at a medium speed."""
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
         """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
@@ -41,8 +41,10 @@ class CommandSampler:
         interval = between(config.resample_interval, draws[:, -1])
         if self.straight_only:
             command = np.zeros_like(draws[:, 1:-1])
+            low, high = self._low[0], self._high[0]
             slowest, fastest = _STRAIGHT_SPEEDS
-            command[:, 0] = self._high[0] * (slowest + (fastest - slowest) * draws[:, 1])
+            speeds = max(low, high, key=abs) * (slowest + (fastest - slowest) * draws[:, 1])
+            command[:, 0] = np.clip(speeds, low, high)
             return command, interval
         command = self._low + (self._high - self._low) * draws[:, 1:-1]
         standing = config.standing_fraction

@@ -13,7 +13,7 @@ from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
 
-STEPS_TO_WALK: Final = {"residual": 62_000, "position": 566_000}
+STEPS_TO_WALK: Final = {"residual": 17_000, "position": 113_000}
 """Median number of steps until a policy walks at 0.5 m/s, measured by `evaluate/learning_speed.py`
 (docs/measurements.md)."""
 
@@ -27,7 +27,7 @@ _FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
         "log_std_init": -1.5,
         "final_log_std": -4.0,
         "clock_noise": 0.9,
-        "straight_steps": 250_000,
+        "straight_steps": 400_000,
     }
 )
 """Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
@@ -60,7 +60,7 @@ class TrainConfig:
     """Algorithm of Stable-Baselines3 or, for trpo, tqc and crossq, of sb3-contrib"""
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
-    timesteps: int = 1_500_000
+    timesteps: int = 600_000
     """Budget in environment steps, summed over all envs"""
     seconds: float | None = None
     """Budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit"""

@@ -43,9 +43,10 @@ class ClockNoise:
         self._present = self._share * variance / (variance + mean_actions.var(dim=(0, 1)))
 
     def add(self, white: torch.Tensor, phase: torch.Tensor, moving: torch.Tensor) -> None:
-        """Turn white noise (N, J) into this noise, in place, and go on by a control step.
+        """Turn white noise into this noise, in place, and go on by a control step.
 
         Args:
+            white: standard normal numbers (N, J).
             phase: phase of each robot's gait clock (N,), rad.
             moving: 1 where a motion is commanded, else 0, (N,).
         """

@@ -45,6 +45,7 @@ class FastPPO(PPO):
         self.clock_noise = clock_noise
         self.straight_steps = straight_steps
         self._waves: ClockNoise | None = None
+        self._straight = False
         super().__init__(*args, **kwargs)
 
     def _excluded_save_params(self) -> list[str]:
@@ -56,9 +57,10 @@ class FastPPO(PPO):
         return super()._setup_learn(*args, **kwargs)
 
     def _begin_stage(self) -> None:
-        """Commands of the present stage of the training, from the next one on."""
+        """Choose the commands and the learning rate by the number of time steps so far."""
+        self._straight = self.num_timesteps < self.straight_steps
         if self.straight_steps:
-            self._task.straight_only = self.num_timesteps < self.straight_steps
+            self._task.straight_only = self._straight
 
     @property
     def _task(self) -> Any:
@@ -140,7 +142,7 @@ class FastPPO(PPO):
         """Update the policy from the buffer. See SB3."""
         self.policy.set_training_mode(True)
         self._update_learning_rate(self.policy.optimizer)
-        if self.num_timesteps <= self.straight_steps:
+        if self._straight:
             for group in self.policy.optimizer.param_groups:
                 group["lr"] *= _BOLDER
         clip_range = self.clip_range(self._current_progress_remaining)

@@ -41,7 +41,7 @@ REWARD_PARAMETERS: Final = {
 """Parameters of the built-in reward terms."""
 
 TRAINING: Final = {
-    "timesteps": 1_500_000,
+    "timesteps": 600_000,
     "num_envs": 256,
     "n_steps": 64,
     "batch_size": 4096,

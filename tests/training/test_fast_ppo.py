@@ -1,6 +1,6 @@
 """PPO with less work around it: the same buffers and updates as those of Stable-Baselines3's own PPO."""
 
-import itertools
+import math
 
 import numpy as np
 import pytest
@@ -13,6 +13,7 @@ from stable_baselines3.common.logger import configure
 
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.exploration import ClockNoise
 from quadruped_env.training.fast_ppo import FastPPO
 from quadruped_env.training.models import make_model
 
@@ -133,21 +134,90 @@ def test_update_is_that_of_sb3():
     assert len(names) == 11
 
 
-def test_noise_is_standard_normal_and_correlated_over_steps_and_rollouts_as_asked():
-    """An AR(1) process: correlation rho^k at lag k, also across the end of a rollout, and none between joints."""
-    model = fresh(noise_correlation=0.8)
-    rollouts = [model._noise(40, 50, 8).numpy().copy() for _ in range(10)]
-    noise = np.concatenate(rollouts)
-    # 160,000 values, of which each is worth about a ninth of an independent one.
-    assert noise.mean() == pytest.approx(0.0, abs=0.03)
-    assert noise.var() == pytest.approx(1.0, abs=0.04)
-    for lag in (1, 3):
-        assert (noise[lag:] * noise[:-lag]).mean() == pytest.approx(0.8**lag, abs=0.04)
-    across = np.mean([(one[-1] * two[0]).mean() for one, two in itertools.pairwise(rollouts)])
-    assert across == pytest.approx(0.8, abs=0.08)
-    assert (noise[..., 0] * noise[..., 1]).mean() == pytest.approx(0.0, abs=0.05)
-    white = fresh()._noise(40, 50, 8).numpy()
-    assert (white[1:] * white[:-1]).mean() == pytest.approx(0.0, abs=0.04)
+def clock_noise(share, mean_actions, deviation, steps, moving=1.0, robots=4000, joints=2):
+    """Noise (steps, N, J) of robots whose phases (N,) advance by `STEP` each step, and these phases."""
+    torch.manual_seed(0)
+    source = ClockNoise(share, robots, joints)
+    source.follow(mean_actions, torch.full((joints,), deviation))
+    phase = torch.linspace(0.0, 6.0, robots)
+    noise = torch.randn(steps, robots, joints)
+    for step, row in enumerate(noise):
+        source.add(row, phase + STEP * step, torch.full((robots,), moving))
+    return noise.numpy(), phase.numpy()
+
+
+STEP = 0.3
+"""Advance of a gait clock per step, rad."""
+
+
+def test_clock_noise_is_standard_normal_and_swings_with_each_clock():
+    """Covariance c 0.98^k cos(k step) at lag k, of which the white part 1 - c has none; joints are independent."""
+    noise, phase = clock_noise(0.8, torch.zeros(2, 3, 2), 0.1, steps=25)
+    error = 5.0 / math.sqrt(noise[0].size)
+    for row in noise:
+        assert row.mean() == pytest.approx(0.0, abs=error)
+        assert row.var() == pytest.approx(1.0, abs=error)
+    for lag in (1, 5, 10, 21):
+        expected = 0.8 * 0.98**lag * math.cos(lag * STEP)
+        assert (noise[lag] * noise[0]).mean() == pytest.approx(expected, abs=error), lag
+    assert (noise[..., 0] * noise[..., 1]).mean() == pytest.approx(0.0, abs=error)
+    assert (noise[0] * np.cos(phase)[:, None]).mean() == pytest.approx(0.0, abs=error), "any phase of the stride"
+
+
+def test_clock_noise_gives_way_to_the_actions_of_a_gait_and_leaves_standing_robots_alone():
+    """Share c d^2 / (d^2 + v) with the noise's deviation d and the actions' variance v, of each joint by itself."""
+    swing = torch.stack(
+        [torch.full((100, 4), 0.2) * torch.tensor([1.0, -1.0]).repeat(50)[:, None], torch.zeros(100, 4)], -1
+    )
+    noise, _ = clock_noise(0.8, swing, 0.1, steps=2)
+    found = (noise[1] * noise[0]).mean(axis=0) / (0.98 * math.cos(STEP))
+    assert found[0] == pytest.approx(0.8 * 0.01 / (0.01 + 0.04), abs=0.06)
+    assert found[1] == pytest.approx(0.8, abs=0.06)
+    standing, _ = clock_noise(0.8, swing, 0.1, steps=2, moving=0.0)
+    assert (standing[1] * standing[0]).mean(axis=0) == pytest.approx([0.0, 0.0], abs=0.06)
+
+
+def test_exploration_of_a_rollout_swings_with_the_clock_from_the_second_one_on():
+    """And its log probabilities are the policy's."""
+    model = fresh(clock_noise=0.9, action_mode="position")
+    model.policy.action_net.weight.data.mul_(0.01)  # no gait of its own yet
+    correlations = []
+    for _ in range(2):
+        _, buffer = collected(model, FastPPO.collect_rollouts)
+        seen, done = (torch.from_numpy(buffer[name].reshape(STEPS * ENVS, -1)) for name in ("observations", "actions"))
+        with torch.no_grad():
+            noise = (done - model._mean_action(seen)).reshape(STEPS, ENVS, -1) / model.policy.log_std.exp()
+            _, log_probs, _ = model.policy.evaluate_actions(seen, done)
+        np.testing.assert_allclose(buffer["log_probs"].ravel(), log_probs, atol=1e-4)
+        correlations.append((noise[1:] * noise[:-1]).mean().item())
+    assert abs(correlations[0]) < 0.15
+    assert correlations[1] > 0.4
+
+
+def test_training_begins_straight_ahead_with_bolder_updates_and_goes_on_with_all_commands():
+    steps = STEPS * ENVS
+    model = fresh(straight_steps=2 * steps, learning_rate=1e-3)
+    commands, rates = [], []
+    step, update = model.env.step, model.train
+
+    def watched(actions):
+        commands.append((model.num_timesteps, model.env.task.command.copy()))
+        return step(actions)
+
+    def updated():
+        update()
+        rates.append(model.policy.optimizer.param_groups[0]["lr"])
+
+    model.env.step, model.train = watched, updated
+    model.learn(6 * steps)
+    straight = np.array([values for timesteps, values in commands if timesteps < 2 * steps])
+    later = np.array([values for timesteps, values in commands if timesteps > 3 * steps])
+    assert (straight[..., 1] == 0.0).all()
+    assert straight[..., 0].min() >= 0.3
+    assert (later[..., 1] != 0.0).any()
+    assert (later[..., 0] < 0.3).any()
+    left = 1.0 - np.arange(1, 7) / 6
+    np.testing.assert_allclose(rates, 1e-3 * (0.1 + 0.9 * left) * np.array([2.5, 2.5, 1.0, 1.0, 1.0, 1.0]), rtol=1e-6)
 
 
 def test_every_sample_is_used_once_in_each_epoch(monkeypatch):

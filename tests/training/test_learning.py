@@ -13,7 +13,7 @@ from quadruped_env.training.config import TrainConfig, defaults
 SPEED = 0.4
 TASK = settings(forward_velocity=(0.3, 0.5), shares=(0.0, 1.0))
 """Straight ahead only, which takes fewer samples than the whole task."""
-BUDGET = {"timesteps": 122_880, "num_envs": 64, "batch_size": 256, "n_epochs": 6, "learning_rate": 5e-3}
+BUDGET = {"timesteps": 122_880, "num_envs": 64, "batch_size": 256, "n_epochs": 6}
 
 
 def evaluate(act):

@@ -25,7 +25,8 @@ LIMITS = {
     "gae_lambda": ((0.0, 1.0), (-0.001, 1.001)),
     "clip_range": ((SMALLEST, 1e300), (0.0, math.inf)),
     "ent_coef": ((0.0, 1e300), (-0.001, math.inf)),
-    "noise_correlation": ((0.0, 0.999), (-0.001, 1.0, math.nan)),
+    "clock_noise": ((0.0, 0.999), (-0.001, 1.0, math.nan)),
+    "straight_steps": ((0, 1), (-1,)),
     "max_grad_norm": ((SMALLEST, math.inf), (0.0,)),
     "buffer_size": ((1,), (0,)),
     "learning_starts": ((0,), (-1,)),
@@ -47,13 +48,15 @@ def test_defaults():
     assert (config.asymmetric_critic, config.activation, config.task) == (False, "elu", {})
     assert (config.buffer_size, config.learning_starts, config.gradient_steps) == (500_000, 10_000, 16)
     assert (config.tau, config.action_noise) == (0.005, 0.1)
+    assert (config.clock_noise, config.straight_steps) == (0.0, 0)
 
 
 def test_from_scratch_ppo_explores_more_and_learns_from_shorter_rollouts():
     assert defaults("ppo", "residual") == {}
     from_scratch = TrainConfig(action_mode="position", **defaults("ppo", "position"))
     assert (from_scratch.n_steps, from_scratch.batch_size, from_scratch.learning_rate) == (16, 1024, 2e-3)
-    assert (from_scratch.log_std_init, from_scratch.final_log_std) == (-1.0, -4.0)
+    assert (from_scratch.log_std_init, from_scratch.final_log_std) == (-1.5, -4.0)
+    assert (from_scratch.clock_noise, from_scratch.straight_steps) == (0.9, 400_000)
     assert defaults("sac", "position") == defaults("sac", "residual") == dict(algorithm("sac").defaults)
 
 
@@ -67,7 +70,7 @@ def test_a_value_is_taken_up_to_its_limits_and_refused_beyond(name):
             TrainConfig(**{"batch_size": 64, name: value})
 
 
-@pytest.mark.parametrize(("mode", "steps"), [("residual", 62_000), ("position", 566_000)])
+@pytest.mark.parametrize(("mode", "steps"), [("residual", 17_000), ("position", 113_000)])
 def test_a_training_shorter_than_it_takes_to_walk_gets_a_warning(mode, steps):
     assert STEPS_TO_WALK[mode] == steps
     assert shortness(mode, steps) == ""

@@ -179,10 +179,10 @@ def test_schedules_follow_the_clock_with_a_budget_in_seconds(watched, tmp_path):
 
 def test_options_reach_the_algorithm(watched, tmp_path):
     options = {"gamma": 0.9, "gae_lambda": 0.8, "clip_range": 0.3, "ent_coef": 0.01, "max_grad_norm": 0.7}
-    options["noise_correlation"] = 0.5
+    options |= {"clock_noise": 0.5, "straight_steps": 99}
     model = watched().train(tmp_path, config(timesteps=SAMPLES, activation="relu", **options)).model
     assert model.clip_range(0.5) == options["clip_range"]
-    for name in ("gamma", "gae_lambda", "ent_coef", "max_grad_norm", "noise_correlation"):
+    for name in ("gamma", "gae_lambda", "ent_coef", "max_grad_norm", "clock_noise", "straight_steps"):
         assert getattr(model, name) == options[name], name
     assert (model.n_epochs, model.batch_size, model.n_steps, model.seed) == (3, 32, N_STEPS, SEED)
     assert model.policy.optimizer.state_dict()["state"][0]["step"] == 3 * SAMPLES / 32

@@ -33,7 +33,8 @@ COMMAND = (0.4, 0.0)
     [
         ({"device": "gpu"}, r"--device: 'gpu' is unknown; expected cpu, cuda, cuda:N or warp-cpu"),
         ({"device": "cuda:x"}, r"--device: 'cuda:x' is unknown"),
-        ({"device": "cuda", "noise_correlation": 0.5}, r"--noise-correlation: found 0.5 with --device cuda"),
+        ({"device": "cuda", "clock_noise": 0.5}, r"--clock-noise: found 0.5 with --device cuda"),
+        ({"device": "warp-cpu", "straight_steps": 1000}, r"--straight-steps: found 1000 with --device warp-cpu"),
         ({"device": "cuda:1", "ranks": 2}, r"--device: found cuda:1 with --ranks 2, .*; choose --device cuda: rank i"),
         ({"device": "cuda", "num_envs": 64, "ranks": 65}, r"--ranks: found 65, more than the 64 envs"),
         ({"device": "cuda", "algo": "sac"}, r"--device: cuda trains with ppo alone; found --algo sac"),
@@ -51,6 +52,12 @@ def test_gpu_has_its_own_defaults_and_typed_values_win():
     assert not set(GPU_DEFAULTS) & set(tried)
     robust = with_recipe({"device": "cuda", "recipe": "robust", "num_envs": 512}, MINI_QUADRUPED, ())
     assert (robust["num_envs"], robust["batch_size"]) == (512, GPU_DEFAULTS["batch_size"])
+
+
+def test_what_the_cpu_alone_has_is_left_out_elsewhere():
+    for device in ("cuda", "warp-cpu"):
+        config = TrainConfig(**with_recipe({"device": device, "action_mode": "position"}, MINI_QUADRUPED, ()))
+        assert (config.clock_noise, config.straight_steps) == (0, 0)
 
 
 @pytest.fixture

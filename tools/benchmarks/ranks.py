@@ -27,6 +27,9 @@ _WALKING: Final[Mapping[str, Any]] = {
     "batch_size": 256,
     "n_epochs": 6,
     "learning_rate": 5e-3,
+    "log_std_init": -1.0,
+    "clock_noise": 0.0,
+    "straight_steps": 0,
     "task": {
         "command": {
             "forward_velocity": [0.3, 0.5],
