@@ -33,6 +33,9 @@ _FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
 """Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
 On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
 
+STRAIGHT_LEARNING_RATE: Final = 2.5
+"""Factor of the learning rate while `straight_steps` last."""
+
 ON_CPU_ALONE: Final = ("clock_noise", "straight_steps")
 """Fields of `TrainConfig` that PPO has on the CPU alone; 0: without them."""
 

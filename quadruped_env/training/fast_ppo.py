@@ -16,11 +16,10 @@ from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.utils import explained_variance
 from stable_baselines3.common.vec_env import VecEnv
 
+from quadruped_env.training.config import STRAIGHT_LEARNING_RATE
 from quadruped_env.training.exploration import ClockNoise
 
 _LOG_ROOT_TAU = 0.5 * math.log(math.tau)
-_BOLDER = 2.5
-"""Factor of the learning rate while all commands are straight ahead."""
 
 
 class FastPPO(PPO):
@@ -144,7 +143,7 @@ class FastPPO(PPO):
         self._update_learning_rate(self.policy.optimizer)
         if self._straight:
             for group in self.policy.optimizer.param_groups:
-                group["lr"] *= _BOLDER
+                group["lr"] *= STRAIGHT_LEARNING_RATE
         clip_range = self.clip_range(self._current_progress_remaining)
         buffer = self.rollout_buffer
         size = buffer.buffer_size * buffer.n_envs
