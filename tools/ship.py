@@ -32,7 +32,7 @@ def main() -> int:
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
     directory, card = ship(arguments.run, arguments.name, ProgressLine("measuring"))
-    print(json.dumps({"acceptance": card["acceptance"], "metrics": card["metrics"]}, indent=2))
+    print(json.dumps({name: card[name] for name in ("acceptance", "disturbed", "metrics")}, indent=2))
     print(f"{card['verdict']}\nshipped: {directory}")
     return 0 if card["acceptance"]["accepted"] else 1
 

@@ -8,10 +8,12 @@ import pytest
 from paths import importing
 from waiting import killed_on_failure, output_of
 
-from benchmarks import terrain_speed, throughput
+from benchmarks import shipping, terrain_speed, throughput
 from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
 from benchmarks.shipping import acceptance
-from quadruped_env.policies import load_policy
+from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.task import RandomizationConfig
 
 
 @pytest.mark.parametrize(
@@ -54,6 +56,28 @@ def test_the_shipped_policy_is_accepted():
     assert found["accepted"]
     assert found["episodes"] == 300
     assert max(found["forward_velocity_error"].values()) <= 0.10
+
+
+def test_acceptance_is_on_the_same_ground_for_every_policy_and_disturbance_is_not(monkeypatch):
+    seen = []
+
+    def watched(controller, commands, seeds, config, progress):
+        seen.append(config)
+        return roll_out(controller, commands, seeds[:2], 3.0, config, progress)
+
+    monkeypatch.setattr(shipping, "roll_out", watched)
+    monkeypatch.setattr(shipping, "ACCEPTANCE_EPISODES", 2)
+    flat = load_policy("flat")
+    config = flat.config.on_terrain("rough").randomized("moderate")
+    on_hills = Policy(flat.weights, flat.biases, flat.activation, config, {})
+    for policy in (flat, on_hills):
+        shipping.acceptance(policy)
+        found = shipping.disturbed(policy, episodes=2)
+    plain = RandomizationConfig(friction=(0.6, 1.0))
+    assert [config.randomization for config in seen] == [plain, RandomizationConfig(preset="hard")] * 2
+    assert {config.terrain.name for config in seen} == {"flat"}
+    assert found["episodes"] == 10
+    assert np.mean(list(found["fall_rate_by_command"].values())) == pytest.approx(found["fall_rate"])
 
 
 def test_gymnasiums_benchmarks_are_measured_over_ant():

@@ -1,5 +1,6 @@
 """Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -19,7 +20,11 @@ ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
 """Standing, and forwards up to 0.5 m/s."""
 ACCEPTANCE_EPISODES: Final = 50
 MAX_FALL_RATE: Final = 0.02
+ACCEPTANCE_FRICTION: Final = (0.6, 1.0)
 MAX_VELOCITY_ERROR: Final = 0.10
+DISTURBED_COMMANDS: Final = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
+"""Forwards, backwards, turning in place and on a curve, in m/s and rad/s."""
+DISTURBED_EPISODES: Final = 200
 _SUMMARY: Final = (
     "fall_rate",
     "forward_velocity_error",
@@ -32,13 +37,15 @@ _SUMMARY: Final = (
 def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, Any]:
     """Acceptance test of standing and walking forwards: falls, and the RMS error of 1 s means of velocity, m/s.
 
+    Every policy stands and walks on level ground with friction from 0.6 to 1.0, whatever it was trained for.
     `accepted` is true for at most 2 % falls in episodes of 20 s and an error of at most 0.10 m/s at every command.
     """
+    plain = policy.config.on_terrain("flat").randomized("none")
     rollout = roll_out(
         PolicyController(policy),
         ACCEPTANCE_COMMANDS,
         range(FIRST_SEED, FIRST_SEED + ACCEPTANCE_EPISODES),
-        config=policy.config,
+        config=replace(plain, randomization=plain.randomization.replace(friction=ACCEPTANCE_FRICTION)),
         progress=progress,
     )
     errors = measure(rollout)["forward_velocity_error"].reshape(len(ACCEPTANCE_COMMANDS), ACCEPTANCE_EPISODES)
@@ -51,6 +58,33 @@ def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, An
             f"{v:g} m/s": round(float(e), 4) for (v, _), e in zip(ACCEPTANCE_COMMANDS, by_command, strict=True)
         },
         "accepted": bool(falls <= MAX_FALL_RATE and (by_command <= MAX_VELOCITY_ERROR).all()),
+    }
+
+
+def disturbed(policy: Policy, episodes: int = DISTURBED_EPISODES, progress: Progress | None = None) -> dict[str, Any]:
+    """Share of episodes of 20 s that end in a fall with the preset `hard`, which has a push of 0.75 m/s every 3 s.
+
+    Args:
+        policy: the policy.
+        episodes: number of episodes of each of `DISTURBED_COMMANDS`.
+        progress: called with the fraction done.
+    """
+    rollout = roll_out(
+        PolicyController(policy),
+        DISTURBED_COMMANDS,
+        range(FIRST_SEED, FIRST_SEED + episodes),
+        config=policy.config.on_terrain("flat").randomized("hard"),
+        progress=progress,
+    )
+    by_command = rollout.fallen.reshape(len(DISTURBED_COMMANDS), episodes).mean(axis=1)
+    return {
+        "preset": "hard",
+        "episodes": len(rollout.fallen),
+        "fall_rate": float(rollout.fallen.mean()),
+        "fall_rate_by_command": {
+            f"{v:g} m/s, {w:g} rad/s": round(float(share), 4)
+            for (v, w), share in zip(DISTURBED_COMMANDS, by_command, strict=True)
+        },
     }
 
 
@@ -70,6 +104,7 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
         **policy.card,
         "metrics": {motion: {m: v for m, v in values.items() if np.isfinite(v)} for motion, values in metrics.items()},
         "acceptance": acceptance(policy),
+        "disturbed": disturbed(policy),
         "verdict": verdict(comparison).text(),
     }
     directory, curve = shipped_directory(name), run / PROGRESS_FILE
