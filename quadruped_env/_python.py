@@ -131,8 +131,8 @@ def _installed_command() -> str:
     found = shutil.which(COMMAND)
     if found and _is_same(Path(found).parent, here):
         return COMMAND
-    beside = here / COMMAND
-    return shlex.quote(_from_here(beside)) if beside.is_file() else module_command("quadruped_env")
+    script = here / COMMAND
+    return shlex.quote(_from_here(script)) if script.is_file() else module_command("quadruped_env")
 
 
 def _started_module() -> str:

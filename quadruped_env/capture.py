@@ -66,8 +66,8 @@ class Capture:
         NumPy may round an exponential differently there.
         """
         result = self.record(function, *arguments)
-        alike = (result.shape, result.dtype) == (to.shape, to.dtype) and to.flags.c_contiguous
-        if alike and self._last is not None and self._last[2] is result:
+        same_layout = (result.shape, result.dtype) == (to.shape, to.dtype) and to.flags.c_contiguous
+        if same_layout and self._last is not None and self._last[2] is result:
             ufunc, inputs, _ = self._last
             self._calls[-1] = _call(ufunc, inputs, to)
             self._overwritten(result)

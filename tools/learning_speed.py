@@ -2,15 +2,18 @@
 
 import argparse
 import sys
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
+from quadruped_env.cli.train import json_object
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.files import write_json
 from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
+from quadruped_env.training import TrainConfig
 
 
 def main() -> int:
@@ -32,6 +35,13 @@ def main() -> int:
         default=True,
         help="make the policy left/right symmetric by construction",
     )
+    parser.add_argument(
+        "--training",
+        type=json_object,
+        default={},
+        metavar="JSON",
+        help="other settings of the training, such as '{\"clock_noise\": 0}'",
+    )
     parser.add_argument("--limit", type=float, default=60.0, help="s of learning after which a seed has failed")
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")
     parser.add_argument(
@@ -49,17 +59,24 @@ def run(arguments: argparse.Namespace) -> int:
     def say(line: str) -> None:
         print(line, flush=True)
 
+    unknown = sorted(set(arguments.training) - {field.name for field in fields(TrainConfig)})
+    if unknown:
+        raise QuadrupedError(
+            f"--training: there is no setting {short(unknown[0])}; `python train/ppo.py --help` lists them, with _ "
+            f"here in place of -"
+        )
     results = []
     for mode in arguments.action_modes:
         for seed in arguments.seeds:
             say(f"{mode}, seed {seed}")
-            training = {"timesteps": arguments.timesteps, "symmetric": arguments.symmetric}
+            training = {"timesteps": arguments.timesteps, "symmetric": arguments.symmetric, **arguments.training}
             results.append(time_to_walk(mode, seed, arguments.limit, arguments.interval, say, **training))
     say(f"\n{summary(results)}")
     document = {
         "machine": machine(),
         "versions": versions(),
         "symmetric": arguments.symmetric,
+        "training": arguments.training,
         "results": [asdict(result) for result in results],
     }
     write_json(arguments.output, document)

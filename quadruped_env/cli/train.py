@@ -30,7 +30,7 @@ from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
-from quadruped_env.training.config import GPU_DEFAULTS, ON_CPU_ALONE, defaults, on_gpu
+from quadruped_env.training.config import GPU_DEFAULTS, defaults, on_gpu
 from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.job import Job
 from quadruped_env.training.distributed.launch import LAUNCHERS, launch
@@ -226,14 +226,11 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
     chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
     task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
     task = changed(task, own)
-    own_defaults = {"name": algo, **defaults(algo, typed.get("action_mode", TrainConfig.action_mode))}
+    device = typed.get("device", TrainConfig.device)
+    own_defaults = {"name": algo, **defaults(algo, typed.get("action_mode", TrainConfig.action_mode), device)}
     entry = recipe(name)
     chosen_settings = {**entry.training, **(entry.ppo if algo == TrainConfig.algo else {})}
-    device = typed.get("device", TrainConfig.device)
-    on_device = {
-        **({} if device == TrainConfig.device else dict.fromkeys(ON_CPU_ALONE, 0)),
-        **(GPU_DEFAULTS if on_gpu(device) else {}),
-    }
+    on_device = GPU_DEFAULTS if on_gpu(device) else {}
     return {**own_defaults, **chosen_settings, **on_device, **typed, **({"task": task} if task else {})}
 
 

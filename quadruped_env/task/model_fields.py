@@ -182,10 +182,10 @@ class _BoundPayload:
         masses[where] = new = added + old
         inertias[where] = (new / old)[:, None] * inertias[where]
         offsets, xp = event.payload_position, self.simulation.xp
-        beside = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
-        if len(beside):
-            at = event.env_ids[beside], self.base
-            parts = (old[beside], added[beside], offsets[beside], inertias[at], axes[at])
+        off_centre = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
+        if len(off_centre):
+            at = event.env_ids[off_centre], self.base
+            parts = (old[off_centre], added[off_centre], offsets[off_centre], inertias[at], axes[at])
             shift, inertias[at], axes[at] = _joined(*(xp.numpy(part).astype(np.float64) for part in parts))
             centres[at] += xp.asarray(shift)
 

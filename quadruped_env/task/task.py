@@ -130,7 +130,7 @@ class Task:
 
     @property
     def straight_only(self) -> bool:
-        """True: the random commands, from the next one on, are all straight ahead; a stage of a training."""
+        """True if random commands are straight ahead only, from the next one on: the first stage of a training."""
         return self._randomizer.commands.straight_only
 
     @straight_only.setter

@@ -37,7 +37,7 @@ STRAIGHT_LEARNING_RATE: Final = 2.5
 """Factor of the learning rate while `straight_steps` last."""
 
 ON_CPU_ALONE: Final = ("clock_noise", "straight_steps")
-"""Fields of `TrainConfig` that PPO has on the CPU alone; 0: without them."""
+"""Fields of `TrainConfig` that PPO uses on the CPU alone; elsewhere they are 0."""
 
 GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
     {"num_envs": 4096, "n_steps": 24, "batch_size": 24_576, "timesteps": 50_000_000}
@@ -99,9 +99,9 @@ class TrainConfig:
     max_grad_norm: float = 1.0
     """Maximum norm of the gradient"""
     clock_noise: float = 0.0
-    """Largest share of PPO's exploration that swings with the gait clock; the more the policy swings, the less"""
+    """Largest share of PPO's exploration noise that swings with the gait clock, for a policy that has no gait yet"""
     straight_steps: int = 0
-    """Environment steps at the start of a training of PPO with commands straight ahead alone, and bolder updates"""
+    """Environment steps at the start of PPO with commands straight ahead only, and 2.5 times the learning rate"""
     buffer_size: int = 500_000
     """Environment steps in the replay buffer of sac, td3, ddpg, tqc and crossq"""
     learning_starts: int = 10_000
@@ -246,15 +246,14 @@ def equal_batches(config: TrainConfig) -> int:
     return max(1, round(config.num_envs * config.n_steps / config.batch_size))
 
 
-def defaults(algo: str, action_mode: str) -> dict[str, Any]:
-    """Defaults of an algorithm in an action mode, where they differ from those of `TrainConfig`.
+def defaults(algo: str, action_mode: str, device: str = "cpu") -> dict[str, Any]:
+    """Defaults of an algorithm in an action mode on a device, where they differ from those of `TrainConfig`.
 
     Raises:
         QuadrupedError: if there is no such algorithm.
     """
-    if algo == TrainConfig.algo and action_mode == "position":
-        return dict(_FROM_SCRATCH)
-    return dict(algorithm(algo).defaults)
+    own = _FROM_SCRATCH if algo == TrainConfig.algo and action_mode == "position" else algorithm(algo).defaults
+    return {name: value for name, value in own.items() if device == TrainConfig.device or name not in ON_CPU_ALONE}
 
 
 def shortness(action_mode: str, timesteps: int) -> str:

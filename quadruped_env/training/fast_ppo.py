@@ -31,7 +31,7 @@ class FastPPO(PPO):
     Args:
         args, kwargs: of `PPO`.
         clock_noise: largest share of the exploration that swings with the gait clock; see `ClockNoise`.
-        straight_steps: number of time steps for which all commands are straight ahead, and updates are bolder.
+        straight_steps: number of time steps at the start with commands straight ahead only, and a higher learning rate.
     """
 
     # Of SB3, which leaves out their types.
@@ -87,7 +87,7 @@ class FastPPO(PPO):
                 actions = rollout_buffer.actions[step]
                 means[step] = self._mean_action(torch.from_numpy(observations))
                 if self._waves is not None:
-                    self._waves.add(noise[step], *self._clock())
+                    self._waves.mix_into(noise[step], *self._clock())
                 actions[:] = (means[step] + noise[step] * deviation).numpy()
                 new_obs, rewards, dones, infos = env.step(np.clip(actions, low, high))
                 self.num_timesteps += env.num_envs
@@ -112,7 +112,7 @@ class FastPPO(PPO):
             last_values = torch.from_numpy(self._values(new_obs))
             if self.clock_noise:
                 self._waves = self._waves or ClockNoise(self.clock_noise, *noise.shape[1:])
-                self._waves.follow(means, deviation)
+                self._waves.set_share(means, deviation)
         rollout_buffer.compute_returns_and_advantage(last_values=last_values, dones=dones)
         callback.update_locals(locals())
         callback.on_rollout_end()

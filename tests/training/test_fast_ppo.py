@@ -138,11 +138,11 @@ def clock_noise(share, mean_actions, deviation, steps, moving=1.0, robots=4000, 
     """Noise (steps, N, J) of robots whose phases (N,) advance by `STEP` each step, and these phases."""
     torch.manual_seed(0)
     source = ClockNoise(share, robots, joints)
-    source.follow(mean_actions, torch.full((joints,), deviation))
+    source.set_share(mean_actions, torch.full((joints,), deviation))
     phase = torch.linspace(0.0, 6.0, robots)
     noise = torch.randn(steps, robots, joints)
     for step, row in enumerate(noise):
-        source.add(row, phase + STEP * step, torch.full((robots,), moving))
+        source.mix_into(row, phase + STEP * step, torch.full((robots,), moving))
     return noise.numpy(), phase.numpy()
 
 

@@ -298,3 +298,10 @@ def test_ranks_that_are_not_those_of_torchrun_are_an_error(monkeypatch):
     train.add_arguments(parser)
     with pytest.raises(QuadrupedError, match=r"--ranks: found 2, and torchrun started 8 processes \(WORLD_SIZE\)"):
         train.run(parser.parse_args(["--ranks", "2"]), argparse.Namespace(line="train"))
+
+
+def test_first_line_names_the_learning_rate_of_the_straight_steps(tmp_path):
+    whole = Job(TrainConfig(ranks=2), tmp_path, "test").description(1)
+    straight = Job(TrainConfig(ranks=2, straight_steps=4000), tmp_path, "test").description(1)
+    assert whole.endswith("learning rate 0.001, falling linearly to a tenth within 600,000 steps")
+    assert straight == f"{whole}, 2.5 times as high for the first 4,000 steps"

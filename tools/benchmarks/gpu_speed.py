@@ -13,7 +13,7 @@ from benchmarks.learning_speed import WalkTest, walk_test
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.config import ON_CPU_ALONE, WARP_DEVICES, TrainConfig, defaults
+from quadruped_env.training.config import WARP_DEVICES, TrainConfig, defaults
 from quadruped_env.training.warp import WarpModel
 from quadruped_env.training.warp_env import WarpVecEnv
 
@@ -103,7 +103,7 @@ def make(device: str, num_envs: int, steps: int, **settings: Any) -> WarpModel:
     """A fresh training of the default task."""
     own = {"device": device, "num_envs": num_envs, "n_steps": steps, "batch_size": max(2, num_envs * steps // 4)}
     mode = settings.get("action_mode", TrainConfig.action_mode)
-    config = TrainConfig(**{**defaults("ppo", mode), **dict.fromkeys(ON_CPU_ALONE, 0), **own, **settings})
+    config = TrainConfig(**{**defaults("ppo", mode, device), **own, **settings})
     task = task_config(config.action_mode, config.task)
     return WarpModel(config, WarpVecEnv(task, num_envs, WARP_DEVICES.get(device, device), 0, False))
 

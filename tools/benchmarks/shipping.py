@@ -13,7 +13,7 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.files import write_whole
 from quadruped_env.policies import Policy, PolicyController, load_policy
-from quadruped_env.progress import Progress
+from quadruped_env.progress import Progress, part_of
 from quadruped_env.training.run import PROGRESS_FILE
 
 ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
@@ -96,15 +96,15 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
     """
     run = finished_directory(run)
     policy = load_policy(run)
-    comparison = compare(policy, progress=progress)
+    comparison = compare(policy, progress=part_of(progress, 0.0, 0.4))
     metrics = {
         motion: {m: round(comparison.estimate("policy", m, motion).mean, 4) for m in _SUMMARY} for motion in MOTIONS
     }
     card = {
         **policy.card,
         "metrics": {motion: {m: v for m, v in values.items() if np.isfinite(v)} for motion, values in metrics.items()},
-        "acceptance": acceptance(policy),
-        "disturbed": disturbed(policy),
+        "acceptance": acceptance(policy, part_of(progress, 0.4, 0.6)),
+        "disturbed": disturbed(policy, progress=part_of(progress, 0.6, 1.0)),
         "verdict": verdict(comparison).text(),
     }
     directory, curve = shipped_directory(name), run / PROGRESS_FILE

@@ -46,12 +46,12 @@ class Job:
             batch = samples // config.ranks // batches * config.ranks
         own = "one GPU" if on_gpu(config.device) else f"{threads} threads"
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
-        bolder = f", {STRAIGHT_LEARNING_RATE:g} times as high for {config.straight_steps:,} steps"
+        straight = f", {STRAIGHT_LEARNING_RATE:g} times as high for the first {config.straight_steps:,} steps"
         return (
             f"{config.ranks} ranks of {config.num_envs // config.ranks} envs and {own} each; effective batch: {batch} "
             f"samples, {batch // config.ranks} per rank; {batches * config.n_epochs} gradient steps after every "
             f"{samples:,} steps; learning rate {config.learning_rate:g}, falling linearly to a tenth within {budget}"
-            f"{bolder if config.straight_steps else ''}"
+            f"{straight if config.straight_steps else ''}"
         )
 
 
