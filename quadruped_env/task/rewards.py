@@ -100,6 +100,19 @@ class base_height:  # noqa: N801
         return missing * missing
 
 
+@reward(weight=0.0, unit="m^2", pure=True)
+class crouch:  # noqa: N801
+    """max(0, height - 0.145 m)^2: the lower a robot, the harder a push must be to tip it over its feet."""
+
+    def __init__(self, context: TaskContext, crouch_height: Annotated[float, Parameter.length()] = 0.145) -> None:
+        self._target = context.xp.constant(crouch_height)
+
+    def __call__(self, context: TaskContext) -> Any:
+        """Values (N,)."""
+        above = context.xp.positive(context.base_height - self._target)
+        return above * above
+
+
 @reward(weight=-0.5, unit="m^2/s^2", pure=True)
 def vertical_velocity(context: TaskContext) -> Any:
     """v_z^2."""
@@ -197,6 +210,7 @@ REWARDS: Final = cast(
         contact_clock,
         upright,
         base_height,
+        crouch,
         vertical_velocity,
         roll_pitch_rate,
         lateral_velocity,

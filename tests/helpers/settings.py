@@ -17,6 +17,7 @@ REWARD_WEIGHTS: Final = {
     "contact_clock": 1.5,
     "upright": -2.0,
     "base_height": -20.0,
+    "crouch": 0.0,
     "vertical_velocity": -0.5,
     "roll_pitch_rate": -0.03,
     "lateral_velocity": -0.5,
@@ -36,6 +37,7 @@ REWARD_PARAMETERS: Final = {
     "yaw_rate_std": 0.2,  # rad/s
     "foot_lift": 0.02,  # m
     "base_height": 0.175,  # m
+    "crouch_height": 0.145,  # m
     "joint_speed_margin": 1.0,  # rad/s
 }
 """Parameters of the built-in reward terms."""

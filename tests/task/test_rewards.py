@@ -109,6 +109,12 @@ def test_base_height_forgives_standing_taller(height, expected):
     assert terms.values()["base_height"] == pytest.approx([expected], abs=1e-12)
 
 
+@pytest.mark.parametrize(("height", "expected"), [(0.1, 0.0), (0.145, 0.0), (0.175, 0.03**2)])
+def test_crouch_begins_above_its_height(height, expected):
+    terms = Terms(still_readings(base_position=np.array([[0.0, 0.0, height]])))
+    assert terms.values()["crouch"] == pytest.approx([expected], abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("speeds", "expected"), [([4.0, -4.0, 0.0], 0.0), ([5.0, -4.5, 1.0], 1.25), ([6.0, 0, 0], 4.0)]
 )
@@ -119,7 +125,9 @@ def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected
 
 def test_every_term_reads_the_quantity_of_its_name():
     config = TaskConfig(
-        reward=RewardConfig(base_height=0.2, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2)
+        reward=RewardConfig(
+            base_height=0.2, crouch_height=0.08, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2
+        )
     )
     threshold = config.reward.contact_threshold
     readings = still_readings(
@@ -150,6 +158,7 @@ def test_every_term_reads_the_quantity_of_its_name():
         "contact_clock": -0.25,  # the fore left foot, in its swing, is on the ground; the others are in the air
         "upright": 0.25,
         "base_height": 0.01,
+        "crouch": 0.0004,
         "vertical_velocity": 0.09,
         "roll_pitch_rate": 5.0,
         "lateral_velocity": 0.04,

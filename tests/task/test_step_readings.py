@@ -27,7 +27,7 @@ CLOCK_RATE = math.tau * CLOCK_FREQUENCY
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
-WEIGHTS = REWARD_WEIGHTS | {"electrical_power": -0.003}
+WEIGHTS = REWARD_WEIGHTS | {"electrical_power": -0.003, "crouch": -300.0}
 """Of these episodes; the term is off by default."""
 
 
@@ -106,6 +106,7 @@ def reward_terms(robot, action, memory, fallen):
         "contact_clock": contact,
         "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
         "base_height": max(0.0, REWARD_PARAMETERS["base_height"] - robot.position[2]) ** 2,
+        "crouch": max(0.0, robot.position[2] - REWARD_PARAMETERS["crouch_height"]) ** 2,
         "vertical_velocity": robot.velocity[2] ** 2,
         "roll_pitch_rate": robot.rates[0] ** 2 + robot.rates[1] ** 2,
         "lateral_velocity": robot.velocity[1] ** 2,
@@ -215,7 +216,7 @@ class Step:
 
 def play(episode):
     config = settings(**episode.config)
-    config["reward"] = {"weights": {"electrical_power": WEIGHTS["electrical_power"]}}
+    config["reward"] = {"weights": {name: WEIGHTS[name] for name in ("electrical_power", "crouch")}}
     env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=config)
     options = None if episode.command is None else {"command": episode.command}
     observation, info = env.reset(seed=episode.seed, options=options)
