@@ -8,6 +8,7 @@ https://arxiv.org/abs/2403.04359; equivariant perceptrons: Su et al. 2024, https
 that sees what only the simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
 """
 
+import functools
 from dataclasses import dataclass
 from typing import Any, Self
 
@@ -19,6 +20,7 @@ from stable_baselines3.common.torch_layers import MlpExtractor
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
+from quadruped_env.training.perceptron import Tied
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
@@ -42,41 +44,35 @@ class Mirrored:
         return cls(np.arange(width), np.ones(width, dtype=np.float32))
 
 
-class _Projection:
-    """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
+def _mirror_image(parameter: torch.nn.Parameter, outputs: Mirrored, inputs: Mirrored | None = None) -> Tied:
+    """A layer's weights (out, in) or biases (out,), tied so that the layer commutes with the mirror.
 
-    It is half the sum with the mirror image. Projected gradients keep weights projected, because the two entries of a
-    pair take the same steps, up to their sign.
+    Projected gradients keep them so, because the two entries of a pair take the same steps, up to their sign.
 
     Args:
+        parameter: the weights or biases.
         outputs: mirror of the layer's outputs.
         inputs: mirror of its inputs; None for biases.
     """
-
-    def __init__(self, outputs: Mirrored, inputs: Mirrored | None = None) -> None:
-        order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
-        # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
-        if inputs is not None:
-            width = len(inputs.order)
-            order = order[:, None] * width + torch.as_tensor(inputs.order)
-            sign = sign[:, None] * torch.as_tensor(inputs.sign)
-        self._order, self._half = order, 0.5 * sign
-
-    def __call__(self, values: torch.Tensor) -> torch.Tensor:
-        """Projected values, of the same shape."""
-        return torch.take(values, self._order).mul_(self._half).add_(values, alpha=0.5)
+    order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
+    # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
+    if inputs is not None:
+        order = order[:, None] * len(inputs.order) + torch.as_tensor(inputs.order)
+        sign = sign[:, None] * torch.as_tensor(inputs.sign)
+    return Tied(parameter, order, sign)
 
 
-_Tied = tuple[torch.nn.Parameter, _Projection]
-"""A parameter whose mirror images are the same, and the projection that keeps them so"""
+def _projected(tie: Tied, values: torch.Tensor) -> torch.Tensor:
+    """Projection of values of a tied parameter's shape: half the sum with the mirror image."""
+    return torch.take(values, tie.order).mul_(0.5 * tie.sign).add_(values, alpha=0.5)
 
 
-def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[_Tied]:
+def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[Tied]:
     """Parameters of a layer whose output is the mirror image when its input is."""
-    return [(layer.weight, _Projection(outputs, inputs)), (layer.bias, _Projection(outputs))]
+    return [_mirror_image(layer.weight, outputs, inputs), _mirror_image(layer.bias, outputs)]
 
 
-def _tied_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: Mirrored) -> list[_Tied]:
+def _tied_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: Mirrored) -> list[Tied]:
     tied = []
     layers = [module for module in modules if isinstance(module, torch.nn.Linear)]
     for layer in layers[:-1]:
@@ -101,9 +97,13 @@ class _Extractor(MlpExtractor):
             self.value_net, self.latent_dim_vf = critic.value_net, critic.latent_dim_vf
         self.actor_width = actor_width
 
+    def seen_by_actor(self, features: torch.Tensor) -> torch.Tensor:
+        """The columns (..., actor_width) that the actor sees."""
+        return features[..., : self.actor_width]
+
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
         """(N, hidden), of the observation alone."""
-        return self.policy_net(features[..., : self.actor_width])
+        return self.policy_net(self.seen_by_actor(features))
 
 
 class ActorCritic(ActorCriticPolicy):
@@ -125,7 +125,8 @@ class ActorCritic(ActorCriticPolicy):
         **kwargs: Any,
     ) -> None:
         self.actor_width, self.mirror, self.critic_mirror = actor_width, mirror, critic_mirror
-        self._tied: list[_Tied] = []
+        self.tied: list[Tied] = []
+        """Parameters that symmetry ties"""
         super().__init__(*args, **kwargs)
 
     def _get_constructor_parameters(self) -> dict[str, Any]:
@@ -147,20 +148,20 @@ class ActorCritic(ActorCriticPolicy):
             return
         actions = Mirrored(self.mirror.action_order, np.ones(len(self.mirror.action_order), dtype=np.float32))
         actor, critic = self.mlp_extractor.policy_net, self.mlp_extractor.value_net
-        self._tied = [
+        self.tied = [
             *_tied_perceptron([*actor, self.action_net], _observations(self.mirror), actions),
             *_tied_perceptron([*critic, self.value_net], _observations(self.critic_mirror), Mirrored.same(1)),
         ]
         self.project()
-        for parameter, projection in self._tied:
+        for tie in self.tied:
             # The mean of a random weight and its mirror image is smaller than either.
-            parameter.data *= np.sqrt(2.0)
-            parameter.register_hook(projection)
+            tie.parameter.data *= np.sqrt(2.0)
+            tie.parameter.register_hook(functools.partial(_projected, tie))
 
     def project(self) -> None:
         """Make a symmetric network symmetric again, after anything but a gradient step has changed its parameters."""
-        for parameter, projection in self._tied:
-            parameter.data.copy_(projection(parameter.data))
+        for tie in self.tied:
+            tie.parameter.data.copy_(_projected(tie, tie.parameter.data))
 
 
 def _observations(mirror: MirrorMap) -> Mirrored:

@@ -2,7 +2,8 @@
 
 Acting takes one pass of the actor for each step of the envs; the values of a whole rollout and of the observations that
 a time limit cut off are computed in one batch at its end, and the log probabilities follow from the noise. An update
-shuffles and gathers tensors that exist once, and brings its records back in one piece.
+shuffles and gathers tensors that exist once, computes its gradients without autograd, and brings its records back in
+one piece.
 """
 
 import math
@@ -18,6 +19,7 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from quadruped_env.training.config import STRAIGHT_LEARNING_RATE
 from quadruped_env.training.exploration import ClockNoise
+from quadruped_env.training.perceptron import FlatGradient, Perceptron
 
 _LOG_ROOT_TAU = 0.5 * math.log(math.tau)
 
@@ -48,7 +50,14 @@ class FastPPO(PPO):
         super().__init__(*args, **kwargs)
 
     def _excluded_save_params(self) -> list[str]:
-        return [*super()._excluded_save_params(), "_waves"]
+        return [*super()._excluded_save_params(), "_waves", "_actor", "_critic", "_gradient"]
+
+    def _setup_model(self) -> None:
+        super()._setup_model()
+        policy = self.policy
+        self._actor = Perceptron([*policy.mlp_extractor.policy_net, policy.action_net])
+        self._critic = Perceptron([*policy.mlp_extractor.value_net, policy.value_net])
+        self._gradient = FlatGradient(policy.parameters(), policy.tied)
 
     def _setup_learn(self, *args: Any, **kwargs: Any) -> Any:
         # Before the envs are reset, which draws their first commands.
@@ -125,13 +134,12 @@ class FastPPO(PPO):
 
     def _mean_action(self, observations: torch.Tensor) -> torch.Tensor:
         """Mean action (N, J) of observations (N, width)."""
-        return self.policy.action_net(self.policy.mlp_extractor.forward_actor(observations))
+        return self._actor(self.policy.mlp_extractor.seen_by_actor(observations))
 
     def _values(self, observations: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
         """Values (...) of observations (..., width)."""
         seen = torch.from_numpy(observations.astype(np.float32, copy=False))
-        found = self.policy.value_net(self.policy.mlp_extractor.forward_critic(seen))
-        return found.squeeze(-1).numpy()
+        return self._critic(seen.flatten(0, -2)).view(seen.shape[:-1]).numpy()
 
     def _log_prob(self, noise: torch.Tensor) -> torch.Tensor:
         """Log probability density (...) of actions whose noise (..., J) has this many standard deviations."""
@@ -153,15 +161,15 @@ class FastPPO(PPO):
         log_probs, advantages, returns = (
             torch.from_numpy(part).view(size) for part in (buffer.log_probs, buffer.advantages, buffer.returns)
         )
-        # Once, because to find them takes longer than to clear them.
-        self._parameters = list(self.policy.parameters())
+        self._gradient.attach()
         records = []
-        for _ in range(self.n_epochs):
-            batches = torch.randperm(size).split(self.batch_size)
-            normalized = self._normalized([advantages[batch] for batch in batches])
-            for batch, advantage in zip(batches, normalized, strict=True):
-                samples = (observations.index_select(0, batch), actions.index_select(0, batch), log_probs[batch])
-                records.append(self._gradient_step(*samples, advantage, returns[batch], clip_range))
+        with torch.no_grad():
+            for _ in range(self.n_epochs):
+                batches = torch.randperm(size).split(self.batch_size)
+                normalized = self._normalized([advantages[batch] for batch in batches])
+                for batch, advantage in zip(batches, normalized, strict=True):
+                    samples = (observations.index_select(0, batch), actions.index_select(0, batch), log_probs[batch])
+                    records.append(self._gradient_step(*samples, advantage, returns[batch], clip_range))
         self._n_updates += self.n_epochs
         names = ("policy_gradient_loss", "value_loss", "entropy_loss", "loss", "approx_kl", "clip_fraction")
         for name, value in zip(names, torch.stack(records).mean(0).tolist(), strict=True):
@@ -186,28 +194,29 @@ class FastPPO(PPO):
         clip_range: float,
     ) -> torch.Tensor:
         """One step of the optimizer; the records of `train` (6,)."""
-        policy = self.policy
-        log_std = policy.log_std
-        noise = (actions - self._mean_action(observations)) * (-log_std).exp()
-        log_prob = self._log_prob(noise)
-        values = policy.value_net(policy.mlp_extractor.forward_critic(observations)).squeeze(-1)
-        log_ratio = log_prob - old_log_prob
+        policy, size = self.policy, len(observations)
+        log_std, inverse = policy.log_std, (-policy.log_std).exp()
+        noise = (actions - self._mean_action(observations)) * inverse
+        log_ratio = self._log_prob(noise) - old_log_prob
         ratio = log_ratio.exp()
-        clipped = ratio.clamp(1.0 - clip_range, 1.0 + clip_range)
-        policy_loss = -torch.min(advantages * ratio, advantages * clipped).mean()
-        value_loss = torch.nn.functional.mse_loss(values, returns)
+        gain, clipped = advantages * ratio, advantages * ratio.clamp(1.0 - clip_range, 1.0 + clip_range)
+        policy_loss = -torch.min(gain, clipped).mean()
+        # Of the loss by the log probability: none where the clipped gain is the smaller one.
+        by_log_prob = (gain * (gain <= clipped)).div_(-size)
+        self._actor.backward(by_log_prob[:, None] * noise * inverse)
+        log_std.grad.copy_(by_log_prob @ (noise * noise - 1.0)).sub_(self.ent_coef)
+        error = self._critic(observations).squeeze(-1) - returns
+        value_loss = (error * error).mean()
+        self._critic.backward(error[:, None] * (2.0 * self.vf_coef / size))
         entropy_loss = -(log_std + 0.5 + _LOG_ROOT_TAU).sum()
-        loss = policy_loss + self.ent_coef * entropy_loss + self.vf_coef * value_loss
-        for parameter in self._parameters:
-            parameter.grad = None
-        loss.backward()
+        self._gradient.project()
         self._limit_gradients()
         policy.optimizer.step()
-        with torch.no_grad():
-            kl = (ratio - 1.0 - log_ratio).mean()
-            clip_fraction = ((ratio - 1.0).abs() > clip_range).float().mean()
-            return torch.stack([policy_loss, value_loss, entropy_loss, loss, kl, clip_fraction])
+        loss = policy_loss + self.ent_coef * entropy_loss + self.vf_coef * value_loss
+        kl = (ratio - 1.0 - log_ratio).mean()
+        clip_fraction = ((ratio - 1.0).abs() > clip_range).float().mean()
+        return torch.stack([policy_loss, value_loss, entropy_loss, loss, kl, clip_fraction])
 
     def _limit_gradients(self) -> None:
         """Scale the gradients so that their norm is `max_grad_norm` or less."""
-        torch.nn.utils.clip_grad_norm_(self._parameters, self.max_grad_norm)
+        self._gradient.limit(self.max_grad_norm)

@@ -83,8 +83,7 @@ class DistributedPPO(native("ppo")):  # type: ignore[misc]
 
     def _limit_gradients(self) -> None:
         """Gradients become the mean over ranks, with a limited norm."""
-        gradients = [parameter.grad for parameter in self.policy.parameters() if parameter.grad is not None]
-        self.group.average(gradients)
+        self.group.average([self._gradient.values])
         super()._limit_gradients()
 
     def _excluded_save_params(self) -> list[str]:
