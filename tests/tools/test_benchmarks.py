@@ -1,4 +1,5 @@
 import json
+import re
 import signal
 import subprocess
 import sys
@@ -88,6 +89,19 @@ def test_gymnasiums_benchmarks_are_measured_over_ant():
         "time of a reset",
     ]
     assert all(measure.value > 0 for measure in measures)
+
+
+def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_of_the_physics(monkeypatch):
+    monkeypatch.setattr(throughput.os, "cpu_count", lambda: 2)
+    measures = throughput.cost_by_rows(sizes=(2, 3), chunks=1)
+    assert [measure.name.split("threads: ")[1] for measure in measures] == ["1", "2"]
+    for measure in measures:
+        assert measure.value >= 1.0
+        costs, shares = zip(*re.findall(r"\d: ([\d.]+) us, (\d+)%", measure.detail), strict=True)
+        assert len(costs) == 2
+        assert all(0 < int(share) < 100 for share in shares)
+        ratio = max(map(float, costs)) / min(map(float, costs))
+        assert measure.value == pytest.approx(ratio, rel=0.02)
 
 
 def test_physics_on_tiles_is_measured_over_the_plane():

@@ -26,6 +26,7 @@ from benchmarks import terrain_speed
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
 from quadruped_env.files import write_json
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation.interface import SETTLED
 from quadruped_env.task import Task
 
 ROWS: Final = 256
@@ -73,10 +74,11 @@ def vector_over_bare() -> list[Measure]:
     batch: Batch = simulation.batch  # type: ignore[attr-defined]
     decimation = env.unwrapped.task.config.decimation
     bare = Batch(simulation.model, ROWS)
+    own = Batch(simulation.model, ROWS, persistent=True)
     rng = np.random.default_rng(0)
     env.reset(seed=0)
     steps = 60
-    ratios, rates, bare_rates, resets = [], [], [], 0
+    ratios, own_ratios, rates, bare_rates, resets = [], [], [], [], 0
     for _ in range(CHUNKS + 1):
         actions = rng.uniform(-1.0, 1.0, (steps, ROWS, ROBOT.num_joints)).astype(np.float32)
         state = batch.state.copy()
@@ -87,15 +89,18 @@ def vector_over_bare() -> list[Measure]:
             _, _, terminated, truncated, _ = env.step(action)
             env_seconds += time.perf_counter() - start
             resets += int((terminated | truncated).sum())
-        bare.state[:] = state
-        ctrl = bare.bind("ctrl")
 
-        def step_bare(controls: Any = controls, ctrl: Any = ctrl) -> None:
+        def step(batch: Batch, stage: Any, state: Any = state, controls: Any = controls) -> float:
+            batch.state[:] = state
+            ctrl = batch.bind("ctrl")
+            start = time.perf_counter()
             for control in controls:
                 ctrl[:] = control
-                bare.step(nstep=decimation)
+                batch.step(nstep=decimation, stage=stage)
+            return time.perf_counter() - start
 
-        bare_seconds = _seconds(step_bare)
+        bare_seconds = step(bare, mujoco.mjtStage.mjSTAGE_NONE)
+        own_ratios.append(bare_seconds / step(own, SETTLED))
         ratios.append(bare_seconds / env_seconds)
         rates.append(steps * ROWS / env_seconds)
         bare_rates.append(steps * ROWS / bare_seconds)
@@ -105,7 +110,63 @@ def vector_over_bare() -> list[Measure]:
         f"{np.median(rates[1:]):,.0f} of {np.median(bare_rates[1:]):,.0f} env steps/s; {resets} falls in "
         f"{(CHUNKS + 1) * steps * ROWS:,} steps"
     )
-    return [Measure(f"vector env, {ROWS} rows, over bare Batch.step", ratio, "", ">= 0.80", ratio >= 0.80, detail)]
+    alone = float(np.median(own_ratios[1:]))
+    what = "no env that knows the state after a step can be faster"
+    return [
+        Measure(f"vector env, {ROWS} rows, over bare Batch.step", ratio, "", ">= 0.92", ratio >= 0.92, detail),
+        Measure("its batch alone, with readings of the new state", alone, "", "a bound", True, what),
+    ]
+
+
+def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 5) -> list[Measure]:
+    """Cost of an env step by the number of envs, and the share of it outside of the physics, by number of threads.
+
+    Args:
+        sizes: numbers of envs.
+        chunks: how often they take turns; each turn has as many env steps.
+    """
+    threads = [2**i for i in range((os.cpu_count() or 1).bit_length())]
+    measures = []
+    rng = np.random.default_rng(0)
+    for count in threads:
+        envs = {size: gymnasium.make_vec(ENV_ID, num_envs=size, num_threads=count) for size in sizes}
+        physics = dict.fromkeys(sizes, 0.0)
+        for size, env in envs.items():
+            _watch_physics(env, physics, size)
+            env.reset(seed=0)
+        costs: dict[int, list[float]] = {size: [] for size in sizes}
+        for chunk in range(chunks + 1):
+            for size, env in envs.items():
+                steps = max(4, 4 * max(sizes) // size)
+                actions = rng.uniform(-1.0, 1.0, (steps, size, ROBOT.num_joints)).astype(np.float32)
+                seconds = _seconds(lambda env=env, actions=actions: [env.step(action) for action in actions])  # type: ignore[misc]
+                if chunk:
+                    costs[size].append(seconds / (steps * size) * 1e6)
+                else:
+                    physics[size] = 0.0
+        microseconds = {size: float(np.median(costs[size])) for size in sizes}
+        total = {size: sum(costs[size]) * max(4, 4 * max(sizes) // size) * size * 1e-6 for size in sizes}
+        for env in envs.values():
+            env.close()
+        spread = max(microseconds.values()) / min(microseconds.values())
+        detail = ", ".join(
+            f"{size}: {microseconds[size]:.1f} us, {1.0 - physics[size] / total[size]:.0%} outside of the physics"
+            for size in sizes
+        )
+        name = f"cost per env step, {min(sizes)} to {max(sizes)} rows, most over least, threads: {count}"
+        measures.append(Measure(name, spread, "x", "<= 1.1", spread <= 1.1, detail))
+    return measures
+
+
+def _watch_physics(env: Any, seconds: dict[int, float], size: int) -> None:
+    """Add the time of an env's physics steps to `seconds[size]`."""
+    simulation = env.unwrapped.task.simulation
+    step = simulation.step
+
+    def watched(*arguments: Any) -> None:
+        seconds[size] += _seconds(lambda: step(*arguments))
+
+    simulation.step = watched
 
 
 def single_over_ant() -> list[Measure]:
@@ -154,8 +215,8 @@ def single_over_ant() -> list[Measure]:
             "single env over Ant-v5, steps alone",
             ratio,
             "x",
-            ">= 1.8",
-            ratio >= 1.8,
+            ">= 2.2",
+            ratio >= 2.2,
             f"{np.median(rates[1:]):,.0f} steps/s, actions drawn before",
         ),
         Measure("single env above bare mj_step", micros, "us/step", "<= 60", micros <= 60.0, ""),
@@ -187,7 +248,7 @@ def gymnasium_over_ant(chunks: int = 9, seconds: int = 1) -> list[Measure]:
     step, init, reset = float(np.median(steps)), float(np.median(inits)), float(np.median(resets))
     detail = f"{np.median(rates):,.0f} steps/s, drawing the actions and resets included"
     return [
-        Measure("Gymnasium's benchmark_step, over Ant-v5", step, "x", ">= 1.1", step >= 1.1, detail),
+        Measure("Gymnasium's benchmark_step, over Ant-v5", step, "x", ">= 1.9", step >= 1.9, detail),
         Measure("Gymnasium's benchmark_init, over Ant-v5", init, "x", ">= 1.2", init >= 1.2, "make and first reset"),
         Measure("time of a reset, over Ant-v5's", reset, "x", "<= 3", reset <= 3.0, ""),
     ]
@@ -252,7 +313,7 @@ def training_over_bare() -> list[Measure]:
         rates.append(4 * steps / seconds)
     ratio = float(np.median(ratios))
     detail = f"{np.median(rates):,.0f} training steps/s"
-    return [Measure("PPO end to end over bare Batch.step", ratio, "", ">= 0.50", ratio >= 0.50, detail)]
+    return [Measure("PPO end to end over bare Batch.step", ratio, "", ">= 0.70", ratio >= 0.70, detail)]
 
 
 def terrain_over_plane(chunks: int = CHUNKS) -> list[Measure]:
@@ -348,6 +409,7 @@ WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "gymnasium": gymnasium_over_ant,
     "sync": vector_over_sync,
     "vector": vector_over_bare,
+    "rows": cost_by_rows,
     "training": training_over_bare,
     "terrain": terrain_over_plane,
 }
