@@ -25,7 +25,7 @@ from quadruped_env.files import free_path
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policies and the options of a report."""
-    parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat'")
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat' or 'rough'")
     add_evaluation_options(parser, f"results/comparison, {NEXT_FREE}")
     parser.add_argument(
         "--suite",

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import (
     add_evaluation_options,
+    add_run,
     named_terrain,
     randomization_option,
     task_option,
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the options of a report."""
-    parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
+    add_run(parser)
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
     parser.add_argument(
         "--suite",

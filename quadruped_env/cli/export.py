@@ -13,13 +13,13 @@ import argparse
 from pathlib import Path
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_overwrite, add_task_file
+from quadruped_env.cli.options import add_output, add_overwrite, add_run, add_task_file
 from quadruped_env.cli.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the folder."""
-    parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
+    add_run(parser)
     parser.add_argument("--film", action="store_true", help="also film the robot: film.webp in the folder")
     add_task_file(parser)
     add_overwrite(parser, "replace an earlier export")

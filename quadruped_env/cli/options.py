@@ -16,6 +16,12 @@ from quadruped_env.task import PRESETS
 NEXT_FREE: Final = "or that name with the next free number"
 
 
+def add_run(parser: argparse.ArgumentParser) -> None:
+    """Add the policy to read, `RUN`."""
+    text = "a run's directory, or a shipped policy, 'flat' or 'rough' (default: runs/latest, or flat)"
+    parser.add_argument("run", nargs="?", metavar="RUN", help=text)
+
+
 def add_output(
     parser: argparse.ArgumentParser, metavar: str, text: str, default: Path | None = None, alias: str = "--out"
 ) -> None:

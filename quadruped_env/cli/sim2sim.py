@@ -13,7 +13,7 @@ import argparse
 from typing import get_args
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_task_file, task_option
+from quadruped_env.cli.options import add_output, add_run, add_task_file, task_option
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.sim2sim.contact import Approximation
 from quadruped_env.sim2sim.engines import Drake
@@ -22,7 +22,7 @@ from quadruped_env.sim2sim.transfer import NUM_SEEDS, SECONDS
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy, the episodes and Drake's contact model."""
-    parser.add_argument("run", nargs="?", metavar="RUN", help="a run's directory, or 'flat'")
+    add_run(parser)
     parser.add_argument(
         "--command",
         nargs=2,

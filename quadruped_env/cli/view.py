@@ -20,7 +20,10 @@ from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the robots, the command, the page and the output."""
     parser.add_argument(
-        "sources", nargs="*", metavar="SOURCE", help="a run, 'flat', a gait's name, or a recording of joint states"
+        "sources",
+        nargs="*",
+        metavar="SOURCE",
+        help="a run, 'flat' or 'rough', a gait's name, or a recording of joint states",
     )
     parser.add_argument(
         "--command",

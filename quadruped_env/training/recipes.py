@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
-from quadruped_env.task import preset_values
+from quadruped_env.task.presets import with_preset
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Recipe:
     ppo: Mapping[str, Any] = field(default_factory=dict)
     """Fields of `TrainConfig` for PPO alone."""
     task: Mapping[str, Any] = field(default_factory=dict)
-    """Changes to the task's config; `randomization` may be the name of a preset."""
+    """Changes to the task's config; `randomization` may be the name of a preset, or name one in its field `preset`."""
 
 
 # To learn what the scripted gait does not do needs more noise than to keep what it does.
@@ -48,7 +48,11 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             "another robot in each episode, with sensor noise, latency and pushes",
             {"timesteps": 6_000_000, "asymmetric_critic": True},
             _BEYOND_THE_GAIT,
-            {"randomization": "hard"},
+            {
+                "randomization": {"preset": "hard", "push_speed": [0.5, 1.0], "push_interval": [1.5, 3.0]},
+                # A fall else costs less than walking a little less exactly for the time between two falls.
+                "reward": {"weights": {"fall": -2000.0}},
+            },
         ),
         "rough": Recipe(
             "all kinds of terrain, with a curriculum, and moderate randomization",
@@ -89,6 +93,6 @@ def task_values(name: str, robot: Robot) -> dict[str, Any]:
         QuadrupedError: if there is no such recipe.
     """
     values = dict(recipe(name).task)
-    if isinstance(values.get("randomization"), str):
-        values["randomization"] = preset_values(values["randomization"], robot)
+    if "randomization" in values:
+        values["randomization"] = with_preset(values["randomization"], robot)
     return values

@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         default="flat",
         metavar="POLICY",
-        help="'flat', a run directory, or a scripted gait: 'tuned', 'trot', 'walk', 'bound', 'pace' (%(default)s)",
+        help="'flat', 'rough', a run directory, or a scripted gait: tuned, trot, walk, bound or pace (%(default)s)",
     )
     parser.add_argument(
         "--arrays",
