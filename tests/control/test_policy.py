@@ -14,7 +14,7 @@ from policies import TASK, make_policy, observations
 from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, TENSORS_FILE
+from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, SHIPPED, TENSORS_FILE
 from quadruped_env.policies import load_policy
 
 # --- saving and loading ---
@@ -180,7 +180,8 @@ def test_killed_run_loads_its_last_checkpoint_with_a_warning(tmp_path):
 
 def test_an_unknown_policy_names_the_shipped_ones_and_how_to_train(tmp_path):
     with pytest.raises(
-        QuadrupedError, match=r"'hilly' is neither a directory nor a shipped policy \(flat\); train one"
+        QuadrupedError,
+        match=rf"'hilly' is neither a directory nor a shipped policy \({', '.join(SHIPPED)}\); train one",
     ):
         load_policy("hilly")
     with pytest.raises(QuadrupedError, match=r"neither a directory"):

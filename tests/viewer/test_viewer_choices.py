@@ -9,6 +9,7 @@ import second_robot
 from viewing import DT, now, robot
 
 from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.episode import publish
 from quadruped_env.policies import ControllerSpec, ZeroController
 from quadruped_env.reporting import palette
@@ -144,7 +145,10 @@ def test_the_command_is_offered_if_a_robot_follows_it(control, tmp_path):
         controller.set_source(0, name)
         follows[name] = controller.offered.command
         assert controller.view().robots[0].follows_command is follows[name]
-    assert {name for name, command in follows.items() if command} == {"policy flat", "gait tuned"}
+    assert {name for name, command in follows.items() if command} == {
+        *(f"policy {name}" for name in SHIPPED),
+        "gait tuned",
+    }
     controller.set_source(0, "gait article")
     controller.set_source(1, "gait tuned")
     assert controller.offered == Offered()

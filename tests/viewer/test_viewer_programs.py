@@ -12,6 +12,7 @@ from paths import ROOT
 from waiting import output_of
 
 from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.viewer import open_show
 from quadruped_env.viewer.server import start_server, stop_server
 
@@ -80,5 +81,6 @@ def test_program_with_an_unknown_source_names_it(tmp_path):
     process = _program("runs/none", cwd=tmp_path)
     out, err = output_of(process)
     assert (process.returncode, out) == (2, "")
-    assert err.startswith("view.py: error: 'runs/none' is neither a shipped policy (flat), nor a scripted gait (")
+    shipped = ", ".join(SHIPPED)
+    assert err.startswith(f"view.py: error: 'runs/none' is neither a shipped policy ({shipped}), nor a scripted gait (")
     assert len(err.splitlines()) == 1
