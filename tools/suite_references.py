@@ -1,12 +1,15 @@
 """Measure the reference rows of the suite, and put them into the package: standing, scripted gaits, shipped policies.
 
 tools/suite_references.py
+tools/suite_references.py --only rough              the other rows stay as they are
 tools/suite_references.py --policy robust=runs/<name>
 """
 
 import argparse
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
@@ -17,8 +20,8 @@ from quadruped_env.control.policy import SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.suite.contender import reference_contenders
 from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
-from quadruped_env.evaluation.suite.references import REFERENCE_FILE, reference_row, score_table
-from quadruped_env.evaluation.suite.suite import run_suite
+from quadruped_env.evaluation.suite.references import REFERENCE_FILE, read_references, reference_row, score_table
+from quadruped_env.evaluation.suite.suite import check_comparable, run_suite
 from quadruped_env.files import write_json
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.program import run_program
@@ -33,6 +36,9 @@ def main() -> int:
     )
     parser.add_argument(
         "--policy", action="append", default=[], metavar="NAME=RUN", help="a run as a further row, under a name"
+    )
+    parser.add_argument(
+        "--only", nargs="+", metavar="NAME", help="measure these rows, and keep the others that the file has"
     )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")
@@ -54,11 +60,21 @@ def named_policies(entries: list[str]) -> dict[str, Policy]:
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print the scores."""
     suite = quick_suite() if arguments.quick else full_suite()
-    rows = []
-    for contender in reference_contenders(named_policies(arguments.policy), MINI_QUADRUPED):
-        rows.append(reference_row(run_suite(contender, suite, ProgressLine(contender.name))))
-    write_json(arguments.output, {"rows": rows, "versions": versions(), "commit": git_commit()})
-    print(f"{score_table(rows)}\nwritten: {arguments.output}")
+    contenders = reference_contenders(named_policies(arguments.policy), MINI_QUADRUPED)
+    names = [contender.name for contender in contenders]
+    wanted = arguments.only or names
+    if not set(wanted) <= set(names):
+        raise QuadrupedError(f"--only: expected some of {', '.join(names)}; found {', '.join(wanted)}")
+    rows = {row["name"]: row for row in read_references(arguments.output)} if arguments.only else {}
+    origin = {"versions": versions(), "commit": git_commit()}
+    for contender in contenders:
+        if contender.name in wanted:
+            row = reference_row(run_suite(contender, suite, ProgressLine(contender.name)))
+            rows[contender.name] = {**row, "origin": origin}
+    check_comparable(rows)
+    ordered: list[Mapping[str, Any]] = [rows[name] for name in names if name in rows]
+    write_json(arguments.output, {"rows": ordered})
+    print(f"{score_table(ordered)}\nwritten: {arguments.output}")
     return 0
 
 

@@ -2,11 +2,13 @@
 
 import argparse
 
+import numpy as np
 import pytest
 from comparisons import random_policy
 
 import suite_references
 from quadruped_env import QuadrupedError
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.suite.definition import quick_suite
 from quadruped_env.evaluation.suite.references import read_references
 from quadruped_env.evaluation.suite.suite import COMPONENTS
@@ -28,17 +30,52 @@ def result_of(contender, suite, progress):
     }
 
 
+def asked(directory, **options):
+    return argparse.Namespace(
+        **{"policy": [], "only": None, "quick": True, "output": directory / "references.json", **options}
+    )
+
+
 def test_rows_of_all_references_are_written_and_can_be_read(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(suite_references, "run_suite", result_of)
     random_policy("position").save(tmp_path / "run")
-    arguments = argparse.Namespace(policy=[f"mine={tmp_path / 'run'}"], quick=True, output=tmp_path / "references.json")
+    arguments = asked(tmp_path, policy=[f"mine={tmp_path / 'run'}"])
     assert suite_references.run(arguments) == 0
     rows = read_references(tmp_path / "references.json")
-    assert [row["name"] for row in rows] == ["standing", "article", "tuned", "flat", "mine"]
+    assert [row["name"] for row in rows] == ["standing", "article", "tuned", *SHIPPED, "mine"]
+    assert {row["origin"]["versions"]["numpy"] for row in rows} == {np.__version__}
     assert {row["suite"]["sha256"] for row in rows} == {quick_suite().sha256}
     assert rows[0]["terrain"] == {"rough": 3}
     assert rows[0]["recovery"]["side"]["mean"] == 0.8
     assert "standing  0.800" in capsys.readouterr().out
+
+
+def test_some_rows_are_measured_again_and_the_others_stay(tmp_path, monkeypatch):
+    monkeypatch.setattr(suite_references, "run_suite", result_of)
+    suite_references.run(asked(tmp_path, only=["standing", "flat"]))
+    first = read_references(tmp_path / "references.json")
+    monkeypatch.setattr(suite_references, "git_commit", lambda: "later")
+    suite_references.run(asked(tmp_path, only=["tuned", "flat"]))
+    rows = {row["name"]: row for row in read_references(tmp_path / "references.json")}
+    assert list(rows) == ["standing", "tuned", "flat"], "in the order of the references"
+    assert rows["standing"] == first[0]
+    assert (
+        rows["tuned"]["origin"]["commit"] == rows["flat"]["origin"]["commit"] == "later" != first[1]["origin"]["commit"]
+    )
+
+
+def test_rows_of_another_suite_are_not_kept(tmp_path, monkeypatch):
+    monkeypatch.setattr(suite_references, "run_suite", result_of)
+    suite_references.run(asked(tmp_path, only=["standing"]))
+    before = (tmp_path / "references.json").read_bytes()
+    with pytest.raises(QuadrupedError, match="standing"):
+        suite_references.run(asked(tmp_path, only=["flat"], quick=False))
+    assert (tmp_path / "references.json").read_bytes() == before
+
+
+def test_a_row_that_does_not_exist_is_refused(tmp_path):
+    with pytest.raises(QuadrupedError, match=r"--only: expected some of standing, .*; found hilly"):
+        suite_references.run(asked(tmp_path, only=["hilly"]))
 
 
 @pytest.mark.parametrize("entry", ["mine", "=run", "mine="])
