@@ -8,7 +8,6 @@ https://arxiv.org/abs/2403.04359; equivariant perceptrons: Su et al. 2024, https
 that sees what only the simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
 """
 
-import functools
 from dataclasses import dataclass
 from typing import Any, Self
 
@@ -20,7 +19,7 @@ from stable_baselines3.common.torch_layers import MlpExtractor
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
-from quadruped_env.training.perceptron import Tied
+from quadruped_env.training.perceptron import Projection, Tied
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
@@ -44,13 +43,12 @@ class Mirrored:
         return cls(np.arange(width), np.ones(width, dtype=np.float32))
 
 
-def _mirror_image(parameter: torch.nn.Parameter, outputs: Mirrored, inputs: Mirrored | None = None) -> Tied:
-    """A layer's weights (out, in) or biases (out,), tied so that the layer commutes with the mirror.
+def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection:
+    """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
 
-    Projected gradients keep them so, because the two entries of a pair take the same steps, up to their sign.
+    Projected gradients keep weights projected, because the two entries of a pair take the same steps, up to their sign.
 
     Args:
-        parameter: the weights or biases.
         outputs: mirror of the layer's outputs.
         inputs: mirror of its inputs; None for biases.
     """
@@ -59,17 +57,12 @@ def _mirror_image(parameter: torch.nn.Parameter, outputs: Mirrored, inputs: Mirr
     if inputs is not None:
         order = order[:, None] * len(inputs.order) + torch.as_tensor(inputs.order)
         sign = sign[:, None] * torch.as_tensor(inputs.sign)
-    return Tied(parameter, order, sign)
-
-
-def _projected(tie: Tied, values: torch.Tensor) -> torch.Tensor:
-    """Projection of values of a tied parameter's shape: half the sum with the mirror image."""
-    return torch.take(values, tie.order).mul_(0.5 * tie.sign).add_(values, alpha=0.5)
+    return Projection(order, 0.5 * sign)
 
 
 def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[Tied]:
     """Parameters of a layer whose output is the mirror image when its input is."""
-    return [_mirror_image(layer.weight, outputs, inputs), _mirror_image(layer.bias, outputs)]
+    return [(layer.weight, _projection(outputs, inputs)), (layer.bias, _projection(outputs))]
 
 
 def _tied_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: Mirrored) -> list[Tied]:
@@ -153,15 +146,15 @@ class ActorCritic(ActorCriticPolicy):
             *_tied_perceptron([*critic, self.value_net], _observations(self.critic_mirror), Mirrored.same(1)),
         ]
         self.project()
-        for tie in self.tied:
+        for parameter, projection in self.tied:
             # The mean of a random weight and its mirror image is smaller than either.
-            tie.parameter.data *= np.sqrt(2.0)
-            tie.parameter.register_hook(functools.partial(_projected, tie))
+            parameter.data *= np.sqrt(2.0)
+            parameter.register_hook(projection)
 
     def project(self) -> None:
         """Make a symmetric network symmetric again, after anything but a gradient step has changed its parameters."""
-        for tie in self.tied:
-            tie.parameter.data.copy_(_projected(tie, tie.parameter.data))
+        for parameter, projection in self.tied:
+            parameter.data.copy_(projection(parameter.data))
 
 
 def _observations(mirror: MirrorMap) -> Mirrored:

@@ -98,14 +98,21 @@ class Perceptron:
         return _Buffers(*([array[:size] for array in arrays] for arrays in self._buffers))
 
 
-class Tied(NamedTuple):
-    """A parameter whose entries are, up to their sign, equal in pairs."""
+class Projection(NamedTuple):
+    """Projection on values whose entries are, up to their sign, equal in pairs: half the sum with the mirror image."""
 
-    parameter: torch.nn.Parameter
     order: torch.Tensor
-    """Index of each entry's mirror image in the flat parameter, of the parameter's shape"""
-    sign: torch.Tensor
-    """Sign of the mirror image, of the parameter's shape"""
+    """Index of each entry's mirror image in the flat values, of the values' shape"""
+    half: torch.Tensor
+    """Half of the sign of the mirror image, of the values' shape"""
+
+    def __call__(self, values: torch.Tensor) -> torch.Tensor:
+        """Projected values, of the same shape."""
+        return torch.take(values, self.order).mul_(self.half).add_(values, alpha=0.5)
+
+
+Tied = tuple[torch.nn.Parameter, Projection]
+"""A parameter whose mirror images are the same, and the projection that keeps them so"""
 
 
 class FlatGradient:
@@ -113,7 +120,7 @@ class FlatGradient:
 
     Args:
         parameters: the parameters.
-        tied: those of them whose gradients are projected on what keeps them tied.
+        tied: those of them whose gradients are projected.
     """
 
     def __init__(self, parameters: Iterable[torch.nn.Parameter], tied: Sequence[Tied]) -> None:
@@ -123,16 +130,18 @@ class FlatGradient:
         """All gradients (P,)."""
         parts = zip(self._parameters, self.values.split(sizes), strict=True)
         self._parts = [part.view_as(parameter) for parameter, part in parts]
-        self._order, self._half = torch.arange(sum(sizes)), torch.full((sum(sizes),), 0.5)
-        ties = {id(tie.parameter): tie for tie in tied}
-        start = 0
-        for parameter, size in zip(self._parameters, sizes, strict=True):
-            if id(parameter) in ties:
-                tie = ties[id(parameter)]
-                self._order[start : start + size] = start + tie.order.reshape(-1)
-                self._half[start : start + size] = 0.5 * tie.sign.reshape(-1)
-            start += size
-        self._any_tied = bool(ties)
+        # The projection of a free parameter does not change it: it is its own mirror image.
+        whole = Projection(torch.arange(len(self.values)), torch.full_like(self.values, 0.5))
+        projections = {id(parameter): projection for parameter, projection in tied}
+        first = 0
+        for parameter, order, half in zip(
+            self._parameters, whole.order.split(sizes), whole.half.split(sizes), strict=True
+        ):
+            if id(parameter) in projections:
+                order[:] = first + projections[id(parameter)].order.reshape(-1)
+                half[:] = projections[id(parameter)].half.reshape(-1)
+            first += parameter.numel()
+        self._projection = whole if tied else None
 
     def attach(self) -> None:
         """Make the parts of the array the `grad` of the parameters."""
@@ -140,10 +149,9 @@ class FlatGradient:
             parameter.grad = part
 
     def project(self) -> None:
-        """Project the gradients of the tied parameters: half the sum with the mirror image."""
-        if self._any_tied:
-            mirrored = torch.take(self.values, self._order).mul_(self._half)
-            torch.add(mirrored, self.values, alpha=0.5, out=self.values)
+        """Project the gradients of the tied parameters."""
+        if self._projection is not None:
+            self.values.copy_(self._projection(self.values))
 
     def limit(self, max_norm: float) -> None:
         """Scale the gradients so that their norm is `max_norm` or less, as `torch.nn.utils.clip_grad_norm_` does."""

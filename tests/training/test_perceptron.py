@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import torch
 
-from quadruped_env.training.perceptron import FlatGradient, Perceptron, Tied
+from quadruped_env.training.perceptron import FlatGradient, Perceptron, Projection
 
 NN = torch.nn
 
@@ -67,8 +67,8 @@ def test_batches_of_any_sizes_follow_each_other_in_and_out_of_inference_mode():
 
 def test_gradient_of_a_tied_parameter_is_half_the_sum_with_its_mirror_image():
     free, tied = NN.Parameter(torch.zeros(2)), NN.Parameter(torch.zeros(2, 2))
-    tie = Tied(tied, torch.tensor([[3, 2], [1, 0]]), torch.tensor([[1.0, -1.0], [-1.0, 1.0]]))
-    gradient = FlatGradient([free, tied], [tie])
+    projection = Projection(torch.tensor([[3, 2], [1, 0]]), torch.tensor([[0.5, -0.5], [-0.5, 0.5]]))
+    gradient = FlatGradient([free, tied], [(tied, projection)])
     gradient.attach()
     free.grad[:] = torch.tensor([10.0, 20.0])
     tied.grad[:] = torch.tensor([[1.0, 2.0], [4.0, 7.0]])
