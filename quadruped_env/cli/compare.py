@@ -13,6 +13,7 @@ from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.evaluate import print_results
 from quadruped_env.cli.options import (
     NEXT_FREE,
+    SHIPPED_POLICIES,
     add_evaluation_options,
     named_terrain,
     randomization_option,
@@ -25,7 +26,7 @@ from quadruped_env.files import free_path
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policies and the options of a report."""
-    parser.add_argument("runs", nargs="+", metavar="RUN", help="two or more: a run's directory, or 'flat' or 'rough'")
+    parser.add_argument("runs", nargs="+", metavar="RUN", help=f"two or more: a run's directory, or {SHIPPED_POLICIES}")
     add_evaluation_options(parser, f"results/comparison, {NEXT_FREE}")
     parser.add_argument(
         "--suite",

@@ -5,6 +5,7 @@ import shlex
 from pathlib import Path
 from typing import Final
 
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
@@ -14,11 +15,13 @@ from quadruped_env.simulation.terrain import TERRAINS, find_terrain, summary
 from quadruped_env.task import PRESETS
 
 NEXT_FREE: Final = "or that name with the next free number"
+SHIPPED_POLICIES: Final = " or ".join(map(repr, SHIPPED))
+"""Names of the shipped policies, for a help text."""
 
 
 def add_run(parser: argparse.ArgumentParser) -> None:
     """Add the policy to read, `RUN`."""
-    text = "a run's directory, or a shipped policy, 'flat' or 'rough' (default: runs/latest, or flat)"
+    text = f"a run's directory, or {SHIPPED_POLICIES}, which ship (default: runs/latest, or {SHIPPED[0]})"
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
 
 

@@ -13,7 +13,14 @@ import argparse
 import signal
 
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_randomization, add_task_file, add_terrain, named_terrain
+from quadruped_env.cli.options import (
+    SHIPPED_POLICIES,
+    add_output,
+    add_randomization,
+    add_task_file,
+    add_terrain,
+    named_terrain,
+)
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 
@@ -23,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "sources",
         nargs="*",
         metavar="SOURCE",
-        help="a run, 'flat' or 'rough', a gait's name, or a recording of joint states",
+        help=f"a run, {SHIPPED_POLICIES}, a gait's name, or a recording of joint states",
     )
     parser.add_argument(
         "--command",

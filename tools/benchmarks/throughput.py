@@ -130,27 +130,28 @@ def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 5) 
     rng = np.random.default_rng(0)
     for count in threads:
         envs = {size: gymnasium.make_vec(ENV_ID, num_envs=size, num_threads=count) for size in sizes}
-        physics = dict.fromkeys(sizes, 0.0)
+        physics: dict[int, float] = {}
         for size, env in envs.items():
             _watch_physics(env, physics, size)
             env.reset(seed=0)
-        costs: dict[int, list[float]] = {size: [] for size in sizes}
+        turns: dict[int, list[float]] = {size: [] for size in sizes}
+        steps = {size: max(4, 4 * max(sizes) // size) for size in sizes}
         for chunk in range(chunks + 1):
             for size, env in envs.items():
-                steps = max(4, 4 * max(sizes) // size)
-                actions = rng.uniform(-1.0, 1.0, (steps, size, ROBOT.num_joints)).astype(np.float32)
-                seconds = _seconds(lambda env=env, actions=actions: [env.step(action) for action in actions])  # type: ignore[misc]
-                if chunk:
-                    costs[size].append(seconds / (steps * size) * 1e6)
-                else:
+                actions = rng.uniform(-1.0, 1.0, (steps[size], size, ROBOT.num_joints)).astype(np.float32)
+                start = time.perf_counter()
+                for action in actions:
+                    env.step(action)
+                turns[size].append(time.perf_counter() - start)
+                if chunk == 0:
+                    turns[size].clear()
                     physics[size] = 0.0
-        microseconds = {size: float(np.median(costs[size])) for size in sizes}
-        total = {size: sum(costs[size]) * max(4, 4 * max(sizes) // size) * size * 1e-6 for size in sizes}
         for env in envs.values():
             env.close()
-        spread = max(microseconds.values()) / min(microseconds.values())
+        costs = {size: float(np.median(turns[size])) / (steps[size] * size) * 1e6 for size in sizes}
+        spread = max(costs.values()) / min(costs.values())
         detail = ", ".join(
-            f"{size}: {microseconds[size]:.1f} us, {1.0 - physics[size] / total[size]:.0%} outside of the physics"
+            f"{size}: {costs[size]:.1f} us, {1.0 - physics[size] / sum(turns[size]):.0%} outside of the physics"
             for size in sizes
         )
         name = f"cost per env step, {min(sizes)} to {max(sizes)} rows, most over least, threads: {count}"
@@ -164,7 +165,7 @@ def _watch_physics(env: Any, seconds: dict[int, float], size: int) -> None:
     step = simulation.step
 
     def watched(*arguments: Any) -> None:
-        seconds[size] += _seconds(lambda: step(*arguments))
+        seconds[size] = seconds.get(size, 0.0) + _seconds(lambda: step(*arguments))
 
     simulation.step = watched
 
