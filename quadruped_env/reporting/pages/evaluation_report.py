@@ -2,6 +2,7 @@
 
 import dataclasses
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, Final
 
@@ -62,13 +63,17 @@ def write_report(
     prepare_output(subject.output)
     failures = worst_episodes(comparison)
     rollout = comparison.rollouts["policy"]
-    if with_video:
-        moments = [(Clip.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
-        clips = filmed(comparison)
-        pictures = take_pictures(clips, ", then ".join(clip.title for clip in clips), moments, progress)
-    else:
-        pictures = Pictures({"missing": "No video: it was switched off."})
-    replay = scene(comparison)
+    # Rendering and encoding leave the interpreter to another thread, which draws the figures on another core.
+    with ThreadPoolExecutor(1) as executor:
+        drawn = executor.submit(_figures, subject, comparison)
+        of_failures = [executor.submit(plots.episode, comparison, "policy", failure.row) for failure in failures]
+        if with_video:
+            moments = [(Clip.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
+            clips = filmed(comparison)
+            pictures = take_pictures(clips, ", then ".join(clip.title for clip in clips), moments, progress)
+        else:
+            pictures = Pictures({"missing": "No video: it was switched off."})
+        replay = scene(comparison)
     judged = verdict(comparison, suite)
     if suite is not None:
         write_results(subject, suite, command_line)
@@ -86,10 +91,10 @@ def write_report(
         "verdict": judged,
         "video": pictures.video,
         "scene": replay,
-        "figures": _figures(subject, comparison),
+        "figures": drawn.result(),
         "suite": None if suite is None else section(suite),
         "second_engine": _second_engine(subject),
-        "failures": [_failure(comparison, failure, pictures) for failure in failures],
+        "failures": [_failure(f, pictures, svg.result()) for f, svg in zip(failures, of_failures, strict=True)],
         **tables(comparison),
     }
     report, numbers = write_page(subject.output, "report.html", document, context)
@@ -122,7 +127,7 @@ def _span(limits: NDArray[np.float64]) -> str:
     return f"{low:g}" if low == high else f"{low:g} to {high:g}"
 
 
-def _failure(comparison: Comparison, failure: Failure, pictures: Pictures) -> dict[str, Any]:
+def _failure(failure: Failure, pictures: Pictures, svg: str) -> dict[str, Any]:
     return {
         "title": f"Command: {words(failure.command)}",
         "seed": failure.seed,
@@ -130,7 +135,7 @@ def _failure(comparison: Comparison, failure: Failure, pictures: Pictures) -> di
         "stills": pictures.stills.get(failure.row),
         "moment": failure.moment,
         "fell": failure.fell_at is not None,
-        "figure": data_url("image/svg+xml", plots.episode(comparison, "policy", failure.row).encode()),
+        "figure": data_url("image/svg+xml", svg.encode()),
     }
 
 
