@@ -113,6 +113,19 @@ class crouch:  # noqa: N801
         return above * above
 
 
+@reward(weight=0.0, unit="m^2", pure=True)
+class high_steps:  # noqa: N801
+    """Sum over the feet of max(0, sole height - 0.01 m)^2: a robot with two feet high tips over them sooner."""
+
+    def __init__(self, context: TaskContext, step_height: Annotated[float, Parameter.length()] = 0.01) -> None:
+        self._allowed = context.xp.constant(step_height)
+
+    def __call__(self, context: TaskContext) -> Any:
+        """Values (N,)."""
+        excess = context.xp.positive(context.sole_height - self._allowed)
+        return context.xp.dot(excess, excess)
+
+
 @reward(weight=-0.5, unit="m^2/s^2", pure=True)
 def vertical_velocity(context: TaskContext) -> Any:
     """v_z^2."""
@@ -211,6 +224,7 @@ REWARDS: Final = cast(
         upright,
         base_height,
         crouch,
+        high_steps,
         vertical_velocity,
         roll_pitch_rate,
         lateral_velocity,

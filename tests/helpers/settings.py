@@ -18,6 +18,7 @@ REWARD_WEIGHTS: Final = {
     "upright": -2.0,
     "base_height": -20.0,
     "crouch": 0.0,
+    "high_steps": 0.0,
     "vertical_velocity": -0.5,
     "roll_pitch_rate": -0.03,
     "lateral_velocity": -0.5,
@@ -38,6 +39,7 @@ REWARD_PARAMETERS: Final = {
     "foot_lift": 0.02,  # m
     "base_height": 0.175,  # m
     "crouch_height": 0.145,  # m
+    "step_height": 0.01,  # m
     "joint_speed_margin": 1.0,  # rad/s
 }
 """Parameters of the built-in reward terms."""

@@ -116,6 +116,16 @@ def test_crouch_begins_above_its_height(height, expected):
 
 
 @pytest.mark.parametrize(
+    ("heights", "expected"),
+    [([-0.001, 0.0, 0.01, 0.005], 0.0), ([0.03, 0.0, 0.0, 0.0], 4e-4), ([0.02, 0.0, -0.02, 0.03], 5e-4)],
+)
+def test_high_steps_begin_above_the_allowed_height(heights, expected):
+    feet = np.zeros((1, 4, 3))
+    feet[0, :, 2] = FOOT_RADIUS + np.array(heights)
+    assert Terms(still_readings(foot_position=feet)).values()["high_steps"] == pytest.approx([expected], abs=1e-12)
+
+
+@pytest.mark.parametrize(
     ("speeds", "expected"), [([4.0, -4.0, 0.0], 0.0), ([5.0, -4.5, 1.0], 1.25), ([6.0, 0, 0], 4.0)]
 )
 def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected):
@@ -126,7 +136,12 @@ def test_joint_speed_begins_a_margin_below_the_motors_top_speed(speeds, expected
 def test_every_term_reads_the_quantity_of_its_name():
     config = TaskConfig(
         reward=RewardConfig(
-            base_height=0.2, crouch_height=0.08, foot_lift=0.02, forward_velocity_std=0.1, yaw_rate_std=0.2
+            base_height=0.2,
+            crouch_height=0.08,
+            foot_lift=0.02,
+            forward_velocity_std=0.1,
+            step_height=0.007,
+            yaw_rate_std=0.2,
         )
     )
     threshold = config.reward.contact_threshold
@@ -159,6 +174,7 @@ def test_every_term_reads_the_quantity_of_its_name():
         "upright": 0.25,
         "base_height": 0.01,
         "crouch": 0.0004,
+        "high_steps": 4 * 0.003**2,
         "vertical_velocity": 0.09,
         "roll_pitch_rate": 5.0,
         "lateral_velocity": 0.04,

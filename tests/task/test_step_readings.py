@@ -27,8 +27,8 @@ CLOCK_RATE = math.tau * CLOCK_FREQUENCY
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
-WEIGHTS = REWARD_WEIGHTS | {"electrical_power": -0.003, "crouch": -300.0}
-"""Of these episodes; the term is off by default."""
+WEIGHTS = REWARD_WEIGHTS | {"electrical_power": -0.003, "crouch": -300.0, "high_steps": -5000.0}
+"""Of these episodes; three terms are off by default."""
 
 
 # --- the task by its docstring ---
@@ -87,9 +87,10 @@ def reward_terms(robot, action, memory, fallen):
     forward, yaw_rate = memory.command
     top_speed = 5.0 - REWARD_PARAMETERS["joint_speed_margin"]
     moving, on_ground = moves(memory.command), robot.foot_force() > REWARD_PARAMETERS["contact_threshold"]
-    clock = contact = slip = 0.0
+    clock = contact = slip = high = 0.0
     for leg in range(4):
         position, velocity, spin = robot.foot(leg)
+        high += max(0.0, position[2] - RADIUS - REWARD_PARAMETERS["step_height"]) ** 2
         missing = max(0.0, 1.0 - (position[2] - RADIUS) / REWARD_PARAMETERS["foot_lift"])
         if moving:
             sine = math.sin(memory.phase + LEG_PHASES[leg])
@@ -107,6 +108,7 @@ def reward_terms(robot, action, memory, fallen):
         "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
         "base_height": max(0.0, REWARD_PARAMETERS["base_height"] - robot.position[2]) ** 2,
         "crouch": max(0.0, robot.position[2] - REWARD_PARAMETERS["crouch_height"]) ** 2,
+        "high_steps": high,
         "vertical_velocity": robot.velocity[2] ** 2,
         "roll_pitch_rate": robot.rates[0] ** 2 + robot.rates[1] ** 2,
         "lateral_velocity": robot.velocity[1] ** 2,
@@ -216,7 +218,7 @@ class Step:
 
 def play(episode):
     config = settings(**episode.config)
-    config["reward"] = {"weights": {name: WEIGHTS[name] for name in ("electrical_power", "crouch")}}
+    config["reward"] = {"weights": {name: WEIGHTS[name] for name in ("electrical_power", "crouch", "high_steps")}}
     env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=config)
     options = None if episode.command is None else {"command": episode.command}
     observation, info = env.reset(seed=episode.seed, options=options)
