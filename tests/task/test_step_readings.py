@@ -27,8 +27,9 @@ CLOCK_RATE = math.tau * CLOCK_FREQUENCY
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
-WEIGHTS = REWARD_WEIGHTS | {"electrical_power": -0.003, "crouch": -300.0, "high_steps": -5000.0}
-"""Of these episodes; three terms are off by default."""
+OFF_BY_DEFAULT = {"electrical_power": -0.003, "crouch": -300.0, "high_steps": -5000.0}
+"""Weights in these episodes of the terms that are off by default."""
+WEIGHTS = REWARD_WEIGHTS | OFF_BY_DEFAULT
 
 
 # --- the task by its docstring ---
@@ -218,7 +219,7 @@ class Step:
 
 def play(episode):
     config = settings(**episode.config)
-    config["reward"] = {"weights": {name: WEIGHTS[name] for name in ("electrical_power", "crouch", "high_steps")}}
+    config["reward"] = {"weights": OFF_BY_DEFAULT}
     env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=config)
     options = None if episode.command is None else {"command": episode.command}
     observation, info = env.reset(seed=episode.seed, options=options)
