@@ -158,13 +158,14 @@ class TestEnv:
 
     def test_lengths_of_the_rewards_are_in_proportion_to_the_stance(self):
         size = ROBOT.stance_height / MINI_QUADRUPED.stance_height
-        expected = {"base_height": size * 0.175, "foot_lift": size * 0.02}
+        built_in = {"base_height": 0.175, "crouch_height": 0.145, "foot_lift": 0.02, "step_height": 0.01}
+        expected = {name: size * length for name, length in built_in.items()}
         defined = TaskConfig(definition=BUILT_IN.with_robot(ROBOT))
         for config in (CONFIG, defined, make(robot=ROBOT).unwrapped.task.config):
             assert {name: config.reward[name] for name in expected} == pytest.approx(expected, rel=1e-12)
             assert config == TaskConfig.from_dict({}, BUILT_IN.with_robot(ROBOT))
         assert CONFIG.for_robot(MINI_QUADRUPED) == TaskConfig()
-        assert (TaskConfig().reward.base_height, TaskConfig().reward.foot_lift) == (0.175, 0.02)
+        assert {name: TaskConfig().reward[name] for name in built_in} == built_in
 
     def test_lengths_that_the_config_gives_are_kept(self):
         given = {"reward": {"base_height": 0.21, "weights": {"upright": -4.0}}}
