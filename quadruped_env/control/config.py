@@ -7,6 +7,8 @@ from typing import Any, Final, Literal, Self
 from quadruped_env._plain import PlainFields, is_finite_number
 from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.gait import COMMANDED, CommandedGait
+from quadruped_env.robot.robot import Robot
 
 ACTION_MODES: Final = ("position", "residual")
 
@@ -45,6 +47,9 @@ class ActionConfig(PlainFields):
     """Change of the joint target per unit of action in `position` mode, rad."""
     residual_scale: float = 0.4
     """Change of the joint target per unit of action in `residual` mode, rad."""
+    gait: Literal["tuned", "low"] = "tuned"
+    """Scripted gait of the `residual` mode. The steps of `low` are low and quick, so that a push tips the robot over
+    less easily; it needs a gait clock of its own frequency, 4 Hz."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -54,11 +59,16 @@ class ActionConfig(PlainFields):
             )
         check(self.position_scale > 0, "action.position_scale", self.position_scale, "positive (rad)")
         check(self.residual_scale > 0, "action.residual_scale", self.residual_scale, "positive (rad)")
+        check(self.gait in tuple(COMMANDED), "action.gait", self.gait, f"one of {', '.join(COMMANDED)}")
 
     @property
     def scale(self) -> float:
         """Change of the joint target per unit of action in the selected mode, rad."""
         return self.residual_scale if self.mode == "residual" else self.position_scale
+
+    def scripted_gait(self, robot: Robot) -> CommandedGait | None:
+        """Gait of a robot to which actions are added; None in `position` mode."""
+        return CommandedGait.preset(self.gait, robot) if self.mode == "residual" else None
 
 
 @dataclass(frozen=True)

@@ -1,18 +1,15 @@
 """A scripted gait whose settings can be changed while it runs."""
 
 from dataclasses import replace
-from typing import Final, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.interface import ControlInterface
-from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.gait import COMMANDED, CommandedGait, SinusoidalGait
 from quadruped_env.gait.settings import GaitSettings, edited
 from quadruped_env.robot.robot import Robot
-
-_COMMANDED: Final = "tuned"
-"""Preset that follows the velocity command; the others ignore it."""
 
 
 @runtime_checkable
@@ -31,7 +28,7 @@ class EditableGaitController:
     """A preset whose settings can be changed at any time without a jump in its phase.
 
     Args:
-        preset: name of the preset; `tuned` follows the velocity command.
+        preset: name of the preset; `tuned` and `low` follow the velocity command.
         robot: robot that walks.
     """
 
@@ -39,7 +36,7 @@ class EditableGaitController:
 
     def __init__(self, preset: str, robot: Robot) -> None:
         self.name = preset
-        self.follows_command = preset == _COMMANDED
+        self.follows_command = preset in COMMANDED
         self._robot = robot
         self._time = 0.0
         """Time in which the gait reaches its current phase at its current frequency, s."""
@@ -86,5 +83,5 @@ class EditableGaitController:
 
     def _preset(self, command: tuple[float, float]) -> SinusoidalGait:
         if self.follows_command:
-            return CommandedGait.tuned(self._robot).at(command)
+            return CommandedGait.preset(self.name, self._robot).at(command)
         return SinusoidalGait.preset(self.name, self._robot)

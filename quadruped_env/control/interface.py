@@ -14,7 +14,7 @@ from quadruped_env.control.config import ControlConfig
 from quadruped_env.control.memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
-from quadruped_env.gait import CommandedGait, joint_phases, wave_positions
+from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.readings import Readings
 from quadruped_env.robot.robot import Robot
 
@@ -82,7 +82,7 @@ class ControlInterface:
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
         self._env_ids, self._ages = xp.arange(num_envs)[:, None], xp.arange(depth)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._gait = CommandedGait.tuned(robot) if config.action.mode == "residual" else None
+        self._gait = config.action.scripted_gait(robot)
         self._joint_phases = joint_phases(robot)
         self._leg_phases = xp.constant(self._joint_phases[None, :: robot.num_joints // robot.num_legs])
         self._joint_phases = xp.constant(self._joint_phases)

@@ -15,13 +15,12 @@ from safetensors import SafetensorError
 from safetensors.numpy import load, save
 
 from quadruped_env._python import program_command
-from quadruped_env.control.config import COMMANDS, Command, ControlConfig
+from quadruped_env.control.config import COMMANDS, ActionConfig, Command, ControlConfig
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.task_file import TASK_FILE, check_task_file, execute, merged, robot_in
 from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.files import write_whole
-from quadruped_env.gait import CommandedGait
 from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
@@ -106,6 +105,7 @@ class Policy:
         for name, expected, found in (
             ("action.mode", own.action.mode, control.action.mode),
             (f"action.{own.action.mode}_scale", own.action.scale, control.action.scale),
+            *([("action.gait", own.action.gait, control.action.gait)] if own.action.mode == "residual" else []),
             ("control_timestep", own.timestep, control.timestep),
             ("clock_frequency", own.clock_frequency, control.clock_frequency),
             ("observation_history", own.observation_history, control.observation_history),
@@ -165,7 +165,7 @@ class Policy:
             "robot": self.robot.identity,
             "observation_layout": ObservationLayout(self.robot, self.fields).document(),
             "action_mode": self.action_mode,
-            "scripted_gait": _gait_document(self.action_mode, self.robot),
+            "scripted_gait": _gait_document(self.control.action, self.robot),
             "control_rate_hz": 1.0 / self.control.timestep,
             "config": self.task,
             "card": self.card,
@@ -178,9 +178,10 @@ def _config_hash(config: Any) -> str:
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
-def _gait_document(action_mode: str, robot: Robot) -> dict[str, Any] | None:
+def _gait_document(action: ActionConfig, robot: Robot) -> dict[str, Any] | None:
     """Scripted gait of a residual policy as JSON values; None for other policies."""
-    return CommandedGait.tuned(robot).parameters() if action_mode == "residual" else None
+    gait = action.scripted_gait(robot)
+    return None if gait is None else gait.parameters()
 
 
 def training_advice() -> str:
@@ -350,7 +351,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
             f"the file is damaged, train again"
         )
     _check_hash(document, "config_sha256", _config_hash(document["config"]), card_path, card_path)
-    if document.get("scripted_gait") != _gait_document(control.action.mode, robot):
+    if document.get("scripted_gait") != _gait_document(control.action, robot):
         raise QuadrupedError(
             f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
             f"train again, or install the version that made it"

@@ -87,7 +87,7 @@ class PolicyInterface:
     @cached_property
     def gait(self) -> CommandedGait | None:
         """The scripted gait to which the actions are added; None for a policy without one."""
-        return CommandedGait.tuned(self.policy.robot) if self.policy.action_mode == "residual" else None
+        return self.policy.control.action.scripted_gait(self.policy.robot)
 
     @property
     def has_clock(self) -> bool:

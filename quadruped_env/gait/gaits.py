@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env._plain import plain
 from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait.presets import ARTICLE, LEG_PHASES, PRESETS, TUNED, TUNED_FOR_ONE_SPEED, TUNED_ON, LegTable
+from quadruped_env.gait.presets import ARTICLE, COMMANDED, LEG_PHASES, PRESETS, TUNED_FOR_ONE_SPEED, TUNED_ON, LegTable
 from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positions
 from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -84,13 +84,13 @@ class SinusoidalGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
         """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
-        `tuned` is `CommandedGait` at 0.4 m/s straight ahead.
+        `tuned` and `low` are those of `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
-        if name == "tuned":
-            return CommandedGait.tuned(robot).at((0.4, 0.0))
+        if name in COMMANDED:
+            return CommandedGait.preset(name, robot).at((0.4, 0.0))
         if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
@@ -284,13 +284,26 @@ class CommandedGait:
         return waves
 
     @classmethod
+    def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
+        """A gait whose tables `train/tune_gait.py` found, `tuned` or `low`, mapped to a robot.
+
+        Raises:
+            QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
+        """
+        if name not in COMMANDED:
+            raise QuadrupedError(
+                f"CommandedGait.preset: {name!r} follows no command; those that do are {', '.join(COMMANDED)}"
+            )
+        return _commanded(name, robot)
+
+    @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """The gait whose tables `train/tune_gait.py` found, mapped to a robot.
+        """The preset `tuned`, mapped to a robot.
 
         Raises:
             QuadrupedError: if the scripted gaits do not fit the robot.
         """
-        return _tuned(robot)
+        return cls.preset("tuned", robot)
 
     def parameters(self) -> dict[str, Any]:
         """The numbers of the gait as plain values for JSON."""
@@ -338,5 +351,5 @@ class CommandedGait:
 
 
 @functools.cache
-def _tuned(robot: Robot) -> CommandedGait:
-    return CommandedGait(**TUNED, robot=robot)
+def _commanded(name: str, robot: Robot) -> CommandedGait:
+    return CommandedGait(**COMMANDED[name], robot=robot)

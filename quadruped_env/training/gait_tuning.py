@@ -20,10 +20,6 @@ from quadruped_env.training.gait_trial import ROBOT, Achieved, measure, trials
 
 CANDIDATES: Final = 40
 ELITE: Final = 8
-CLEARANCE: Final = 0.015
-"""Height that every sole must reach in every stride, m."""
-HIGH_STEP: Final = 0.035
-"""Height that no sole needs to reach, m."""
 _STRAIGHT_SPREAD: Final = 0.04
 _TURN_SPREAD: Final = 0.1
 """Standard deviation of the first generation, see `search`."""
@@ -54,6 +50,47 @@ _TURNING: Final = np.array(
     ]
 )
 """Where the search of the turns starts: on the spot, with higher and longer steps outside"""
+
+
+class Style(NamedTuple):
+    """Steps that a search looks for, and its course."""
+
+    least_lift: float
+    """Height that every sole must reach in every stride, m."""
+    most_lift: float
+    """Height that no sole needs to reach, m."""
+    excess_cost: float
+    """Cost of the mean height of the highest sole beyond that, 1/m."""
+    turning: NDArray[np.float64]
+    """Where the search of the turns starts, (2, 2, 6)."""
+    speeds: tuple[float, ...]
+    """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
+    result."""
+    turning_speeds: tuple[float, ...]
+    """The same for turns."""
+
+
+STYLES: Final = {
+    "tuned": Style(
+        0.015,
+        0.035,
+        100.0,
+        _TURNING,
+        (0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65, 0.65),
+        (0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2),
+    ),
+    # A robot that is pushed with two feet in the air tips over them, the less the lower they are. From the high steps
+    # of the other gait's turns the search does not come down.
+    "low": Style(
+        0.005,
+        0.008,
+        4000.0,
+        _NO_TURN,
+        (0.3, 0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65),
+        (0.0, 0.0, 0.0, 0.1, 0.3, 0.5, -0.2),
+    ),
+}
+"""By name of the gait that is searched."""
 _FASTER: Final = np.array([[-0.1, 0.0, 0.1, 0.0, 0.0, 0.35], [-0.35, 0.0, -0.3, 0.0, 0.0, 0.8]])
 """About what 1 m/s more changes"""
 _SIDES: Final = np.array([-1.0, 1.0, -1.0, 1.0])
@@ -137,6 +174,7 @@ def search(
     generations: int,
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
+    style: Style = STYLES["tuned"],
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
@@ -151,6 +189,7 @@ def search(
         seed: of the search.
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
+        style: height of the steps.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -184,9 +223,9 @@ def search(
                 + 2.0 * got.lift
                 # Feet that bounce, and feet that never land.
                 - 30.0 * got.touchdown_error
-                - 600.0 * np.maximum(0.0, CLEARANCE - got.clearance)
+                - 600.0 * np.maximum(0.0, style.least_lift - got.clearance)
                 # High steps are fast and clean, and a robot that hops falls.
-                - 100.0 * np.maximum(0.0, got.highest - HIGH_STEP)
+                - style.excess_cost * np.maximum(0.0, got.highest - style.most_lift)
                 - 10.0 * got.fallen
             )
             .reshape(len(yaw_rates), CANDIDATES)
@@ -211,6 +250,7 @@ def tune_commanded_gait(
     yaw_rates: tuple[float, ...],
     generations: int,
     say: Log,
+    style: Style = STYLES["tuned"],
 ) -> CommandedGait:
     """The tables of `CommandedGait` for the given yaw rates, rad/s, and speeds, m/s, in the order of the searches.
 
@@ -224,7 +264,7 @@ def tune_commanded_gait(
         near = _nearest(speed, straight)
         legs = _START if near is None else straight[near] + (speed - near) * _FASTER
         start = np.concatenate([[legs], _NO_TURN])
-        found = search(speed, angular_frequency, LEG_PHASES["trot"], start, _STRAIGHT_SPREAD, generations)
+        found = search(speed, angular_frequency, LEG_PHASES["trot"], start, _STRAIGHT_SPREAD, generations, style=style)
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
         straight[speed] = found.candidate[0]
         # A few mm/s are missing after the search: the table has the speed that the gait reaches.
@@ -232,7 +272,7 @@ def tune_commanded_gait(
     turning: dict[float, NDArray[np.float64]] = {}
     for speed in turning_speeds:
         near = _nearest(speed, turning)
-        start = np.concatenate([[straight[speed]], _TURNING if near is None else turning[near]])
+        start = np.concatenate([[straight[speed]], style.turning if near is None else turning[near]])
         found = search(
             reached[speed],
             angular_frequency,
@@ -241,6 +281,7 @@ def tune_commanded_gait(
             _TURN_SPREAD,
             generations,
             yaw_rates=yaw_rates,
+            style=style,
         )
         say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
         turning[speed] = found.candidate[1:]

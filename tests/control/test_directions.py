@@ -111,7 +111,7 @@ def test_controller_at_a_standing_command_stays_where_it_is(make):
 
 @pytest.mark.parametrize(
     ("preset", "speed"),
-    [("article", 0.0), ("trot", 0.4), ("walk", 0.25), ("bound", 0.35), ("pace", 0.3), ("tuned", 0.4)],
+    [("article", 0.0), ("trot", 0.4), ("walk", 0.25), ("bound", 0.35), ("pace", 0.3), ("tuned", 0.4), ("low", 0.4)],
 )
 def test_gait_preset_walks_straight_ahead_under_any_command(preset, speed):
     assert preset in PRESETS

@@ -97,6 +97,13 @@ def other_robots_policy(mode):
     return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 
+def low_stepping_policy():
+    """A policy on top of the gait with low steps."""
+    policy = random_policy("residual")
+    task = TaskConfig(action=ActionConfig(mode="residual", gait="low"), clock_frequency=4.0)
+    return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
+
+
 def following_policy(mode):
     """A policy whose clock is the faster the faster it is commanded to walk."""
     policy = random_policy(mode)
@@ -109,6 +116,7 @@ POLICIES = {
     "shipped": lambda: load_policy("flat"),
     "position": lambda: random_policy("position"),
     "residual": lambda: random_policy("residual"),
+    "low steps, residual": low_stepping_policy,
     "elu, other rate": lambda: make_policy("elu"),
     "tanh": lambda: make_policy("tanh"),
     "relu, one layer": lambda: make_policy("relu", (24,)),

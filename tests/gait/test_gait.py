@@ -144,8 +144,10 @@ def test_a_gait_exactly_at_a_limit_is_within_it():
 
 
 def test_unknown_preset_names_the_valid_ones():
-    with pytest.raises(QuadrupedError, match=r"'gallop'.*article, trot, walk, bound, pace, tuned"):
+    with pytest.raises(QuadrupedError, match=r"'gallop'.*article, trot, walk, bound, pace, tuned, low"):
         SinusoidalGait.preset("gallop")
+    with pytest.raises(QuadrupedError, match=r"'trot' follows no command; those that do are tuned, low"):
+        CommandedGait.preset("trot")
 
 
 @pytest.mark.parametrize(
@@ -186,10 +188,11 @@ def test_gaits_are_equal_by_their_parameters_and_do_not_change():
 # --- the tuned gait ---
 
 
-def test_the_tuned_preset_is_the_tuned_gait_straight_ahead():
-    t = np.linspace(0, 1, 20)
-    expected = TUNED.positions(TUNED.angular_frequency * t, np.tile([0.4, 0.0], (20, 1)))
-    np.testing.assert_allclose(SinusoidalGait.preset("tuned").positions(t), expected, atol=1e-12)
+@pytest.mark.parametrize("name", ["tuned", "low"])
+def test_presets_that_follow_a_command_have_that_of_0_4_m_s_straight_ahead(name):
+    t, gait = np.linspace(0, 1, 20), CommandedGait.preset(name)
+    expected = gait.positions(gait.angular_frequency * t, np.tile([0.4, 0.0], (20, 1)))
+    np.testing.assert_allclose(SinusoidalGait.preset(name).positions(t), expected, atol=1e-12)
 
 
 def test_the_plain_gait_for_a_command_is_the_commanded_one():

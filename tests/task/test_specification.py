@@ -15,7 +15,7 @@ CONFIG = {
     "physics_timestep": 0.005,
     "clock_frequency": CLOCK_FREQUENCY,
     "observation_history": 1,
-    "action": {"mode": "position", "position_scale": 0.6, "residual_scale": 0.4},
+    "action": {"mode": "position", "position_scale": 0.6, "residual_scale": 0.4, "gait": "tuned"},
     "command": {
         "forward_velocity": [-0.3, 0.6],
         "yaw_rate": [-0.8, 0.8],

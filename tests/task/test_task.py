@@ -193,10 +193,12 @@ def test_an_action_scales_around_the_stance_and_is_clipped_to_one():
     np.testing.assert_allclose(env.data.ctrl, STANCE + 0.2 * unit, rtol=1e-12)
 
 
+@pytest.mark.parametrize("name", ["tuned", "low"])
 @pytest.mark.parametrize("command", [(0.0, 0.0), (0.3, 0.0), (-0.2, 0.3), (0.1, -0.5)])
-def test_a_zero_action_in_residual_mode_is_exactly_the_tuned_gait(command):
-    env = make_env(fixed_command=command, action=ActionConfig(mode="residual"), termination=NEVER_FALLS)
-    gait = CommandedGait.tuned()
+def test_a_zero_action_in_residual_mode_is_exactly_the_scripted_gait(command, name):
+    action = ActionConfig(mode="residual", gait=name)
+    env = make_env(fixed_command=command, action=action, termination=NEVER_FALLS)
+    gait = CommandedGait.preset(name)
     targets = []
     for _ in range(40):
         env.step(np.zeros(8))

@@ -12,35 +12,48 @@ from quadruped_env.gait import LEG_PHASES
 from quadruped_env.training import gait_trial, gait_tuning
 
 TUNED = CommandedGait.tuned()
-TABLE = np.array([(speed, 0.0) for speed in TUNED.speeds if speed != 0.0])
-"""At zero the commanded gait stands"""
+LOW = CommandedGait.preset("low")
 TURN_COMMANDS = np.array(
     [(speed, side * yaw_rate) for speed in (0.0, 0.2, -0.2) for yaw_rate in (0.4, 0.7) for side in (1, -1)]
 )
 
 
+def table(gait):
+    """Commands at the speeds of a gait's table; at zero the gait stands."""
+    return np.array([(speed, 0.0) for speed in gait.speeds if speed != 0.0])
+
+
 @pytest.fixture(scope="module")
 def walked():
-    return gait_tuning.measure_commands(TUNED, TABLE)
+    """Results of the gaits `tuned` and `low` at the speeds of their tables."""
+    return {gait: gait_tuning.measure_commands(gait, table(gait)) for gait in (TUNED, LOW)}
 
 
 # A walking robot is chaotic: on another processor some starts lead to another stride, a few of them to feet that drag.
 
 
-def test_the_tuned_gait_walks_at_the_speeds_of_its_table(walked):
-    error = np.abs(walked.forward_velocity - TABLE[:, 0])
+@pytest.mark.parametrize("gait", [TUNED, LOW], ids=["tuned", "low"])
+def test_gaits_walk_at_the_speeds_of_their_tables(walked, gait):
+    got = walked[gait]
+    error = np.abs(got.forward_velocity - table(gait)[:, 0])
     assert np.median(error) < 0.005
     assert error.max() < 0.04
-    assert abs(walked.lateral_velocity).max() < 0.01
-    assert abs(walked.yaw_rate).max() < 0.02  # nothing holds the heading
-    assert not walked.fallen.any()
+    assert abs(got.lateral_velocity).max() < 0.01
+    assert abs(got.yaw_rate).max() < 0.02  # nothing holds the heading
+    assert not got.fallen.any()
 
 
-def test_the_tuned_gait_lifts_every_foot(walked):
-    assert np.quantile(walked.clearance, 0.25) > 0.010
-    assert walked.clock.min() > 0.45
-    assert np.median(walked.touchdown_error) < 0.2
-    assert walked.touchdown_error.max() < 0.5
+@pytest.mark.parametrize(("gait", "least"), [(TUNED, 0.010), (LOW, 0.004)], ids=["tuned", "low"])
+def test_gaits_lift_every_foot(walked, gait, least):
+    got = walked[gait]
+    assert np.quantile(got.clearance, 0.25) > least
+    assert got.clock.min() > 0.45
+    assert np.median(got.touchdown_error) < 0.2
+    assert got.touchdown_error.max() < 0.5
+
+
+def test_the_low_gait_lifts_no_foot_higher_than_a_centimetre_or_so(walked):
+    assert walked[LOW].highest.max() < 0.012 < walked[TUNED].highest.min()
 
 
 def test_a_standing_robot_has_its_feet_on_the_ground():

@@ -2,11 +2,12 @@
 
 import dataclasses
 import json
+import math
 
 import pytest
 from trainings import SMALL, learn
 
-from quadruped_env import QuadrupedError
+from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.cli.main import make_parser
 from quadruped_env.control import CommandedFrequency
 from quadruped_env.policies import load_policy
@@ -45,16 +46,20 @@ def test_recipes_are_what_their_names_say(asked):
     flat, robust, rough, fast = (task_of(asked("--recipe", name)) for name in ("flat", "robust", "rough", "fast"))
     assert flat.randomization == RandomizationConfig(friction=(0.6, 1.0)), "and nothing else"
     assert dataclasses.replace(flat, randomization=TaskConfig().randomization) == TaskConfig()
-    assert robust.randomization == RandomizationConfig(preset="hard")
-    assert robust.randomization.push_speed is not None
-    assert robust.reward.weights.fall == 40.0 * TaskConfig().reward.weights.fall
+    pushes = {"push_speed": (0.5, 1.0), "push_interval": (1.0, 2.0)}
+    assert robust.randomization == RandomizationConfig(preset="hard", **pushes)
+    assert robust.reward.weights.fall < TaskConfig().reward.weights.fall
+    assert robust.reward.weights.high_steps < 0.0
+    low = CommandedGait.preset("low")
+    assert robust.action.gait == "low"
+    assert robust.clock_frequency == pytest.approx(low.angular_frequency / math.tau)
     assert (rough.terrain.name, rough.terrain.curriculum) == ("tiles", True)
     assert rough.randomization == RandomizationConfig(preset="moderate")
     default = TaskConfig().command
     assert fast.command.forward_velocity[1] > default.forward_velocity[1]
     assert fast.command.yaw_rate[1] > default.yaw_rate[1]
     assert isinstance(fast.clock_frequency, CommandedFrequency)
-    assert robust.clock_frequency == rough.clock_frequency == 2.6
+    assert rough.clock_frequency == 2.6
     critics = {name: asked("--recipe", name).asymmetric_critic for name in RECIPES}
     assert critics == {"flat": True, "robust": True, "rough": True, "fast": False}
 
