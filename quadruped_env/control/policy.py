@@ -30,7 +30,7 @@ TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
 CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
-SHIPPED: Final = ("flat", "rough")
+SHIPPED: Final = ("flat", "robust", "rough")
 """Names of the policies that the package has; the first is the default."""
 
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
@@ -244,7 +244,7 @@ def load_terms(path: str | os.PathLike[str]) -> Terms:
 
 
 def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
-    """Load a shipped policy by name (`flat`, `rough`), or the policy in the directory of a training run.
+    """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed. A file of terms that a run names is not executed; pass its terms in `terms`.

@@ -135,7 +135,7 @@ class Policy(control_policy.Policy):
 
 
 def load_policy(source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None) -> Policy:
-    """Load a shipped policy by name (`flat`, `rough`), or the policy in the directory of a training run.
+    """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed.

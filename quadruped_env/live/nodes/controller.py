@@ -20,8 +20,9 @@ from typing import Any, Final
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy import Terms, load_policy, load_terms
+from quadruped_env.control.policy import SHIPPED, Terms, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import PRESETS
 from quadruped_env.live.messages.commands import CommandWriter, positions_message
 from quadruped_env.live.messages.imu import Imu, read_imu
 from quadruped_env.live.messages.joints import JointReader, Joints
@@ -47,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         default="flat",
         metavar="POLICY",
-        help="'flat', 'rough', a run directory, or a scripted gait: tuned, trot, walk, bound or pace (%(default)s)",
+        help=f"{', '.join(SHIPPED)}, a run directory, or a scripted gait: {', '.join(PRESETS)} (%(default)s)",
     )
     parser.add_argument(
         "--arrays",
