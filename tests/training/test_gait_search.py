@@ -387,13 +387,30 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-def test_search_wants_every_foot_lifted_by_15_mm_and_no_more(monkeypatch):
+@pytest.mark.parametrize(("style", "height"), [("tuned", 0.015), ("low", 0.005)])
+def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, style, height):
     def quantities(given, _):
-        return {"clearance": 0.01 + 0.1 * hip_offset(given), "tilt": 0.1 * hip_offset(given)}
+        # Tilt speaks for less.
+        return {"clearance": height - 0.005 + 0.1 * hip_offset(given), "tilt": 0.1 * hip_offset(given)}
 
     Trials(monkeypatch, quantities)
-    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20)
-    assert found.achieved.clearance[0] == pytest.approx(0.015, abs=2e-4), "tilt speaks for less"
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, style=gait_tuning.STYLES[style])
+    assert found.achieved.clearance[0] == pytest.approx(height, abs=2e-4)
+
+
+def test_search_for_low_steps_wants_no_foot_lifted_beyond_8_mm(monkeypatch):
+    def quantities(given, _):
+        # Agreement with the clock speaks for more.
+        return {"highest": 0.01 + 0.1 * hip_offset(given), "clock": hip_offset(given)}
+
+    Trials(monkeypatch, quantities)
+    start = candidate_of([0.0, 0.3, 0.0, 0.0, -0.7])
+    low, tuned = (
+        gait_tuning.search(0.0, 10.0, TROT, start, 0.15, 20, style=gait_tuning.STYLES[name]).achieved.highest[0]
+        for name in ("low", "tuned")
+    )
+    assert low == pytest.approx(0.008, abs=2e-4)
+    assert tuned > 0.03
 
 
 @pytest.mark.parametrize(("worth", "wanted"), [(0.1 / 0.035, 0.1), (0.1 / 0.045, 0.0)])

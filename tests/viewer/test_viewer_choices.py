@@ -11,6 +11,7 @@ from viewing import DT, now, robot
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.episode import publish
+from quadruped_env.gait import COMMANDED
 from quadruped_env.policies import ControllerSpec, ZeroController
 from quadruped_env.reporting import palette
 from quadruped_env.robot import MINI_QUADRUPED
@@ -147,7 +148,7 @@ def test_the_command_is_offered_if_a_robot_follows_it(control, tmp_path):
         assert controller.view().robots[0].follows_command is follows[name]
     assert {name for name, command in follows.items() if command} == {
         *(f"policy {name}" for name in SHIPPED),
-        "gait tuned",
+        *(f"gait {name}" for name in COMMANDED),
     }
     controller.set_source(0, "gait article")
     controller.set_source(1, "gait tuned")

@@ -9,6 +9,7 @@ from viewing import DT, joint_targets, now, robot
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.control.policy import CARD_FILE, SHIPPED
 from quadruped_env.evaluation.episode import publish
+from quadruped_env.gait import PRESETS
 from quadruped_env.policies import find_controllers, load_policy
 from quadruped_env.viewer.lineup import MAX_ROBOTS, RANDOMIZATIONS
 
@@ -23,7 +24,7 @@ def recording(tmp_path):
 
 def test_every_source_plays(control, recording):
     controller = control(asked=[str(recording)])
-    assert len(controller.sources) == 8 + len(SHIPPED)
+    assert len(controller.sources) == 2 + len(PRESETS) + len(SHIPPED)
     for name in controller.sources:
         controller.set_source(0, name)
         controller.set_command(0.3, 0.0)
