@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=None,
         metavar="HZ",
-        help="gait cycles per second (default: those of the preset)",
+        help="gait cycles per second (default: 2.6 for tuned, 4 for low)",
     )
     parser.add_argument(
         "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"
@@ -50,8 +50,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     gait = tune_commanded_gait(
         preset.angular_frequency if arguments.frequency is None else math.tau * arguments.frequency,
-        style.speeds,
-        style.turning_speeds,
         yaw_rates=(0.25, 0.5, 0.8),
         generations=arguments.generations,
         say=log,

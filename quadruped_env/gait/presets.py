@@ -234,7 +234,7 @@ LOW: Final[dict[str, Any]] = {
     ),
 }
 # fmt: on
-"""Parameters of the `CommandedGait` whose steps are low and quick, found with a lower `HIGH_STEP` of the search."""
+"""Parameters of the `CommandedGait` with low and quick steps."""
 
 COMMANDED: Final = MappingProxyType({"tuned": TUNED, "low": LOW})
 """Presets of `CommandedGait`, which follow a velocity command."""

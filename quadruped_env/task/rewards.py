@@ -115,7 +115,7 @@ class crouch:  # noqa: N801
 
 @reward(weight=0.0, unit="m^2", pure=True)
 class high_steps:  # noqa: N801
-    """Sum over the feet of max(0, sole height - 0.01 m)^2: the higher two feet are, the sooner a push tips it over."""
+    """Sum over the feet of max(0, sole height - 0.01 m)^2: the higher its feet, the sooner a push tips the robot."""
 
     def __init__(self, context: TaskContext, step_height: Annotated[float, Parameter.length()] = 0.01) -> None:
         self._allowed = context.xp.constant(step_height)

@@ -79,8 +79,8 @@ STYLES: Final = {
         (0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65, 0.65),
         (0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2),
     ),
-    # A robot that is pushed with two feet in the air tips over them, the less the lower they are. From the high steps
-    # of the other gait's turns the search does not come down.
+    # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. From the
+    # turns of the other gait, whose steps are high, the search does not find low ones.
     "low": Style(
         0.005,
         0.008,
@@ -189,7 +189,7 @@ def search(
         seed: of the search.
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
-        style: height of the steps.
+        style: steps that are looked for.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -245,14 +245,12 @@ def search(
 
 def tune_commanded_gait(
     angular_frequency: float,
-    speeds: tuple[float, ...],
-    turning_speeds: tuple[float, ...],
     yaw_rates: tuple[float, ...],
     generations: int,
     say: Log,
     style: Style = STYLES["tuned"],
 ) -> CommandedGait:
-    """The tables of `CommandedGait` for the given yaw rates, rad/s, and speeds, m/s, in the order of the searches.
+    """The tables of `CommandedGait` for the given yaw rates, rad/s, and the speeds of a style.
 
     Each search starts from the result of its neighbour, so that the tables are smooth: first the straight gaits of all
     speeds, then what turning changes in those for turning. The neighbour is the nearest of the speeds that were
@@ -260,7 +258,7 @@ def tune_commanded_gait(
     """
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
-    for speed in speeds:
+    for speed in style.speeds:
         near = _nearest(speed, straight)
         legs = _START if near is None else straight[near] + (speed - near) * _FASTER
         start = np.concatenate([[legs], _NO_TURN])
@@ -270,7 +268,7 @@ def tune_commanded_gait(
         # A few mm/s are missing after the search: the table has the speed that the gait reaches.
         reached[speed] = round(float(found.achieved.forward_velocity[0]), 3) if speed else 0.0
     turning: dict[float, NDArray[np.float64]] = {}
-    for speed in turning_speeds:
+    for speed in style.turning_speeds:
         near = _nearest(speed, turning)
         start = np.concatenate([[straight[speed]], style.turning if near is None else turning[near]])
         found = search(

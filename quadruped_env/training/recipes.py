@@ -50,7 +50,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             # With more exploration the policy gives up walking: a robot that stands does not fall.
             {"hidden": (128, 128), "log_std_init": -3.0, "final_log_std": -4.5},
             {
-                # A robot that is pushed with two feet in the air tips over them, the less the lower they are.
+                # A push that catches two feet in the air tips the robot over the more easily, the higher they are.
                 "action": {"gait": "low"},
                 "clock_frequency": 4.0,
                 # More pushes than in the preset: in 20 s most robots survive those.

@@ -48,7 +48,7 @@ def test_recipes_are_what_their_names_say(asked):
     assert dataclasses.replace(flat, randomization=TaskConfig().randomization) == TaskConfig()
     pushes = {"push_speed": (0.5, 1.0), "push_interval": (1.0, 2.0)}
     assert robust.randomization == RandomizationConfig(preset="hard", **pushes)
-    assert robust.reward.weights.fall < TaskConfig().reward.weights.fall
+    assert robust.reward.weights.fall == 6.0 * TaskConfig().reward.weights.fall
     assert robust.reward.weights.high_steps < 0.0
     low = CommandedGait.preset("low")
     assert robust.action.gait == "low"
