@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=None,
         metavar="HZ",
-        help="gait cycles per second (default: 2.6 for tuned, 4 for low)",
+        help="gait cycles per second (default: 3.6 for tuned, 5 for low)",
     )
     parser.add_argument(
         "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"

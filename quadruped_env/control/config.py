@@ -49,7 +49,7 @@ class ActionConfig(PlainFields):
     """Change of the joint target per unit of action in `residual` mode, rad."""
     gait: Literal["tuned", "low"] = "tuned"
     """Scripted gait of the `residual` mode. The steps of `low` are low and quick, so that a push tips the robot over
-    less easily; it needs a gait clock of its own frequency, 4 Hz."""
+    less easily; it needs a gait clock of its own frequency, 5 Hz."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -101,7 +101,7 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: Frequency = 2.6
+    clock_frequency: Frequency = 3.6
     """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
     observation_history: int = 1
     """Control steps whose observations a policy gets at once."""

@@ -261,18 +261,35 @@ class CommandedGait:
 
     def __post_init__(self) -> None:
         legs = corners(self.robot)
-        sides = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
-        # A wider robot's feet are moved farther by the same yaw rate.
-        width = 1.0 if self.robot == TUNED_ON else half_track(self.robot) / half_track(TUNED_ON)
         straight = self._waves_of(self.fore, self.hind, legs)
-        turn = width * self._waves_of(self.fore_turn, self.hind_turn, legs)
-        side = width * self._waves_of(self.fore_side, self.hind_side, legs) * sides
-        mapped = map_waves(self.robot, *straight)
-        object.__setattr__(self, "straight", mapped)
-        for name, change in (("turn", turn), ("side", side)):
-            changed = map_waves(self.robot, *(straight + change))
-            object.__setattr__(self, name, tuple(a - b for a, b in zip(changed, mapped, strict=True)))
+        turn = self._waves_of(self.fore_turn, self.hind_turn, legs)
+        side = self._waves_of(self.fore_side, self.hind_side, legs)
+        if self.robot != TUNED_ON:
+            straight, turn, side = self._mapped(straight, turn, side)
+        right = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
+        for name, waves in (("straight", straight), ("turn", turn), ("side", side * right)):
+            object.__setattr__(self, name, tuple(waves))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
+
+    def _mapped(
+        self, straight: NDArray[np.float64], turn: NDArray[np.float64], side: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Waves of the tuned robot (3, K, J), of the sides those on the right, mapped to the gait's robot.
+
+        Every leg is mapped as one on the outer and as one on the inner side of the largest turn, so that a turn to the
+        right is the mirror image of one to the left.
+        """
+        # A wider robot's feet are moved farther by the same yaw rate.
+        width = half_track(self.robot) / half_track(TUNED_ON)
+        ahead, outer, inner = (
+            np.array(map_waves(self.robot, *(straight + width * self.largest_yaw_rate * change)))
+            for change in (0.0 * turn, turn + side, turn - side)
+        )
+        return (
+            ahead,
+            (0.5 * (outer + inner) - ahead) / self.largest_yaw_rate,
+            0.5 * (outer - inner) / self.largest_yaw_rate,
+        )
 
     def _waves_of(self, fore: LegTable, hind: LegTable, legs: tuple[int, ...]) -> NDArray[np.float64]:
         """Sine part, cosine part and offset of all joints at all speeds (3, K, J), rad, of the tuned robot."""

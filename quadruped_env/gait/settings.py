@@ -11,7 +11,7 @@ from quadruped_env.gait.gaits import SinusoidalGait
 
 AMPLITUDES: Final = (0.0, 2.0)
 """Range of the amplitude, as a multiple of the preset's."""
-FREQUENCIES: Final = (0.1, 4.0)
+FREQUENCIES: Final = (0.1, 6.0)
 """Range of the frequency, Hz."""
 
 

@@ -52,8 +52,22 @@ _TURNING: Final = np.array(
 """Where the search of the turns starts: on the spot, with higher and longer steps outside"""
 
 
-class Style(NamedTuple):
-    """Steps that a search looks for, and its course."""
+_LOW_START: Final = np.array(
+    [[0.1742, 1.1511, 0.0198, -0.176, -1.2863, 0.0772], [0.0934, 1.1109, -0.0436, -0.1856, -1.3473, 0.1557]]
+)
+"""Where the search of the gait with low steps starts: what it found before at 4 Hz, from `_START`"""
+_LOW_TURNING: Final = np.array(
+    [
+        [[-0.1823, -0.0806, -0.1216, 0.3254, 0.1646, 0.1097], [-0.1073, -0.0631, -0.028, 0.0143, -0.099, 0.0083]],
+        [[-0.0627, -0.0227, 0.0226, -0.067, -0.0202, 0.0152], [0.0186, 0.0981, 0.0878, -0.047, -0.0002, 0.0675]],
+    ]
+)
+"""Where the search of its turns starts: what it found before at 4 Hz, from a gait that does not turn. From turns with
+high steps it finds no low ones."""
+
+
+class Steps(NamedTuple):
+    """Steps that a search looks for."""
 
     least_lift: float
     """Height that every sole must reach in every stride, m."""
@@ -61,33 +75,68 @@ class Style(NamedTuple):
     """Height that no sole needs to reach, m."""
     excess_cost: float
     """Cost of the mean height of the highest sole beyond that, 1/m."""
-    turning: NDArray[np.float64]
-    """Where the search of the turns starts, (2, 2, 6)."""
+
+
+class Course(NamedTuple):
+    """Searches of a gait at several speeds."""
+
+    steps: Steps
+    start: NDArray[np.float64]
+    """Where the first search starts: (2, 6), or (2, 2, 6) for turns."""
     speeds: tuple[float, ...]
     """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
     result."""
-    turning_speeds: tuple[float, ...]
-    """The same for turns."""
+    more_generations: int = 0
+    """Generations beyond those that are asked for."""
+    spread_again: float = 1.0
+    """Spread of the first generation where a search starts from its own result, as a share of that of the others."""
+
+    def share_of_spread(self, again: bool) -> float:
+        """Share of the first generation's spread, `again` if the search starts from its own result."""
+        return self.spread_again if again else 1.0
 
 
+class Style(NamedTuple):
+    """Courses of the searches for a commanded gait."""
+
+    straight: Course
+    turns: Course
+
+
+_HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
 STYLES: Final = {
     "tuned": Style(
-        0.015,
-        0.035,
-        100.0,
-        _TURNING,
-        (0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65, 0.65),
-        (0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2),
+        Course(
+            Steps(0.014, 0.016, 2000.0),
+            _START,
+            (0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.3, 0.3, 0.4, 0.5, 0.5, 0.58, 0.65),
+            more_generations=2,
+            spread_again=0.7,
+        ),
+        # Turns need higher steps.
+        Course(
+            _HIGH_STEPS,
+            _TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
+            more_generations=2,
+            spread_again=0.6,
+        ),
     ),
-    # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. From the
-    # turns of the other gait, whose steps are high, the search does not find low ones.
+    # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. To turn,
+    # the outer feet have to be higher.
     "low": Style(
-        0.005,
-        0.008,
-        4000.0,
-        _NO_TURN,
-        (0.3, 0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65),
-        (0.0, 0.0, 0.0, 0.1, 0.3, 0.5, -0.2),
+        Course(
+            Steps(0.004, 0.006, 4000.0),
+            _LOW_START,
+            (0.3, 0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65),
+        ),
+        Course(
+            Steps(0.004, 0.009, 2000.0),
+            _LOW_TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
+            more_generations=2,
+            spread_again=0.6,
+        ),
     ),
 }
 """By name of the gait that is searched."""
@@ -174,7 +223,7 @@ def search(
     generations: int,
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
-    style: Style = STYLES["tuned"],
+    steps: Steps = _HIGH_STEPS,
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
@@ -189,7 +238,7 @@ def search(
         seed: of the search.
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
-        style: steps that are looked for.
+        steps: what every step should be like.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -223,9 +272,9 @@ def search(
                 + 2.0 * got.lift
                 # Feet that bounce, and feet that never land.
                 - 30.0 * got.touchdown_error
-                - 600.0 * np.maximum(0.0, style.least_lift - got.clearance)
+                - 600.0 * np.maximum(0.0, steps.least_lift - got.clearance)
                 # High steps are fast and clean, and a robot that hops falls.
-                - style.excess_cost * np.maximum(0.0, got.highest - style.most_lift)
+                - steps.excess_cost * np.maximum(0.0, got.highest - steps.most_lift)
                 - 10.0 * got.fallen
             )
             .reshape(len(yaw_rates), CANDIDATES)
@@ -258,28 +307,39 @@ def tune_commanded_gait(
     """
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
-    for speed in style.speeds:
+    course = style.straight
+    for speed in course.speeds:
         near = _nearest(speed, straight)
-        legs = _START if near is None else straight[near] + (speed - near) * _FASTER
+        legs = course.start if near is None else straight[near] + (speed - near) * _FASTER
         start = np.concatenate([[legs], _NO_TURN])
-        found = search(speed, angular_frequency, LEG_PHASES["trot"], start, _STRAIGHT_SPREAD, generations, style=style)
+        spread = _STRAIGHT_SPREAD * course.share_of_spread(speed in straight)
+        found = search(
+            speed,
+            angular_frequency,
+            LEG_PHASES["trot"],
+            start,
+            spread,
+            generations + course.more_generations,
+            steps=course.steps,
+        )
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
         straight[speed] = found.candidate[0]
         # A few mm/s are missing after the search: the table has the speed that the gait reaches.
         reached[speed] = round(float(found.achieved.forward_velocity[0]), 3) if speed else 0.0
     turning: dict[float, NDArray[np.float64]] = {}
-    for speed in style.turning_speeds:
+    course = style.turns
+    for speed in course.speeds:
         near = _nearest(speed, turning)
-        start = np.concatenate([[straight[speed]], style.turning if near is None else turning[near]])
+        start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
         found = search(
             reached[speed],
             angular_frequency,
             LEG_PHASES["trot"],
             start,
-            _TURN_SPREAD,
-            generations,
+            _TURN_SPREAD * course.share_of_spread(speed in turning),
+            generations + course.more_generations,
             yaw_rates=yaw_rates,
-            style=style,
+            steps=course.steps,
         )
         say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
         turning[speed] = found.candidate[1:]

@@ -100,7 +100,7 @@ def other_robots_policy(mode):
 def low_stepping_policy():
     """A policy on top of the gait with low steps."""
     policy = random_policy("residual")
-    task = TaskConfig(action=ActionConfig(mode="residual", gait="low"), clock_frequency=4.0)
+    task = TaskConfig(action=ActionConfig(mode="residual", gait="low"), clock_frequency=5.0)
     return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 

@@ -24,8 +24,8 @@ def test_settings_are_taken_up_to_their_limits(amplitude, frequency):
         ((-0.001, 1.0, PHASES), "amplitude must be in 0 to 2; found -0.001"),
         ((2.001, 1.0, PHASES), "amplitude must be in 0 to 2; found 2.001"),
         ((math.nan, 1.0, PHASES), "amplitude must be in 0 to 2; found nan"),
-        ((1.0, 0.099, PHASES), "frequency must be in 0.1 to 4; found 0.099"),
-        ((1.0, 4.001, PHASES), "frequency must be in 0.1 to 4; found 4.001"),
+        ((1.0, 0.099, PHASES), "frequency must be in 0.1 to 6; found 0.099"),
+        ((1.0, 6.001, PHASES), "frequency must be in 0.1 to 6; found 6.001"),
         ((1.0, 1.0, (0.0, math.inf, 0.0, 0.0)), "phases must be 4 finite numbers"),
     ],
 )

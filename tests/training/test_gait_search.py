@@ -387,30 +387,33 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-@pytest.mark.parametrize(("style", "height"), [("tuned", 0.015), ("low", 0.005)])
+@pytest.mark.parametrize(("style", "height"), [("tuned", 0.014), ("low", 0.004)])
 def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, style, height):
     def quantities(given, _):
         # Tilt speaks for less.
         return {"clearance": height - 0.005 + 0.1 * hip_offset(given), "tilt": 0.1 * hip_offset(given)}
 
     Trials(monkeypatch, quantities)
-    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, style=gait_tuning.STYLES[style])
+    found = gait_tuning.search(
+        0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, steps=gait_tuning.STYLES[style].straight.steps
+    )
     assert found.achieved.clearance[0] == pytest.approx(height, abs=2e-4)
 
 
-def test_search_for_low_steps_wants_no_foot_lifted_beyond_8_mm(monkeypatch):
+@pytest.mark.parametrize(
+    ("style", "part", "height"),
+    [("tuned", "straight", 0.016), ("tuned", "turns", 0.035), ("low", "straight", 0.006), ("low", "turns", 0.009)],
+)
+def test_search_wants_no_foot_lifted_higher(monkeypatch, style, part, height):
     def quantities(given, _):
         # Agreement with the clock speaks for more.
-        return {"highest": 0.01 + 0.1 * hip_offset(given), "clock": hip_offset(given)}
+        return {"highest": 0.002 + 0.1 * hip_offset(given), "clock": hip_offset(given)}
 
     Trials(monkeypatch, quantities)
     start = candidate_of([0.0, 0.3, 0.0, 0.0, -0.7])
-    low, tuned = (
-        gait_tuning.search(0.0, 10.0, TROT, start, 0.15, 20, style=gait_tuning.STYLES[name]).achieved.highest[0]
-        for name in ("low", "tuned")
-    )
-    assert low == pytest.approx(0.008, abs=2e-4)
-    assert tuned > 0.03
+    steps = getattr(gait_tuning.STYLES[style], part).steps
+    found = gait_tuning.search(0.0, 10.0, TROT, start, 0.15, 20, steps=steps)
+    assert found.achieved.highest[0] == pytest.approx(height, abs=2e-4)
 
 
 @pytest.mark.parametrize(("worth", "wanted"), [(0.1 / 0.035, 0.1), (0.1 / 0.045, 0.0)])
