@@ -2,7 +2,7 @@
 
 They are the tables of the `tuned` or the `low` gait over forward velocity, with what a yaw rate adds, and with `tuned`
 the presets trot, walk, bound and pace. Writes the numbers that belong in quadruped_env/gait/presets.py, and prints the
-velocities that the gait reaches. Takes about 20 minutes on two idle cores.
+velocities that the gait reaches. Takes about a quarter of an hour on two idle cores.
 """
 
 import argparse

@@ -8,7 +8,7 @@ from typing import Final
 from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.loop import LoopController
-from quadruped_env.control.policy import CARD_FILE, SHIPPED, Policy, load_policy, training_advice
+from quadruped_env.control.policy import CARD_FILE, LIVE_POLICY, SHIPPED, Policy, load_policy, training_advice
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import shown_path
 from quadruped_env.gait import PRESETS
@@ -84,7 +84,7 @@ def find_controllers(
 
     Args:
         names: controllers to start with, each as in `find_controller`; if empty, the latest run that fits this robot,
-            or else the shipped policy.
+            or else the shipped `LIVE_POLICY`.
         runs: directory of the training runs.
         load: reads policies.
         robot: robot that is controlled.
@@ -97,7 +97,7 @@ def find_controllers(
         spec.make()
     offered = [
         *_latest_runs(runs, load),
-        *(find_controller(name, load, robot) for name in (*SHIPPED, *reversed(PRESETS))),
+        *(find_controller(name, load, robot) for name in (LIVE_POLICY, *SHIPPED, *reversed(PRESETS))),
         ControllerSpec(STANDING, ZeroController),
     ]
     specs: dict[str, ControllerSpec] = {}

@@ -32,6 +32,8 @@ CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
 SHIPPED: Final = ("flat", "robust", "rough")
 """Names of the policies that the package has; the first is the default."""
+LIVE_POLICY: Final = "robust"
+"""The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
 
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
 

@@ -2,8 +2,8 @@
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
 parts and its offset; and what turning changes in them, on both sides and between the sides. It is scored on flat
-ground from rest, from two starts: difference from the commanded velocities, feet that clear the ground in every stride
-and touch it once per stride, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are
+ground, from several starts: difference from the commanded velocities, feet that clear the ground in every stride and
+touch it once per stride, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are
 hard bounds of the search. The straight gait is searched first, and what turning changes on top of it. Method:
 Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
 """

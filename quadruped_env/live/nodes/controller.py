@@ -20,7 +20,7 @@ from typing import Any, Final
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy import SHIPPED, Terms, load_policy, load_terms
+from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.messages.commands import CommandWriter, positions_message
@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "policy",
         nargs="?",
-        default="flat",
+        default=LIVE_POLICY,
         metavar="POLICY",
         help=f"{', '.join(SHIPPED)}, a run directory, or a scripted gait: {', '.join(PRESETS)} (%(default)s)",
     )

@@ -9,6 +9,7 @@ Steer it with the keys of `teleop`, or with the arrow keys in the browser.
 import argparse
 import sys
 
+from quadruped_env.control.policy import LIVE_POLICY
 from quadruped_env.live.launch import common, launch
 from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
 from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
@@ -18,7 +19,9 @@ from quadruped_env.viewer import PORT
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy, the terrain, the viewer's port, and the robot."""
     add_robot_argument(parser)
-    parser.add_argument("policy", nargs="?", default="flat", metavar="POLICY", help="as for 'controller' (%(default)s)")
+    parser.add_argument(
+        "policy", nargs="?", default=LIVE_POLICY, metavar="POLICY", help="as for 'controller' (%(default)s)"
+    )
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
     add_terrain_arguments(parser, "as for 'sim'")
 
