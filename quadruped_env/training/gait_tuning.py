@@ -87,7 +87,7 @@ class Course(NamedTuple):
     """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
     result."""
     more_generations: int = 0
-    """Generations beyond those that are asked for."""
+    """Generations beyond those of the program's option."""
     spread_again: float = 1.0
     """Spread of the first generation where a search starts from its own result, as a share of that of the others."""
 

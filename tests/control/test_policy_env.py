@@ -40,16 +40,16 @@ def test_shipped_policy_follows_its_velocity_commands(name):
 
 
 def test_pushes_tip_robust_over_less_often_than_flat():
-    pushed = {"push_speed": (0.9, 0.9), "push_interval": (1.0, 1.0), "friction": (0.8, 1.2)}
+    pushed = {"push_speed": (0.95, 0.95), "push_interval": (1.0, 1.0), "friction": (0.8, 1.2)}
     falls = {}
     for name in ("flat", "robust"):
         policy = load_policy(name)
         config = policy.config.randomized("none")
         config = dataclasses.replace(config, randomization=config.randomization.replace(**pushed))
-        rollout = roll_out(PolicyController(policy), [(0.3, 0.0), (-0.2, 0.0)], range(40), 8.0, config)
+        rollout = roll_out(PolicyController(policy), [(0.3, 0.0), (-0.2, 0.0), (0.3, 0.5)], range(40), 8.0, config)
         falls[name] = rollout.fallen.mean()
-    assert falls["flat"] > 0.2, "the pushes are strong"
-    assert falls["robust"] < 0.5 * falls["flat"]
+    assert falls["flat"] > 0.3, "the pushes are strong"
+    assert falls["robust"] < 0.6 * falls["flat"]
 
 
 # --- the environment of a policy ---

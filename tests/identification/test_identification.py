@@ -249,7 +249,7 @@ class TestIdentify:
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
         found = identify(recording, commands, start=start, fitted=["kp"])
         # Without a warning the result would be trusted.
-        assert abs(found.after.knee.kp / TRUTH.knee.kp - 1.0) > 0.1
+        assert abs(found.after.knee.kp / TRUTH.knee.kp - 1.0) > 0.05
         assert not found.base_fits
         assert found.verdict().startswith("Do not trust these motors: --base fixed does not fit.")
         assert all(estimate.half_width is None and estimate.determined for estimate in found.estimates)
