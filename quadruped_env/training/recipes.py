@@ -68,12 +68,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             "all kinds of terrain, with a curriculum, and moderate randomization",
             {"timesteps": 8_000_000, "asymmetric_critic": True},
             _BEYOND_THE_GAIT,
-            {
-                # Slower strides leave the motors time for high steps.
-                "clock_frequency": 2.6,
-                "terrain": {"name": "tiles", "curriculum": True},
-                "randomization": "moderate",
-            },
+            {"terrain": {"name": "tiles", "curriculum": True}, "randomization": "moderate"},
         ),
         "fast": Recipe(
             "commands up to 0.9 m/s and 1.5 rad/s, with a gait clock that follows them",

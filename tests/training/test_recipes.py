@@ -59,7 +59,7 @@ def test_recipes_are_what_their_names_say(asked):
     assert fast.command.forward_velocity[1] > default.forward_velocity[1]
     assert fast.command.yaw_rate[1] > default.yaw_rate[1]
     assert isinstance(fast.clock_frequency, CommandedFrequency)
-    assert rough.clock_frequency == 2.6
+    assert rough.clock_frequency == TaskConfig().clock_frequency
     critics = {name: asked("--recipe", name).asymmetric_critic for name in RECIPES}
     assert critics == {"flat": True, "robust": True, "rough": True, "fast": False}
 
