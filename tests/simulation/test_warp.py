@@ -29,6 +29,9 @@ TOUCH = 1e-6
 """Distance of two geoms, m, at which the rounding of float32 decides whether they are in contact."""
 FORCE = 0.02
 """Distance of a foot's force from the threshold of contact, N, at which that rounding decides whether it counts."""
+BREAK, SMALL = 1e-4, 50.0
+"""Depth of a contact, m, that ends in the next substep, where the solver may stop an iteration sooner or later; and the
+largest difference that this explains, in multiples of `LARGEST`."""
 SUBSTEPS = HARD.decimation
 
 
@@ -78,16 +81,23 @@ def contacts(here, there, env_id):
     return own, {tuple(sorted(pair)): distance for pair, distance in zip(geoms.tolist(), distances, strict=True)}
 
 
-def touches_by_rounding(here, there, before, ctrl, env_id):
-    """True if a contact exists in only one simulation during a control step, and only by a hair's breadth."""
+def touches_by_rounding(here, there, before, ctrl, env_id, small):
+    """True if a contact exists in only one simulation during a control step, and only by a hair's breadth.
+
+    Or if a shallow contact ends, which explains only a small difference.
+    """
     here.set_state(env_id, before)
     there.set_state(env_id, before)
+    last = {}
     for _ in range(SUBSTEPS):
         here.step(ctrl, 1)
         there.step(there.xp.asarray(ctrl), 1)
         own, other = contacts(here, there, env_id)
         if set(own) != set(other):
             return all(abs((own | other)[geoms]) < TOUCH for geoms in set(own) ^ set(other))
+        if small and any(abs(last[geoms]) < BREAK for geoms in set(last) - set(own)):
+            return True
+        last = own
     return False
 
 
@@ -123,8 +133,11 @@ def test_steps_from_the_same_state_agree_with_mujoco():
             "reward": (found.reward.numpy() - expected.reward)[:, None],
         }
         beyond = np.zeros(n, dtype=bool)
+        small = np.ones(n, dtype=bool)
         for name, difference in differences.items():
-            beyond |= np.abs(difference).max(axis=1) > LARGEST[name]
+            size = np.abs(difference).max(axis=1)
+            beyond |= size > LARGEST[name]
+            small &= size < SMALL * LARGEST[name]
         for name, difference in differences.items():
             largest[name] = max(largest[name], np.abs(difference[~beyond]).max())
         ends = found.terminated.numpy() != expected.terminated
@@ -136,13 +149,16 @@ def test_steps_from_the_same_state_agree_with_mujoco():
             )
             for env_id in np.flatnonzero(beyond | ends):
                 by_rounding += 1
-                touching = touches_by_rounding(here.simulation, there.simulation, before[env_id], ctrl, env_id)
+                simulations = here.simulation, there.simulation
+                touching = touches_by_rounding(*simulations, before[env_id], ctrl, env_id, small[env_id])
                 assert pressing[env_id] or touching, (
                     env_id,
                     {name: np.abs(difference[env_id]).max() for name, difference in differences.items()},
                 )
             for env_id in range(n):
                 here.simulation.set_state(env_id, after[env_id])
+            # Both went on from there, and the readings of the others would enter their delayed observations.
+            there.simulation.set_states(everywhere(there.simulation), after)
             for env_id in np.flatnonzero(beyond | ends):
                 # Otherwise what the task remembers of this step would differ in the next ones, too.
                 there.set_state(env_id, here.get_state(env_id))
