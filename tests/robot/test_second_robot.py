@@ -253,7 +253,7 @@ class TestGait:
             assert abs(left[0] - right[0]).max() > 0.01
 
     def test_tuned_gait_walks_and_turns_as_commanded(self):
-        # A robot that is 1.28 times as tall swings its legs more slowly, in proportion to the root of its height.
+        # A robot that is 1.28 times as tall swings its legs more slowly: the period grows with the root of its height.
         slower = dataclasses.replace(CommandedGait.tuned(ROBOT), angular_frequency=math.tau * 3.2)
         backwards = [(-0.2, 0.0)] * 3
         found = walk(CommandedGaitController(slower), [(0.3, 0.0), (0.0, 0.5), (0.0, -0.5), (0.0, 0.0), *backwards])
