@@ -22,8 +22,10 @@ _MARKERS: Final = {"policy": "o", "tuned": "s", "article": "^", "zero": "x"}
 _OTHER_MARKERS: Final = "oDvP*<>"
 
 
-def draw_figure(rows: int, columns: int, height: float, draw: Callable[[Any], None], **layout: Any) -> str:
-    """Draw a figure of `WIDTH` by `height` inches as an SVG document; `draw` receives its axes (rows, columns).
+def draw_figure(
+    rows: int, columns: int, height: float, draw: Callable[[Any], None], width: float = WIDTH, **layout: Any
+) -> str:
+    """Draw a figure of `width` by `height` inches as an SVG document; `draw` receives its axes (rows, columns).
 
     Raises:
         MissingExtraError: if matplotlib is not installed.
@@ -35,7 +37,7 @@ def draw_figure(rows: int, columns: int, height: float, draw: Callable[[Any], No
         raise MissingExtraError("The report", "report") from error
 
     with rc_context(fname=STYLE_FILE):
-        figure = Figure((WIDTH, height))
+        figure = Figure((width, height))
         draw(figure.subplots(rows, columns, squeeze=False, **layout))
         file = io.StringIO()
         # Without the date, the same numbers give the same file.

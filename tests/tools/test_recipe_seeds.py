@@ -1,0 +1,102 @@
+"""The program that compares the training seeds of a recipe."""
+
+import argparse
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from comparisons import random_policy
+
+import recipe_seeds
+from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.suite.contender import Contender
+from quadruped_env.policies import CommandedGaitController
+from quadruped_env.reporting.plots.recipes import recipe_curves, smoothed
+from quadruped_env.task import TaskConfig
+
+HEADER = "timesteps,seconds,return,fall_rate,forward_velocity_error,yaw_rate_error\n"
+
+
+def say_nothing(share):
+    """A progress that shows nothing."""
+
+
+@pytest.fixture
+def trained(tmp_path):
+    """Makes a run with random weights: directory from recipe, seed and further parts of its card."""
+
+    def make(recipe, seed, **card):
+        directory = tmp_path / f"20260101-000000-{recipe}-{seed}"
+        card = {"recipe": recipe, "algo": "ppo", "seed": seed, "timesteps": 1000, **card}
+        random_policy("residual").with_card(card).save(directory)
+        lines = "".join(f"{100 * i},{i},{10.0 * i},{0.1 * seed},0.2,0.3\n" for i in range(1, 11))
+        (directory / "progress.csv").write_text(HEADER + lines)
+        return find_subject(str(directory), tmp_path)
+
+    return make
+
+
+def test_a_table_has_a_row_for_each_seed_and_one_of_the_medians():
+    rows = [{"falls": 1.0, "speed": 0.4}, {"falls": 9.0, "speed": 0.6}, {"falls": 2.0, "speed": 0.5}]
+    assert recipe_seeds.table(rows, ["0", "1", "7"]).splitlines() == [
+        "| seed | falls | speed |",
+        "|---|---|---|",
+        "| 0 | 1 | 0.4 |",
+        "| 1 | 9 | 0.6 |",
+        "| 7 | 2 | 0.5 |",
+        "| median | 2 | 0.5 |",
+    ]
+
+
+def test_an_envelope_leaves_out_every_command_at_which_a_robot_falls(monkeypatch):
+    # Two episodes of each command: 0.4 and 0.8 m/s, 0.5 and 1.0 rad/s.
+    fallen = np.array([False, False, False, True, False, False, False, False])
+    means = np.array([[0.4, 0], [0.42, 0], [0.8, 0], [0.2, 0], [0, 0.5], [0, 0.7], [0, 1.0], [0, 0.8]])
+    monkeypatch.setattr(recipe_seeds, "mean_velocities", lambda rollout: means)
+    row = recipe_seeds.fastest(SimpleNamespace(fallen=fallen), straight=2, episodes=2)
+    assert row == {"forwards, m/s": pytest.approx(0.41), "turning in place, rad/s": pytest.approx(0.9)}
+    row = recipe_seeds.fastest(SimpleNamespace(fallen=np.ones(8, dtype=bool)), straight=2, episodes=2)
+    assert set(row.values()) == {0.0}
+
+
+def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
+    row = recipe_seeds.errors(Contender("tuned", CommandedGaitController(), TaskConfig()), say_nothing, episodes=2)
+    assert len(row) == len(recipe_seeds.ERROR_COMMANDS) + len(recipe_seeds.TURNS)
+    assert row["0 m/s"] == pytest.approx(0.0, abs=0.01)
+    assert row["0.3 m/s"] == pytest.approx(0.0, abs=0.02)
+    assert row["0 m/s, 0.5 rad/s"] == pytest.approx(-row["0 m/s, -0.5 rad/s"], abs=0.02)
+
+
+def test_runs_of_a_recipe_differ_in_the_seed_only(trained):
+    same = [trained("flat", 0), trained("flat", 1, timesteps=900), trained("rough", 0), trained("flat", 3, algo="sac")]
+    groups = recipe_seeds.by_recipe(same)
+    assert {name: len(runs) for name, runs in groups.items()} == {"flat": 2, "rough": 1, "flat, sac": 1}
+    with pytest.raises(QuadrupedError, match=r"flat-2: expected the settings of .*flat-0"):
+        recipe_seeds.by_recipe([*same, trained("flat", 2, timesteps=2000)])
+    without_recipe = SimpleNamespace(name="odd", policy=same[0].policy.with_card({"seed": 0}))
+    with pytest.raises(QuadrupedError, match=r"odd: expected a policy of train/ppo\.py"):
+        recipe_seeds.by_recipe([without_recipe])
+
+
+def test_program_prints_tables_and_draws_curves(trained, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(recipe_seeds, "MEASURES", {"length": lambda contender, progress: {"mm": len(contender.name)}})
+    runs = [str(trained(recipe, seed).directory) for recipe in ("flat", "robust") for seed in (0, 1)]
+    picture = tmp_path / "new" / "curves.svg"
+    assert recipe_seeds.run(argparse.Namespace(runs=runs, only=None, picture=picture)) == 0
+    printed = capsys.readouterr().out
+    assert "flat, length" in printed
+    assert "robust, length" in printed
+    assert picture.read_text().rstrip().endswith("</svg>")
+
+
+def test_a_curve_is_smoothed_by_means_of_equal_parts_without_what_is_unknown():
+    x, y = smoothed(np.arange(6.0), np.array([1.0, 3.0, np.nan, 5.0, 7.0, 9.0]), points=2)
+    np.testing.assert_allclose(x, [(0 + 1 + 3) / 3, (4 + 5) / 2])
+    np.testing.assert_allclose(y, [3.0, 8.0])
+    assert [len(part) for part in smoothed(np.zeros(0), np.zeros(0))] == [0, 0]
+
+
+def test_curves_of_a_run_that_has_not_begun_can_be_drawn():
+    columns = {name: np.zeros(0) for name in HEADER.strip().split(",")}
+    assert "<svg" in recipe_curves({"flat": [columns]})

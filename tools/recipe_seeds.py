@@ -1,0 +1,193 @@
+"""Measure how much the policies of a recipe differ from one training seed to the next.
+
+tools/recipe_seeds.py runs/<one> runs/<other> ...
+tools/recipe_seeds.py --only envelope runs/<fast>
+tools/recipe_seeds.py --only curves --picture assets/pictures/recipes.svg flat robust runs/<other> ...
+
+Runs are grouped by their recipe, and must not differ in anything but the seed. Each recipe gets a table for each
+measure, with a row for each seed and one of the medians. `errors`: signed errors of the mean velocities, 8 episodes of
+20 s per command. `falls`: 1000 episodes of 20 s with the preset `hard`. `terrain`: the suite's crossings. `envelope`:
+the largest mean forward velocity and yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`:
+a figure of all runs.
+"""
+
+import argparse
+import math
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Final
+
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+
+# isort: split
+import numpy as np
+
+from benchmarks.shipping import disturbed
+from quadruped_env._python import pasteable
+from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
+from quadruped_env.evaluation.subject import Subject, find_subject
+from quadruped_env.evaluation.suite import terrains
+from quadruped_env.evaluation.suite.contender import Contender, mean_velocities
+from quadruped_env.evaluation.suite.definition import full_suite
+from quadruped_env.files import write_whole
+from quadruped_env.program import run_program
+from quadruped_env.progress import Progress
+from quadruped_env.reporting.plots.learning import read_progress
+from quadruped_env.reporting.plots.recipes import recipe_curves
+from quadruped_env.simulation.terrain import HIGHEST, STEEPEST
+
+ERROR_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
+TURNS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
+"""Forward velocity in m/s and yaw rate in rad/s."""
+FASTEST: Final = tuple((round(0.4 + 0.05 * i, 2), 0.0) for i in range(13))
+TIGHTEST: Final = tuple((0.0, round(0.4 + 0.1 * i, 1)) for i in range(17))
+
+_SAME_STEPS: Final = 0.75
+"""Smallest ratio of the steps of two trainings that count as the same."""
+
+Row = dict[str, float]
+"""Column -> value."""
+
+
+def errors(contender: Contender, progress: Progress, episodes: int = 8) -> Row:
+    """Signed error of the mean velocity at every command, m/s or, on turns, rad/s."""
+    commands = (*ERROR_COMMANDS, *TURNS)
+    rollout = contender.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 20.0, progress)
+    means = np.nanmean(mean_velocities(rollout).reshape(len(commands), episodes, 2), axis=1)
+    row = {}
+    for (forward, turn), (reached_forward, reached_turn) in zip(commands, means, strict=True):
+        on_turn = turn != 0.0
+        name = f"{forward:g} m/s, {turn:g} rad/s" if on_turn else f"{forward:g} m/s"
+        row[name] = float(reached_turn - turn if on_turn else reached_forward - forward)
+    return row
+
+
+def falls(contender: Contender, progress: Progress, episodes: int = 200) -> Row:
+    """Share of episodes that end in a fall with the preset `hard`, %, in all and by command."""
+    result = disturbed(contender.controller.policy, episodes, progress)  # type: ignore[attr-defined]
+    shares = {"all": result["fall_rate"], **result["fall_rate_by_command"]}
+    return {name: 100.0 * share for name, share in shares.items()}
+
+
+def terrain(contender: Contender, progress: Progress) -> Row:
+    """Height, depth (mm) or angle (degrees) of the highest level of each terrain that is passed; 0 for none."""
+    part = full_suite().terrain
+    results = terrains.run(part, contender, progress)
+    row = {}
+    for kind, result in results.items():
+        unit, hardest = ("degrees", math.degrees(STEEPEST)) if kind == "slope" else ("mm", HIGHEST * 1e3)
+        row[f"{kind}, {unit}"] = hardest * result["highest_level"] / part.levels
+    return row
+
+
+def envelope(contender: Contender, progress: Progress, episodes: int = 100) -> Row:
+    """Largest mean forward velocity, m/s, and yaw rate in place, rad/s, at which no episode of 10 s falls."""
+    commands = (*FASTEST, *TIGHTEST)
+    rollout = contender.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 10.0, progress)
+    return fastest(rollout, len(FASTEST), episodes)
+
+
+def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
+    """Largest mean velocities of the commands without a fall: the first `straight` are forwards, the rest turns."""
+    held = ~rollout.fallen.reshape(-1, episodes).any(axis=1)
+    means = mean_velocities(rollout).reshape(-1, episodes, 2).mean(axis=1)
+    means[~held] = 0.0
+    return {
+        "forwards, m/s": float(means[:straight, 0].max(initial=0.0)),
+        "turning in place, rad/s": float(means[straight:, 1].max(initial=0.0)),
+    }
+
+
+MEASURES: Final[dict[str, Callable[[Contender, Progress], Row]]] = {
+    "errors": errors,
+    "falls": falls,
+    "terrain": terrain,
+    "envelope": envelope,
+}
+CURVES: Final = "curves"
+
+
+def main() -> int:
+    """Parse the arguments and measure."""
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="a run's directory")
+    parser.add_argument(
+        "--only", action="append", choices=[*MEASURES, CURVES], help="may be given several times; default: all measures"
+    )
+    parser.add_argument(
+        "--picture",
+        type=Path,
+        default=Path("results/recipes.svg"),
+        help="file of the learning curves (default: %(default)s)",
+    )
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measure every run, and print a table for each recipe and measure."""
+    wanted = arguments.only or [*MEASURES, CURVES]
+    recipes = by_recipe([find_subject(run, Path()) for run in arguments.runs])
+    for recipe, subjects in recipes.items():
+        for measure in (measure for measure in wanted if measure in MEASURES):
+            rows = []
+            for subject in subjects:
+                progress = ProgressLine(f"{measure} of {subject.name}")
+                rows.append(MEASURES[measure](Contender.of_policy(subject.policy, subject.name), progress))
+            print(f"\n{recipe}, {measure}\n\n{table(rows, [_seed(subject) for subject in subjects])}", flush=True)
+    if CURVES in wanted:
+        curves = {
+            recipe: [read_progress(subject.progress_file) for subject in subjects if subject.progress_file]
+            for recipe, subjects in recipes.items()
+        }
+        arguments.picture.parent.mkdir(parents=True, exist_ok=True)
+        write_whole({arguments.picture: recipe_curves(curves).encode()})
+        print(f"\nlearning curves: {arguments.picture}")
+    return 0
+
+
+def by_recipe(subjects: Sequence[Subject]) -> dict[str, list[Subject]]:
+    """Policies by the recipe, and the algorithm unless it is PPO, that they were trained with.
+
+    Raises:
+        QuadrupedError: if two policies of a recipe differ in more than the seed, or do not say what they come from.
+    """
+    recipes: dict[str, list[Subject]] = {}
+    for subject in subjects:
+        card = subject.policy.card
+        if not {"recipe", "algo", "seed", "timesteps"} <= set(card):
+            raise QuadrupedError(f"{subject.name}: expected a policy of train/ppo.py; its card names no recipe or seed")
+        name = card["recipe"] if card["algo"] == "ppo" else f"{card['recipe']}, {card['algo']}"
+        same = recipes.setdefault(name, [])
+        first = same[0].policy if same else subject.policy
+        steps = first.card["timesteps"], card["timesteps"]
+        # A budget in seconds does not give the same number of steps twice.
+        if first.config != subject.policy.config or min(steps) < _SAME_STEPS * max(steps):
+            raise QuadrupedError(f"{subject.name}: expected the settings of {same[0].name}, with another seed")
+        same.append(subject)
+    return recipes
+
+
+def _seed(subject: Subject) -> str:
+    return str(subject.policy.card["seed"])
+
+
+def table(rows: Sequence[Row], seeds: Sequence[str]) -> str:
+    """Markdown table with a row for each seed, and one of the medians."""
+    columns = list(rows[0])
+    medians = {name: float(np.median([row[name] for row in rows])) for name in columns}
+    lines = [f"| seed | {' | '.join(columns)} |", "|---|" + "---|" * len(columns)]
+    for label, row in zip((*seeds, "median"), (*rows, medians), strict=True):
+        lines.append(f"| {label} | {' | '.join(f'{row[name]:.3g}' for name in columns)} |")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
