@@ -1,8 +1,8 @@
 """Search the parameters of the scripted gaits on the simulated robot.
 
-They are the tables of the `tuned` or the `low` gait over forward velocity, with what a yaw rate adds, and with `tuned`
-the presets trot, walk, bound and pace. Writes the numbers that belong in quadruped_env/gait/presets.py, and prints the
-velocities that the gait reaches. Takes about a quarter of an hour on two idle cores.
+They are the tables of the `tuned`, `low` or `fast` gait over forward velocity, with what a yaw rate adds, and with
+`tuned` the presets trot, walk, bound and pace. Writes the numbers that belong in quadruped_env/gait/presets.py, and
+prints the velocities that the gait reaches. Takes five to fifteen minutes on two idle cores.
 """
 
 import argparse
@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=None,
         metavar="HZ",
-        help="gait cycles per second (default: 3.6 for tuned, 5 for low)",
+        help="gait cycles per second (default: 3.6 for tuned, 5 for low, 3.2 for fast)",
     )
     parser.add_argument(
         "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"
@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     gait = tune_commanded_gait(
         preset.angular_frequency if arguments.frequency is None else math.tau * arguments.frequency,
-        yaw_rates=(0.25, 0.5, 0.8),
+        yaw_rates=style.yaw_rates,
         generations=arguments.generations,
         say=log,
         style=style,

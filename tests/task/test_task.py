@@ -193,7 +193,7 @@ def test_an_action_scales_around_the_stance_and_is_clipped_to_one():
     np.testing.assert_allclose(env.data.ctrl, STANCE + 0.2 * unit, rtol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["tuned", "low"])
+@pytest.mark.parametrize("name", ["tuned", "low", "fast"])
 @pytest.mark.parametrize("command", [(0.0, 0.0), (0.3, 0.0), (-0.2, 0.3), (0.1, -0.5)])
 def test_a_zero_action_in_residual_mode_is_exactly_the_scripted_gait(command, name):
     action = ActionConfig(mode="residual", gait=name)

@@ -387,7 +387,7 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-@pytest.mark.parametrize(("style", "height"), [("tuned", 0.014), ("low", 0.004)])
+@pytest.mark.parametrize(("style", "height"), [("tuned", 0.014), ("low", 0.004), ("fast", 0.008)])
 def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, style, height):
     def quantities(given, _):
         # Tilt speaks for less.
