@@ -41,8 +41,8 @@ from quadruped_env.reporting.plots.learning import read_progress
 from quadruped_env.reporting.plots.recipes import recipe_curves
 from quadruped_env.simulation.terrain import HIGHEST, STEEPEST
 
-ERROR_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
-TURNS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
+STRAIGHT_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
+TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
 """Forward velocity in m/s and yaw rate in rad/s."""
 FASTEST: Final = tuple((round(0.4 + 0.05 * i, 2), 0.0) for i in range(13))
 TIGHTEST: Final = tuple((0.0, round(0.4 + 0.1 * i, 1)) for i in range(17))
@@ -56,7 +56,7 @@ Row = dict[str, float]
 
 def errors(contender: Contender, progress: Progress, episodes: int = 8) -> Row:
     """Signed error of the mean velocity at every command, m/s or, on turns, rad/s."""
-    commands = (*ERROR_COMMANDS, *TURNS)
+    commands = (*STRAIGHT_COMMANDS, *TURN_COMMANDS)
     rollout = contender.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 20.0, progress)
     means = np.nanmean(mean_velocities(rollout).reshape(len(commands), episodes, 2), axis=1)
     row = {}

@@ -62,7 +62,7 @@ def test_an_envelope_leaves_out_every_command_at_which_a_robot_falls(monkeypatch
 
 def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
     row = recipe_seeds.errors(Contender("tuned", CommandedGaitController(), TaskConfig()), say_nothing, episodes=2)
-    assert len(row) == len(recipe_seeds.ERROR_COMMANDS) + len(recipe_seeds.TURNS)
+    assert len(row) == len(recipe_seeds.STRAIGHT_COMMANDS) + len(recipe_seeds.TURN_COMMANDS)
     assert row["0 m/s"] == pytest.approx(0.0, abs=0.01)
     assert row["0.3 m/s"] == pytest.approx(0.0, abs=0.02)
     assert row["0 m/s, 0.5 rad/s"] == pytest.approx(-row["0 m/s, -0.5 rad/s"], abs=0.02)
