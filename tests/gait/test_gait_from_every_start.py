@@ -13,8 +13,10 @@ SPEEDS = (-0.3, -0.2, -0.1, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5)
 STARTS = 16
 
 
-@pytest.mark.parametrize(("name", "clearance"), [("tuned", 0.006), ("low", 0.003)])
-def test_gait_lifts_every_foot_once_per_stride_from_every_start(name, clearance):
+@pytest.mark.parametrize(
+    ("name", "clearance", "touchdowns"), [("tuned", 0.006, 1.3), ("low", 0.003, 1.3), ("fast", 0.005, 1.5)]
+)
+def test_gait_lifts_every_foot_once_per_stride_from_every_start(name, clearance, touchdowns):
     """At 2.6 Hz, two feet dragged in one episode of eight, and some touched down 1.6 times per stride."""
     controller = CommandedGaitController(CommandedGait.preset(name))
     seeds = range(FIRST_SEED, FIRST_SEED + STARTS)
@@ -24,7 +26,7 @@ def test_gait_lifts_every_foot_once_per_stride_from_every_start(name, clearance)
     lowest = got["clearance"].min(axis=1)
     # A walking robot is chaotic: on another processor a start may lead to another stride.
     assert np.quantile(lowest, 0.05) > clearance
-    assert np.quantile(got["touchdowns_per_stride"], 0.95) < 1.3
+    assert np.quantile(got["touchdowns_per_stride"], 0.95) < touchdowns
     velocity = rollout.velocity[50:, :, 0].mean(axis=0).reshape(len(SPEEDS), STARTS)
     np.testing.assert_allclose(np.median(velocity, axis=1), SPEEDS, atol=0.015)
     assert np.quantile(np.ptp(velocity, axis=1), 0.75) < 0.04
