@@ -12,9 +12,12 @@ from quadruped_env.reporting.plots.sweep import median_curve
 
 _SEED: Final = {"color": GREY, "linewidth": 0.7, "alpha": 0.7}
 _MEDIAN: Final = {"color": BLUE, "linewidth": 1.6}
-_QUANTITIES: Final = (("forward_velocity_error", "velocity\nerror (m/s)"), ("fall_rate", "episodes that\nfall (1)"))
-_POINTS: Final = 120
-"""Points of a curve: more are not seen, and make a large file."""
+_QUANTITIES: Final = (
+    ("return", "return of\nan episode (1)"),
+    ("forward_velocity_error", "forward velocity\nerror (m/s)"),
+)
+_POINTS: Final = 40
+"""Points of a curve. Each is the mean of several updates, because few episodes end in one."""
 
 
 def recipe_curves(recipes: Mapping[str, Sequence[Mapping[str, NDArray[np.float64]]]]) -> str:
@@ -27,7 +30,8 @@ def recipe_curves(recipes: Mapping[str, Sequence[Mapping[str, NDArray[np.float64
                 for x, y in curves:
                     ax.plot(x, y, **_SEED)
                 ax.plot(*median_curve(curves), **_MEDIAN)
-                ax.set_ylim(bottom=0.0)
+                if quantity != "return":
+                    ax.set_ylim(bottom=0.0)
                 if ax in axes[:, 0]:
                     ax.set_ylabel(label)
             column[0].set_title(recipe)
@@ -38,7 +42,7 @@ def recipe_curves(recipes: Mapping[str, Sequence[Mapping[str, NDArray[np.float64
         ]
         axes[0, 0].figure.legend(handles=handles, loc="outside upper center", ncols=2)
 
-    return draw_figure(len(_QUANTITIES), len(recipes), 3.4, draw, width=2.1 * len(recipes), sharex="col", sharey="row")
+    return draw_figure(len(_QUANTITIES), len(recipes), 3.4, draw, width=2.3 * len(recipes), sharex="col")
 
 
 def smoothed(
