@@ -59,7 +59,7 @@ STARTS: Final = _starts(6, seed=0)
 
 @dataclass(frozen=True)
 class Achieved:
-    """Results of gaits on flat ground, one value per candidate: the mean over `STARTS`, unless said."""
+    """Results of gaits on flat ground, the first axis over candidates: the mean over `STARTS`, unless said."""
 
     forward_velocity: NDArray[np.float64]
     """Mean velocity along the heading after the warm-up, m/s."""
@@ -82,6 +82,10 @@ class Achieved:
     """Difference of each foot's touchdowns per stride from one, mean over the feet"""
     clearance: NDArray[np.float64]
     """Largest height of a sole in a stride or in a swing, m: the smallest of all strides, swings, feet and starts"""
+    lowest_apex: NDArray[np.float64]
+    """The same of each foot from each start, (N, S, 4) for N candidates and S starts, m"""
+    mean_apex: NDArray[np.float64]
+    """Largest height of each sole in a stride, mean over the whole strides, (N, S, 4), m"""
     highest: NDArray[np.float64]
     """The same, mean over the whole strides of the foot that is lifted most, m"""
     fallen: NDArray[np.bool_]
@@ -154,7 +158,9 @@ def measure(
         clock,
         np.abs(strides.touchdowns / strides.count - 1.0).mean(axis=1),
         strides.lowest_apex.min(axis=1),
-        (strides.apexes / strides.count).max(axis=1),
+        strides.lowest_apex,
+        mean_apex := strides.apexes / strides.count,
+        mean_apex.max(axis=1),
         fallen,
     )
     return _over_starts(each)
@@ -162,8 +168,12 @@ def measure(
 
 def _over_starts(each: Achieved) -> Achieved:
     """The results of each gait, from those of each gait and start."""
-    values = {field.name: getattr(each, field.name).reshape(len(STARTS), -1) for field in fields(Achieved)}
+    values = {}
+    for field in fields(Achieved):
+        value = getattr(each, field.name)
+        values[field.name] = value.reshape(len(STARTS), -1, *value.shape[1:])
     unlike_the_mean = {
+        **{name: values.pop(name).swapaxes(0, 1) for name in ("lowest_apex", "mean_apex")},
         "clearance": values.pop("clearance").min(axis=0),
         "fallen": values.pop("fallen").any(axis=0),
     }

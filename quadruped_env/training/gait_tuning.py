@@ -39,6 +39,8 @@ _STRAIGHT: Final = np.array([True, False, False])[:, None, None]
 _STANCE_LEG: Final = (0.0, float(ROBOT.stance[0]), 0.0, 0.0, float(ROBOT.stance[1]), 0.0)
 _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
+_STROKES: Final = 0.1
+"""Change of each side's speed with which the search of a turn starts that has no other start, m/s"""
 _NO_TURN: Final = np.zeros((2, 2, 6))
 _START: Final = np.array([[0.24, 1.13, -0.04, -0.29, -1.2, 0.16], [0.15, 1.09, -0.04, -0.3, -1.32, 0.16]])
 """Where the search of the commanded gait starts. With the thigh nearly level, hip and knee move the foot in different
@@ -82,14 +84,18 @@ class Steps(NamedTuple):
     """Height that no sole needs to reach, m."""
     excess_cost: float
     """Cost of the mean height of the highest sole beyond that, 1/m."""
+    cost_per_foot: float = 0.0
+    """Cost of the height that each sole misses, 1/m, in the mean over the starts. The least of all soles, strides and
+    starts does not tell the search which change lifts the others a little."""
 
 
 class Course(NamedTuple):
     """Searches of a gait at several speeds."""
 
     steps: Steps
-    start: NDArray[np.float64]
-    """Where the first search starts: (2, 6), or (2, 2, 6) for turns."""
+    start: NDArray[np.float64] | None
+    """Where the first search starts: (2, 6), or (2, 2, 6) for turns; None for a turn with the straight gait's strides,
+    longer outside and shorter inside."""
     speeds: tuple[float, ...]
     """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
     result."""
@@ -97,6 +103,9 @@ class Course(NamedTuple):
     """Generations beyond those of the program's option."""
     spread_again: float = 1.0
     """Spread of the first generation where a search starts from its own result, as a share of that of the others."""
+    ramp: tuple[float, ...] = ()
+    """Shares of the yaw rates that the first search asks for before it asks for the whole. At once they lead it to
+    turns that drag a foot."""
 
     def share_of_spread(self, again: bool) -> float:
         """Share of the first generation's spread, `again` if the search starts from its own result."""
@@ -116,20 +125,24 @@ _HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
 STYLES: Final = {
     "tuned": Style(
         Course(
-            Steps(0.014, 0.016, 2000.0),
+            Steps(0.012, 0.016, 2000.0, 800.0),
             _START,
-            (0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.3, 0.3, 0.4, 0.5, 0.5, 0.58, 0.65),
+            (
+                *(0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.3, -0.4),
+                *(0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
+            ),
             more_generations=2,
             spread_again=0.7,
         ),
-        # Turns need higher steps.
         Course(
-            _HIGH_STEPS,
-            _TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
-            more_generations=2,
-            spread_again=0.6,
+            Steps(0.010, 0.030, 200.0, 800.0),
+            None,
+            (0.3, 0.2, 0.1, 0.0, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, 0.4, 0.5),
+            more_generations=4,
+            spread_again=0.5,
+            ramp=(0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0),
         ),
+        (0.2, 0.5),
     ),
     # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. To turn,
     # the outer feet have to be higher.
@@ -249,6 +262,7 @@ def search(
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
     steps: Steps = _HIGH_STEPS,
+    share: float = 1.0,
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
@@ -264,6 +278,7 @@ def search(
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
         steps: what every step should be like.
+        share: of the yaw rates that is asked for, with the turns of the whole.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -274,6 +289,7 @@ def search(
     # All candidates at the first yaw rate, then all at the second.
     wanted, largest = np.repeat(yaw_rates, CANDIDATES), max(yaw_rates)
     sizes = turn_size(wanted, largest)
+    wanted = share * wanted
     varied = np.where(_STRAIGHT, 0.0, 1.0 / largest) if largest else 1.0 * _STRAIGHT
     mean, deviation = start.copy(), spread * (_HIGH - _LOW) * varied
     best, best_score = None, -np.inf
@@ -298,6 +314,7 @@ def search(
                 # Feet that bounce, and feet that never land.
                 - 30.0 * got.touchdown_error
                 - 600.0 * np.maximum(0.0, steps.least_lift - got.clearance)
+                - steps.cost_per_foot * _missing_height(got, steps.least_lift)
                 # High steps are fast and clean, and a robot that hops falls.
                 - steps.excess_cost * np.maximum(0.0, got.highest - steps.most_lift)
                 - 10.0 * got.fallen
@@ -315,6 +332,16 @@ def search(
             best = Found(candidates[0], achieved, best_score)
     assert best is not None
     return best
+
+
+def _missing_height(got: Achieved, least: float) -> NDArray[np.float64]:
+    """What the soles miss of a height in their lowest and, of a fifth more, in their mean stride (N,), m.
+
+    Sum over the feet, mean over the starts.
+    """
+    missing = np.maximum(0.0, least - got.lowest_apex) + np.maximum(0.0, 1.2 * least - got.mean_apex)
+    height: NDArray[np.float64] = missing.sum(axis=2).mean(axis=1)
+    return height
 
 
 def tune_commanded_gait(
@@ -352,23 +379,29 @@ def tune_commanded_gait(
         # A few mm/s are missing after the search: the table has the speed that the gait reaches.
         reached[speed] = round(float(found.achieved.forward_velocity[0]), 3) if speed else 0.0
     turning: dict[float, NDArray[np.float64]] = {}
-    course = style.turns
+    course, largest = style.turns, max(yaw_rates)
     for speed in course.speeds:
         near = _nearest(speed, turning)
-        start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
-        found = search(
-            reached[speed],
-            angular_frequency,
-            LEG_PHASES["trot"],
-            start,
-            _TURN_SPREAD * course.share_of_spread(speed in turning),
-            generations + course.more_generations,
-            yaw_rates=yaw_rates,
-            steps=course.steps,
-        )
-        say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
-        turning[speed] = found.candidate[1:]
-    largest = max(yaw_rates)
+        if near is not None:
+            turn = turning[near]
+        else:
+            turn = _longer_outside(speed, straight) / largest if course.start is None else course.start
+        for share in (*(course.ramp if near is None else ()), 1.0):
+            found = search(
+                reached[speed],
+                angular_frequency,
+                LEG_PHASES["trot"],
+                np.concatenate([[straight[speed]], turn]),
+                _TURN_SPREAD * course.share_of_spread(near is None and turn is not course.start or speed in turning),
+                generations + course.more_generations,
+                yaw_rates=yaw_rates,
+                steps=course.steps,
+                share=share,
+            )
+            turn = found.candidate[1:]
+            asked = tuple(share * yaw_rate for yaw_rate in yaw_rates)
+            say(_line(f"{speed:+.2f} m/s in turns", found, asked))
+        turning[speed] = turn
     table = {}
     for speed, legs in straight.items():
         near = min(turning, key=lambda other: abs(other - speed))
@@ -377,6 +410,16 @@ def tune_commanded_gait(
         limited = _within_limits(whole[None], angular_frequency, largest)[0]
         table[reached[speed]] = whole if near == speed else limited
     return commanded_gait(table, angular_frequency, largest)
+
+
+def _longer_outside(speed: float, straight: Mapping[float, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """What strides that are `_STROKES` faster outside and slower inside change on both sides and between them."""
+    speeds = sorted(straight)
+    gaits = np.array([straight[known] for known in speeds])
+    row = np.interp([speed - _STROKES, speed, speed + _STROKES], speeds, np.arange(len(speeds)))
+    below = np.minimum(row.astype(np.int64), len(speeds) - 2)
+    inner, ahead, outer = gaits[below] + (row - below)[:, None, None] * (gaits[below + 1] - gaits[below])
+    return np.stack([0.5 * (outer + inner) - ahead, 0.5 * (outer - inner)])
 
 
 def _nearest(speed: float, others: Iterable[float]) -> float | None:

@@ -145,6 +145,10 @@ def test_measured_feet_slide_lift_and_keep_the_clock(measured):
     assert got.touchdown_error.tolist() == [0.0] * 4
     assert got.clearance.tolist() == pytest.approx([0.010] * 4), "11 mm from the first start"
     assert got.highest.tolist() == pytest.approx([(0.011 + 0.010) / 2] * 4)
+    assert got.mean_apex.shape == got.lowest_apex.shape == (4, 2, 4), "candidates, starts, feet"
+    for start, height in enumerate((0.011, 0.010)):
+        np.testing.assert_allclose(got.lowest_apex[:, start].min(axis=-1), height)
+        np.testing.assert_allclose(got.mean_apex[:, start].max(axis=-1), height)
 
 
 # Each stride has 20 steps. The swing of the first and the last foot starts at step 60 from the first start, and at
@@ -331,7 +335,10 @@ def test_turns_are_kept_within_the_same_limits_on_both_sides_at_the_largest_yaw_
 
 # --- the search ---
 
-NEUTRAL = dict.fromkeys(Achieved.__annotations__, 0.0) | {"clearance": 1.0, "fallen": False}
+PER_FOOT = ("lowest_apex", "mean_apex")
+NEUTRAL = (
+    dict.fromkeys(Achieved.__annotations__, 0.0) | dict.fromkeys(("clearance", *PER_FOOT), 1.0) | {"fallen": False}
+)
 
 
 class Trials:
@@ -350,7 +357,8 @@ class Trials:
         self.candidates.append(np.array(candidates))
         self.sizes.append(np.array(sizes))
         values = NEUTRAL | self._quantities(candidates, sizes)
-        return Achieved(**{name: np.broadcast_to(value, count) for name, value in values.items()})
+        per_foot = {name: np.broadcast_to(values.pop(name), (count, 6, 4)) for name in PER_FOOT}
+        return Achieved(**per_foot, **{name: np.broadcast_to(value, count) for name, value in values.items()})
 
 
 def hip_offset(candidates):
@@ -387,7 +395,7 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-@pytest.mark.parametrize(("style", "height"), [("tuned", 0.014), ("low", 0.004), ("fast", 0.008)])
+@pytest.mark.parametrize(("style", "height"), [("tuned", 0.012), ("low", 0.004), ("fast", 0.008)])
 def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, style, height):
     def quantities(given, _):
         # Tilt speaks for less.
@@ -402,7 +410,7 @@ def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, styl
 
 @pytest.mark.parametrize(
     ("style", "part", "height"),
-    [("tuned", "straight", 0.016), ("tuned", "turns", 0.035), ("low", "straight", 0.006), ("low", "turns", 0.009)],
+    [("tuned", "straight", 0.016), ("tuned", "turns", 0.030), ("low", "straight", 0.006), ("low", "turns", 0.009)],
 )
 def test_search_wants_no_foot_lifted_higher(monkeypatch, style, part, height):
     def quantities(given, _):
@@ -414,6 +422,32 @@ def test_search_wants_no_foot_lifted_higher(monkeypatch, style, part, height):
     steps = getattr(gait_tuning.STYLES[style], part).steps
     found = gait_tuning.search(0.0, 10.0, TROT, start, 0.15, 20, steps=steps)
     assert found.achieved.highest[0] == pytest.approx(height, abs=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "height"), [("lowest_apex", 0.010), ("mean_apex", 0.012)], ids=["in every stride", "in the mean"]
+)
+@pytest.mark.parametrize(("start", "foot"), [(0, 0), (5, 3), (2, 1)])
+def test_search_wants_each_foot_lifted_from_each_start(monkeypatch, quantity, height, start, foot):
+    """The height of one foot from one start of six matters, whatever the others do; tilt speaks for less."""
+
+    def quantities(given, _):
+        heights = np.full((len(given), 6, 4), 0.02)
+        heights[:, start, foot] = height - 0.005 + 0.1 * hip_offset(given)
+        return {quantity: heights, "tilt": 0.1 * hip_offset(given)}
+
+    Trials(monkeypatch, quantities)
+    steps = gait_tuning.STYLES["tuned"].turns.steps
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, steps=steps)
+    assert getattr(found.achieved, quantity)[0, start, foot] == pytest.approx(height, abs=2e-4)
+
+
+def test_search_asks_for_a_share_of_the_yaw_rates_with_the_turns_of_the_whole(monkeypatch):
+    trials = Trials(monkeypatch, lambda given, sizes: {"yaw_rate": given[:, 1, 0, 1]})
+    start = candidate_of(LEG, [0.0, 0.1, 0.0, 0.0, 0.0])
+    found = gait_tuning.search(0.0, 10.0, TROT, start, 0.1, 20, yaw_rates=(0.5,), share=0.5)
+    assert found.achieved.yaw_rate[0] == pytest.approx(0.25, abs=0.005)
+    assert set(trials.sizes[0].tolist()) == {0.5}
 
 
 @pytest.mark.parametrize(("worth", "wanted"), [(0.1 / 0.035, 0.1), (0.1 / 0.045, 0.0)])

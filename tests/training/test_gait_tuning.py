@@ -228,7 +228,7 @@ class FakeSearch:
         self.calls, self._share = [], share
 
     def __call__(
-        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), steps=None
+        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), steps=None, share=1.0
     ):
         number = len(self.calls) + 1
         self.calls.append(SimpleNamespace(**locals() | {"start": np.array(start)}))
