@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=None,
         metavar="HZ",
-        help="gait cycles per second (default: 3.6 for tuned, 5 for low, 3.2 for fast)",
+        help="gait cycles per second (default: 3.4 for tuned, 5 for low, 3.2 for fast)",
     )
     parser.add_argument(
         "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"

@@ -102,7 +102,7 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: Frequency = 3.6
+    clock_frequency: Frequency = 3.4
     """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
     observation_history: int = 1
     """Control steps whose observations a policy gets at once."""

@@ -176,7 +176,7 @@ class TaskConfig(PlainFields):
     """Physics steps per control step."""
     physics_timestep: float = 0.005
     """Physics time step, s."""
-    clock_frequency: Frequency = 3.6
+    clock_frequency: Frequency = 3.4
     """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
     observation_history: int = 1
     """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""

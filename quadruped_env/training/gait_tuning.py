@@ -42,9 +42,10 @@ _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0, 0.0)
 _STROKES: Final = 0.1
 """Change of each side's speed with which the search of a turn starts that has no other start, m/s"""
 _NO_TURN: Final = np.zeros((2, 2, 6))
-_START: Final = np.array([[0.24, 1.13, -0.04, -0.29, -1.2, 0.16], [0.15, 1.09, -0.04, -0.3, -1.32, 0.16]])
-"""Where the search of the commanded gait starts. With the thigh nearly level, hip and knee move the foot in different
-directions: as sinusoids a quarter of a cycle apart they make it a flat ellipse"""
+_START: Final = np.array(
+    [[0.2256, 0.8522, 0.0516, -0.2225, -0.9645, 0.0894], [-0.0359, 0.7611, -0.0295, -0.1219, -1.0594, 0.0661]]
+)
+"""Where the search of the commanded gait starts: the fast gait at 0.3 m/s, on straighter legs than the stance's"""
 _TURNING: Final = np.array(
     [
         [[-0.17, -0.03, -0.19, 0.3, -0.15, -0.05], [-0.24, -0.44, 0.19, 0.16, -0.02, -0.02]],
@@ -57,7 +58,8 @@ _TURNING: Final = np.array(
 _LOW_START: Final = np.array(
     [[0.1742, 1.1511, 0.0198, -0.176, -1.2863, 0.0772], [0.0934, 1.1109, -0.0436, -0.1856, -1.3473, 0.1557]]
 )
-"""Where the search of the gait with low steps starts: what it found before at 4 Hz, from `_START`"""
+"""Where the search of the gait with low steps starts: what it found before at 4 Hz, with the thighs nearly
+level: hip and knee then move the foot in different directions"""
 _LOW_TURNING: Final = np.array(
     [
         [[-0.1823, -0.0806, -0.1216, 0.3254, 0.1646, 0.1097], [-0.1073, -0.0631, -0.028, 0.0143, -0.099, 0.0083]],
@@ -125,12 +127,9 @@ _HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
 STYLES: Final = {
     "tuned": Style(
         Course(
-            Steps(0.012, 0.016, 2000.0, 800.0),
+            Steps(0.012, 0.016, 2000.0),
             _START,
-            (
-                *(0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.3, -0.4),
-                *(0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
-            ),
+            (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
             more_generations=2,
             spread_again=0.7,
         ),

@@ -5,7 +5,7 @@ from typing import Final
 
 PHYSICS_TIMESTEP: Final = 0.005
 """Default of the task, s."""
-CLOCK_FREQUENCY: Final = 3.6
+CLOCK_FREQUENCY: Final = 3.4
 """Default of the task, Hz."""
 
 REWARD_WEIGHTS: Final = {

@@ -251,7 +251,7 @@ def tuned_with(
     monkeypatch,
     share,
     say=lambda line: None,
-    name="tuned",
+    name="low",
     straight_speeds=SPEEDS,
     turning_speeds=TURNING_SPEEDS,
 ):
@@ -262,7 +262,9 @@ def tuned_with(
         style.straight._replace(speeds=straight_speeds), style.turns._replace(speeds=turning_speeds)
     )
     gait = gait_tuning.tune_commanded_gait(13.0, YAW_RATES, 7, say, style)
-    assert [call.steps for call in searches.calls] == 4 * [style.straight.steps] + 4 * [style.turns.steps]
+    turns = len(turning_speeds) + len(style.turns.ramp)
+    steps = [style.straight.steps] * len(straight_speeds) + [style.turns.steps] * turns
+    assert [call.steps for call in searches.calls] == steps
     return searches.calls, gait
 
 
@@ -271,7 +273,7 @@ def test_straight_gaits_are_searched_from_their_neighbours(monkeypatch):
     straight = calls[:4]
     assert [call.speed for call in straight] == list(SPEEDS)
     assert all((call.angular_frequency, call.turns, call.seed) == (13.0, TROT, 0) for call in calls)
-    assert all((call.spread, call.generations, call.yaw_rates) == (0.04, 9, (0.0,)) for call in straight)
+    assert all((call.spread, call.generations, call.yaw_rates) == (0.04, 7, (0.0,)) for call in straight)
     for call in straight:
         np.testing.assert_array_equal(call.start[1:], NO_TURN)
     steps = np.stack([straight[i + 1].start[0] - found(number, (2, 6)) for i, number in enumerate((1, 1, 2))])
@@ -297,7 +299,31 @@ def test_turns_are_searched_from_their_neighbours_on_top_of_the_straight_gaits(m
 def test_a_search_from_its_own_result_begins_with_a_smaller_spread(monkeypatch):
     speeds = (0.2, 0.2, 0.0, 0.2)
     calls, _ = tuned_with(monkeypatch, 1.0, straight_speeds=speeds, turning_speeds=speeds)
-    np.testing.assert_allclose([call.spread for call in calls], [0.04, 0.028, 0.04, 0.028, 0.1, 0.06, 0.1, 0.06])
+    np.testing.assert_allclose([call.spread for call in calls], [0.04, 0.04, 0.04, 0.04, 0.1, 0.06, 0.1, 0.06])
+    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned", straight_speeds=speeds, turning_speeds=speeds)
+    np.testing.assert_allclose([call.spread for call in calls[:4]], [0.04, 0.028, 0.04, 0.028])
+
+
+def test_first_turn_of_a_ramp_is_asked_for_step_by_step(monkeypatch):
+    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
+    ramp = gait_tuning.STYLES["tuned"].turns.ramp
+    assert ramp[0] <= 0.1
+    assert max(np.diff(ramp)) < 0.11
+    turns = calls[4:]
+    assert [call.share for call in turns] == [*ramp, 1.0, 1.0, 1.0, 1.0]
+    assert [call.speed for call in turns] == [0.2] * len(ramp) + list(TURNING_SPEEDS)
+    for i in range(len(ramp)):
+        np.testing.assert_allclose(turns[i + 1].start[1:], found(4 + i + 1, (2, 2, 6)), err_msg="from the step before")
+
+
+def test_first_turn_of_a_ramp_has_longer_strides_outside_and_shorter_inside(monkeypatch):
+    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
+    ahead, turn, side = calls[4].start
+    at_rest, at_half = found(2, (2, 6)), found(3, (2, 6))
+    at_walk = found(1, (2, 6))
+    np.testing.assert_allclose(ahead, at_walk)
+    np.testing.assert_allclose(ahead + 0.8 * (turn + side), at_walk + (at_half - at_walk) / 3.0, atol=1e-12)
+    np.testing.assert_allclose(ahead + 0.8 * (turn - side), (at_walk + at_rest) / 2.0, atol=1e-12)
 
 
 def test_a_course_asks_for_more_generations(monkeypatch):
