@@ -20,9 +20,6 @@ from quadruped_env.training.gait_trial import ROBOT, Achieved, measure, trials
 
 CANDIDATES: Final = 40
 ELITE: Final = 8
-_STRAIGHT_SPREAD: Final = 0.04
-_TURN_SPREAD: Final = 0.1
-"""Standard deviation of the first generation, see `search`."""
 
 Log = Callable[[str], None]
 """Called with one line of text."""
@@ -39,8 +36,6 @@ _STRAIGHT: Final = np.array([True, False, False])[:, None, None]
 _STANCE_LEG: Final = (0.0, float(ROBOT.stance[0]), 0.0, 0.0, float(ROBOT.stance[1]), 0.0)
 _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
-_STROKES: Final = 0.1
-"""Change of each side's speed with which the search of a turn starts that has no other start, m/s"""
 _NO_TURN: Final = np.zeros((2, 2, 6))
 _START: Final = np.array(
     [[0.2256, 0.8522, 0.0516, -0.2225, -0.9645, 0.0894], [-0.0359, 0.7611, -0.0295, -0.1219, -1.0594, 0.0661]]
@@ -48,11 +43,12 @@ _START: Final = np.array(
 """Where the search of the commanded gait starts: the fast gait at 0.3 m/s, on straighter legs than the stance's"""
 _TURNING: Final = np.array(
     [
-        [[-0.17, -0.03, -0.19, 0.3, -0.15, -0.05], [-0.24, -0.44, 0.19, 0.16, -0.02, -0.02]],
-        [[-0.1, -0.0, -0.01, -0.18, -0.45, 0.23], [0.02, 0.04, 0.02, 0.01, -0.03, 0.07]],
+        [[-0.148, 0.067, 0.055, 0.235, 0.074, 0.021], [-0.001, -0.202, 0.054, -0.044, -0.206, -0.059]],
+        [[-0.076, -0.088, -0.046, -0.203, -0.555, 0.008], [-0.05, 0.104, 0.09, 0.045, 0.019, 0.128]],
     ]
 )
-"""Where the search of the turns starts: on the spot, with higher and longer steps outside"""
+"""Where the search of the turns starts: on the spot. A search that asks for the whole yaw rate at once ends at turns
+that drag a foot; this one was found in steps of 0.05 rad/s, from strides that are longer outside and shorter inside"""
 
 
 _LOW_START: Final = np.array(
@@ -75,6 +71,13 @@ _FAST_START: Final = np.array(
 )
 """Where the search of the fast gait starts: the first harmonics of a policy that learned to run from scratch at 3 Hz.
 It stands taller than the tuned gait, which leaves its legs more stroke"""
+_FAST_TURNING: Final = np.array(
+    [
+        [[-0.17, -0.03, -0.19, 0.3, -0.15, -0.05], [-0.24, -0.44, 0.19, 0.16, -0.02, -0.02]],
+        [[-0.1, -0.0, -0.01, -0.18, -0.45, 0.23], [0.02, 0.04, 0.02, 0.01, -0.03, 0.07]],
+    ]
+)
+"""Where the search of its turns starts: on the spot, with higher and longer steps outside"""
 
 
 class Steps(NamedTuple):
@@ -89,29 +92,29 @@ class Steps(NamedTuple):
     cost_per_foot: float = 0.0
     """Cost of the height that each sole misses, 1/m, in the mean over the starts. The least of all soles, strides and
     starts does not tell the search which change lifts the others a little."""
+    tilt_cost: float = 15.0
+    """Cost of the body's tilt, root mean square. A body that leans far lifts its feet without effort."""
 
 
 class Course(NamedTuple):
     """Searches of a gait at several speeds."""
 
     steps: Steps
-    start: NDArray[np.float64] | None
-    """Where the first search starts: (2, 6), or (2, 2, 6) for turns; None for a turn with the straight gait's strides,
-    longer outside and shorter inside."""
+    start: NDArray[np.float64]
+    """Where the first search starts: (2, 6), or (2, 2, 6) for turns."""
     speeds: tuple[float, ...]
     """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
     result."""
     more_generations: int = 0
     """Generations beyond those of the program's option."""
+    spread: float = 0.04
+    """Standard deviation of the first generation, see `search`."""
     spread_again: float = 1.0
-    """Spread of the first generation where a search starts from its own result, as a share of that of the others."""
-    ramp: tuple[float, ...] = ()
-    """Shares of the yaw rates that the first search asks for before it asks for the whole. At once they lead it to
-    turns that drag a foot."""
+    """The same where a search starts from its own result, as a share of that of the others."""
 
-    def share_of_spread(self, again: bool) -> float:
-        """Share of the first generation's spread, `again` if the search starts from its own result."""
-        return self.spread_again if again else 1.0
+    def first_spread(self, again: bool) -> float:
+        """Standard deviation of the first generation, `again` if the search starts from its own result."""
+        return self.spread * (self.spread_again if again else 1.0)
 
 
 class Style(NamedTuple):
@@ -134,12 +137,11 @@ STYLES: Final = {
             spread_again=0.7,
         ),
         Course(
-            Steps(0.010, 0.030, 200.0, 800.0),
-            None,
-            (0.3, 0.2, 0.1, 0.0, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, 0.4, 0.5),
-            more_generations=4,
-            spread_again=0.5,
-            ramp=(0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0),
+            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0),
+            _TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.2, -0.3),
+            more_generations=12,
+            spread=0.05,
         ),
         (0.2, 0.5),
     ),
@@ -156,6 +158,7 @@ STYLES: Final = {
             _LOW_TURNING,
             (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
             more_generations=2,
+            spread=0.1,
             spread_again=0.6,
         ),
     ),
@@ -168,9 +171,10 @@ STYLES: Final = {
         ),
         Course(
             Steps(0.008, 0.05, 100.0),
-            _TURNING,
+            _FAST_TURNING,
             (0.0, 0.0, 0.2, 0.4, 0.6, -0.2),
             more_generations=2,
+            spread=0.1,
             spread_again=0.6,
         ),
         (0.4, 0.8, 1.2),
@@ -261,7 +265,6 @@ def search(
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
     steps: Steps = _HIGH_STEPS,
-    share: float = 1.0,
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
@@ -277,7 +280,6 @@ def search(
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
         steps: what every step should be like.
-        share: of the yaw rates that is asked for, with the turns of the whole.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -288,7 +290,6 @@ def search(
     # All candidates at the first yaw rate, then all at the second.
     wanted, largest = np.repeat(yaw_rates, CANDIDATES), max(yaw_rates)
     sizes = turn_size(wanted, largest)
-    wanted = share * wanted
     varied = np.where(_STRAIGHT, 0.0, 1.0 / largest) if largest else 1.0 * _STRAIGHT
     mean, deviation = start.copy(), spread * (_HIGH - _LOW) * varied
     best, best_score = None, -np.inf
@@ -304,7 +305,7 @@ def search(
                 -150.0 * np.abs(got.forward_velocity - speed)
                 - 60.0 * np.abs(got.yaw_rate - wanted)
                 - 4.0 * np.abs(got.lateral_velocity)
-                - 15.0 * got.tilt
+                - steps.tilt_cost * got.tilt
                 - 0.1 * got.power
                 - 2.0 * got.slip
                 # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
@@ -363,13 +364,12 @@ def tune_commanded_gait(
         near = _nearest(speed, straight)
         legs = course.start if near is None else straight[near] + (speed - near) * _FASTER
         start = np.concatenate([[legs], _NO_TURN])
-        spread = _STRAIGHT_SPREAD * course.share_of_spread(speed in straight)
         found = search(
             speed,
             angular_frequency,
             LEG_PHASES["trot"],
             start,
-            spread,
+            course.first_spread(speed in straight),
             generations + course.more_generations,
             steps=course.steps,
         )
@@ -381,26 +381,19 @@ def tune_commanded_gait(
     course, largest = style.turns, max(yaw_rates)
     for speed in course.speeds:
         near = _nearest(speed, turning)
-        if near is not None:
-            turn = turning[near]
-        else:
-            turn = _longer_outside(speed, straight) / largest if course.start is None else course.start
-        for share in (*(course.ramp if near is None else ()), 1.0):
-            found = search(
-                reached[speed],
-                angular_frequency,
-                LEG_PHASES["trot"],
-                np.concatenate([[straight[speed]], turn]),
-                _TURN_SPREAD * course.share_of_spread(near is None and turn is not course.start or speed in turning),
-                generations + course.more_generations,
-                yaw_rates=yaw_rates,
-                steps=course.steps,
-                share=share,
-            )
-            turn = found.candidate[1:]
-            asked = tuple(share * yaw_rate for yaw_rate in yaw_rates)
-            say(_line(f"{speed:+.2f} m/s in turns", found, asked))
-        turning[speed] = turn
+        start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
+        found = search(
+            reached[speed],
+            angular_frequency,
+            LEG_PHASES["trot"],
+            start,
+            course.first_spread(speed in turning),
+            generations + course.more_generations,
+            yaw_rates=yaw_rates,
+            steps=course.steps,
+        )
+        say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
+        turning[speed] = found.candidate[1:]
     table = {}
     for speed, legs in straight.items():
         near = min(turning, key=lambda other: abs(other - speed))
@@ -409,16 +402,6 @@ def tune_commanded_gait(
         limited = _within_limits(whole[None], angular_frequency, largest)[0]
         table[reached[speed]] = whole if near == speed else limited
     return commanded_gait(table, angular_frequency, largest)
-
-
-def _longer_outside(speed: float, straight: Mapping[float, NDArray[np.float64]]) -> NDArray[np.float64]:
-    """What strides that are `_STROKES` faster outside and slower inside change on both sides and between them."""
-    speeds = sorted(straight)
-    gaits = np.array([straight[known] for known in speeds])
-    row = np.interp([speed - _STROKES, speed, speed + _STROKES], speeds, np.arange(len(speeds)))
-    below = np.minimum(row.astype(np.int64), len(speeds) - 2)
-    inner, ahead, outer = gaits[below] + (row - below)[:, None, None] * (gaits[below + 1] - gaits[below])
-    return np.stack([0.5 * (outer + inner) - ahead, 0.5 * (outer - inner)])
 
 
 def _nearest(speed: float, others: Iterable[float]) -> float | None:
