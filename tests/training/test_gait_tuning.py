@@ -15,7 +15,7 @@ TUNED = CommandedGait.tuned()
 LOW = CommandedGait.preset("low")
 FAST = CommandedGait.preset("fast")
 TURN_COMMANDS = np.array(
-    [(speed, side * yaw_rate) for speed in (0.0, 0.2, -0.2) for yaw_rate in (0.4, 0.7) for side in (1, -1)]
+    [(speed, side * yaw_rate) for speed in (0.0, 0.2, -0.2) for yaw_rate in (0.25, 0.5) for side in (1, -1)]
 )
 
 
@@ -46,7 +46,7 @@ def test_gaits_walk_at_the_speeds_of_their_tables(walked, gait):
 
 @pytest.mark.parametrize(
     ("gait", "least", "agreement", "error"),
-    [(TUNED, 0.008, 0.45, 0.05), (LOW, 0.004, 0.3, 0.05), (FAST, 0.006, 0.3, 0.1)],
+    [(TUNED, 0.008, 0.2, 0.1), (LOW, 0.004, 0.3, 0.05), (FAST, 0.006, 0.3, 0.1)],
     ids=["tuned", "low", "fast"],
 )
 def test_gaits_lift_every_foot(walked, gait, least, agreement, error):
@@ -94,8 +94,9 @@ def test_the_tuned_gait_turns_at_the_commanded_rate():
     assert np.median(error) < 0.05
     assert error.max() < 0.2
     np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.08)
-    # The inner fore foot steps twice in a stride.
-    assert np.median(got.touchdown_error) < 0.5
+    # In nearly every stride every foot clears the ground, and lands once.
+    assert got.mean_apex.min(axis=2).mean() > 0.008
+    assert np.median(got.touchdown_error) < 0.25
 
 
 def test_no_hip_is_sent_near_its_limit():
@@ -228,7 +229,7 @@ class FakeSearch:
         self.calls, self._share = [], share
 
     def __call__(
-        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), steps=None, share=1.0
+        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), steps=None
     ):
         number = len(self.calls) + 1
         self.calls.append(SimpleNamespace(**locals() | {"start": np.array(start)}))
@@ -262,8 +263,7 @@ def tuned_with(
         style.straight._replace(speeds=straight_speeds), style.turns._replace(speeds=turning_speeds)
     )
     gait = gait_tuning.tune_commanded_gait(13.0, YAW_RATES, 7, say, style)
-    turns = len(turning_speeds) + len(style.turns.ramp)
-    steps = [style.straight.steps] * len(straight_speeds) + [style.turns.steps] * turns
+    steps = [style.straight.steps] * len(straight_speeds) + [style.turns.steps] * len(turning_speeds)
     assert [call.steps for call in searches.calls] == steps
     return searches.calls, gait
 
@@ -302,28 +302,6 @@ def test_a_search_from_its_own_result_begins_with_a_smaller_spread(monkeypatch):
     np.testing.assert_allclose([call.spread for call in calls], [0.04, 0.04, 0.04, 0.04, 0.1, 0.06, 0.1, 0.06])
     calls, _ = tuned_with(monkeypatch, 1.0, name="tuned", straight_speeds=speeds, turning_speeds=speeds)
     np.testing.assert_allclose([call.spread for call in calls[:4]], [0.04, 0.028, 0.04, 0.028])
-
-
-def test_first_turn_of_a_ramp_is_asked_for_step_by_step(monkeypatch):
-    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
-    ramp = gait_tuning.STYLES["tuned"].turns.ramp
-    assert ramp[0] <= 0.1
-    assert max(np.diff(ramp)) < 0.11
-    turns = calls[4:]
-    assert [call.share for call in turns] == [*ramp, 1.0, 1.0, 1.0, 1.0]
-    assert [call.speed for call in turns] == [0.2] * len(ramp) + list(TURNING_SPEEDS)
-    for i in range(len(ramp)):
-        np.testing.assert_allclose(turns[i + 1].start[1:], found(4 + i + 1, (2, 2, 6)), err_msg="from the step before")
-
-
-def test_first_turn_of_a_ramp_has_longer_strides_outside_and_shorter_inside(monkeypatch):
-    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
-    ahead, turn, side = calls[4].start
-    at_rest, at_half = found(2, (2, 6)), found(3, (2, 6))
-    at_walk = found(1, (2, 6))
-    np.testing.assert_allclose(ahead, at_walk)
-    np.testing.assert_allclose(ahead + 0.8 * (turn + side), at_walk + (at_half - at_walk) / 3.0, atol=1e-12)
-    np.testing.assert_allclose(ahead + 0.8 * (turn - side), (at_walk + at_rest) / 2.0, atol=1e-12)
 
 
 def test_a_course_asks_for_more_generations(monkeypatch):
