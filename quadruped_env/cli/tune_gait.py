@@ -1,6 +1,6 @@
 """Search the parameters of the scripted gaits on the simulated robot.
 
-They are the tables of the `tuned`, `low` or `fast` gait over forward velocity, with what a yaw rate adds, and with
+They are the tables of the `tuned`, `crouched`, `low` or `fast` gait over forward velocity, with what a yaw rate adds, and with
 `tuned` the presets trot, walk, bound and pace. Writes the numbers that belong in quadruped_env/gait/presets.py, and
 prints the velocities that the gait reaches. Takes five to fifteen minutes on two idle cores.
 """
@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=None,
         metavar="HZ",
-        help="gait cycles per second (default: 3.4 for tuned, 5 for low, 3.2 for fast)",
+        help="gait cycles per second (default: 3.4 for tuned, 3.6 for crouched, 5 for low, 3.2 for fast)",
     )
     parser.add_argument(
         "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"

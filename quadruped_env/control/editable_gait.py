@@ -28,7 +28,7 @@ class EditableGaitController:
     """A preset whose settings can be changed at any time without a jump in its phase.
 
     Args:
-        preset: name of the preset; `tuned`, `low` and `fast` follow the velocity command.
+        preset: name of the preset; `tuned`, `crouched`, `low` and `fast` follow the velocity command.
         robot: robot that walks.
     """
 

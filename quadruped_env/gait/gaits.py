@@ -84,7 +84,7 @@ class SinusoidalGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
         """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
-        `tuned`, `low` and `fast` are those of `CommandedGait` at 0.4 m/s straight ahead.
+        `tuned`, `crouched`, `low` and `fast` are those of `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
@@ -302,7 +302,7 @@ class CommandedGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """A gait whose tables `train/tune_gait.py` found, `tuned`, `low` or `fast`, mapped to a robot.
+        """A gait whose tables `train/tune_gait.py` found, `tuned`, `crouched`, `low` or `fast`, mapped to a robot.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.

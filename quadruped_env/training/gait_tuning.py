@@ -51,11 +51,14 @@ _TURNING: Final = np.array(
 that drag a foot; this one was found in steps of 0.05 rad/s, from strides that are longer outside and shorter inside"""
 
 
+_CROUCHED_START: Final = np.array([[0.24, 1.13, -0.04, -0.29, -1.2, 0.16], [0.15, 1.09, -0.04, -0.3, -1.32, 0.16]])
+"""Where the search of the gait with bent legs starts. With the thigh nearly level, hip and knee move the foot in
+different directions: as sinusoids a quarter of a cycle apart they make it a flat ellipse"""
 _LOW_START: Final = np.array(
     [[0.1742, 1.1511, 0.0198, -0.176, -1.2863, 0.0772], [0.0934, 1.1109, -0.0436, -0.1856, -1.3473, 0.1557]]
 )
-"""Where the search of the gait with low steps starts: what it found before at 4 Hz, with the thighs nearly
-level: hip and knee then move the foot in different directions"""
+"""Where the search of the gait with low steps starts: what it found before at 4 Hz, from
+`_CROUCHED_START`"""
 _LOW_TURNING: Final = np.array(
     [
         [[-0.1823, -0.0806, -0.1216, 0.3254, 0.1646, 0.1097], [-0.1073, -0.0631, -0.028, 0.0143, -0.099, 0.0083]],
@@ -71,13 +74,14 @@ _FAST_START: Final = np.array(
 )
 """Where the search of the fast gait starts: the first harmonics of a policy that learned to run from scratch at 3 Hz.
 It stands taller than the tuned gait, which leaves its legs more stroke"""
-_FAST_TURNING: Final = np.array(
+_HIGH_TURNING: Final = np.array(
     [
         [[-0.17, -0.03, -0.19, 0.3, -0.15, -0.05], [-0.24, -0.44, 0.19, 0.16, -0.02, -0.02]],
         [[-0.1, -0.0, -0.01, -0.18, -0.45, 0.23], [0.02, 0.04, 0.02, 0.01, -0.03, 0.07]],
     ]
 )
-"""Where the search of its turns starts: on the spot, with higher and longer steps outside"""
+"""Where the search of its turns, and of those of the gait with bent legs, starts: on the spot, with higher and longer
+steps outside"""
 
 
 class Steps(NamedTuple):
@@ -145,6 +149,24 @@ STYLES: Final = {
         ),
         (0.2, 0.5),
     ),
+    "crouched": Style(
+        Course(
+            Steps(0.014, 0.016, 2000.0),
+            _CROUCHED_START,
+            (0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.3, 0.3, 0.4, 0.5, 0.5, 0.58, 0.65),
+            more_generations=2,
+            spread_again=0.7,
+        ),
+        # Turns need higher steps.
+        Course(
+            _HIGH_STEPS,
+            _HIGH_TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
+            more_generations=2,
+            spread=0.1,
+            spread_again=0.6,
+        ),
+    ),
     # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. To turn,
     # the outer feet have to be higher.
     "low": Style(
@@ -171,7 +193,7 @@ STYLES: Final = {
         ),
         Course(
             Steps(0.008, 0.05, 100.0),
-            _FAST_TURNING,
+            _HIGH_TURNING,
             (0.0, 0.0, 0.2, 0.4, 0.6, -0.2),
             more_generations=2,
             spread=0.1,
