@@ -48,9 +48,9 @@ class ActionConfig(PlainFields):
     residual_scale: float = 0.4
     """Change of the joint target per unit of action in `residual` mode, rad."""
     gait: Literal["tuned", "crouched", "low", "fast"] = "tuned"
-    """Scripted gait of the `residual` mode. `crouched` bends its legs further, and is what policies for terrain are
-    trained on; the steps of `low` are low and quick, so that a push tips the robot over less easily; `fast` takes longer
-    strides. They need gait clocks of their own frequencies, 3.6, 5 and 3.2 Hz."""
+    """Scripted gait of the `residual` mode. `crouched` bends its legs further, for policies on terrain; the steps of
+    `low` are low and quick, so that a push tips the robot over less easily; `fast` takes longer strides. They need gait
+    clocks of their own frequencies, 3.6, 5 and 3.2 Hz."""
 
     def __post_init__(self) -> None:
         super().__post_init__()

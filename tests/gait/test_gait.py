@@ -188,7 +188,7 @@ def test_gaits_are_equal_by_their_parameters_and_do_not_change():
 # --- the tuned gait ---
 
 
-@pytest.mark.parametrize("name", ["tuned", "low", "fast"])
+@pytest.mark.parametrize("name", ["tuned", "crouched", "low", "fast"])
 def test_presets_that_follow_a_command_have_that_of_0_4_m_s_straight_ahead(name):
     t, gait = np.linspace(0, 1, 20), CommandedGait.preset(name)
     expected = gait.positions(gait.angular_frequency * t, np.tile([0.4, 0.0], (20, 1)))

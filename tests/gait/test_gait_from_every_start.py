@@ -14,7 +14,8 @@ STARTS = 16
 
 
 @pytest.mark.parametrize(
-    ("name", "clearance", "touchdowns"), [("tuned", 0.006, 1.3), ("low", 0.003, 1.3), ("fast", 0.005, 1.5)]
+    ("name", "clearance", "touchdowns"),
+    [("tuned", 0.006, 1.3), ("crouched", 0.006, 1.3), ("low", 0.003, 1.3), ("fast", 0.005, 1.5)],
 )
 def test_gait_lifts_every_foot_once_per_stride_from_every_start(name, clearance, touchdowns):
     """At 2.6 Hz, two feet dragged in one episode of eight, and some touched down 1.6 times per stride."""

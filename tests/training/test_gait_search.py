@@ -395,7 +395,7 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-@pytest.mark.parametrize(("style", "height"), [("tuned", 0.012), ("low", 0.004), ("fast", 0.008)])
+@pytest.mark.parametrize(("style", "height"), [("tuned", 0.012), ("crouched", 0.014), ("low", 0.004), ("fast", 0.008)])
 def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, style, height):
     def quantities(given, _):
         # Tilt speaks for less.
@@ -410,7 +410,13 @@ def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, styl
 
 @pytest.mark.parametrize(
     ("style", "part", "height"),
-    [("tuned", "straight", 0.016), ("tuned", "turns", 0.025), ("low", "straight", 0.006), ("low", "turns", 0.009)],
+    [
+        ("tuned", "straight", 0.016),
+        ("tuned", "turns", 0.025),
+        ("crouched", "turns", 0.035),
+        ("low", "straight", 0.006),
+        ("low", "turns", 0.009),
+    ],
 )
 def test_search_wants_no_foot_lifted_higher(monkeypatch, style, part, height):
     def quantities(given, _):
