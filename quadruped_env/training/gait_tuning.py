@@ -357,7 +357,7 @@ def search(
 
 
 def _missing_height(got: Achieved, least: float) -> NDArray[np.float64]:
-    """What the soles miss of a height in their lowest and, of a fifth more, in their mean stride (N,), m.
+    """Height that the soles miss (N,), m: of the least in their lowest stride, of a fifth more in their mean stride.
 
     Sum over the feet, mean over the starts.
     """

@@ -144,9 +144,11 @@ def test_a_gait_exactly_at_a_limit_is_within_it():
 
 
 def test_unknown_preset_names_the_valid_ones():
-    with pytest.raises(QuadrupedError, match=r"'gallop'.*article, trot, walk, bound, pace, tuned, low"):
+    with pytest.raises(QuadrupedError, match=r"'gallop'.*article, trot, walk, bound, pace, tuned, crouched, low, fast"):
         SinusoidalGait.preset("gallop")
-    with pytest.raises(QuadrupedError, match=r"'trot' follows no command; those that do are tuned, low"):
+    with pytest.raises(
+        QuadrupedError, match=r"'trot' follows no command; those that do are tuned, crouched, low, fast"
+    ):
         CommandedGait.preset("trot")
 
 

@@ -254,15 +254,15 @@ class TestGait:
 
     def test_tuned_gait_walks_and_turns_as_commanded(self):
         # A robot that is 1.28 times as tall swings its legs more slowly: the period grows with the root of its height.
-        slower = dataclasses.replace(CommandedGait.tuned(ROBOT), angular_frequency=math.tau * 3.2)
+        slower = dataclasses.replace(CommandedGait.tuned(ROBOT), angular_frequency=math.tau * 2.8)
         backwards = [(-0.2, 0.0)] * 3
         found = walk(CommandedGaitController(slower), [(0.3, 0.0), (0.0, 0.5), (0.0, -0.5), (0.0, 0.0), *backwards])
         assert found[:, 2].min() > 0.97  # upright
         forward, turn = found[:, 0], found[:, 1]
         assert 0.25 < forward[0] < 0.33
         assert -0.23 < np.median(forward[4:]) < -0.15
-        assert turn[1] > 0.2
-        assert turn[2] < -0.2
+        assert turn[1] > 0.15
+        assert turn[2] < -0.15
         np.testing.assert_allclose(found[3, :2], 0.0, atol=0.02)
 
     def test_straight_legs_are_refused(self):

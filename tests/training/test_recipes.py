@@ -59,7 +59,8 @@ def test_recipes_are_what_their_names_say(asked):
     assert fast.command.yaw_rate[1] > default.yaw_rate[1]
     assert fast.action.gait == "fast"
     assert fast.clock_frequency == pytest.approx(CommandedGait.preset("fast").angular_frequency / math.tau)
-    assert rough.clock_frequency == TaskConfig().clock_frequency
+    assert rough.action.gait == "crouched"
+    assert rough.clock_frequency == pytest.approx(CommandedGait.preset("crouched").angular_frequency / math.tau)
     critics = {name: asked("--recipe", name).asymmetric_critic for name in RECIPES}
     assert critics == {"flat": True, "robust": True, "rough": True, "fast": False}
 
