@@ -8,7 +8,6 @@ hard bounds of the search. The straight gait is searched first, and what turning
 Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
 """
 
-import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Final, NamedTuple
 
@@ -129,8 +128,6 @@ class Style(NamedTuple):
     turns: Course
     yaw_rates: tuple[float, ...] = (0.25, 0.5, 0.8)
     """Of the turns, rad/s."""
-    largest_yaw_rate: float = 0.0
-    """Yaw rate up to which the turns grow, rad/s, if that is more than the largest that is searched."""
 
 
 _HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
@@ -151,7 +148,6 @@ STYLES: Final = {
             spread=0.05,
         ),
         (0.2, 0.5),
-        largest_yaw_rate=0.6,
     ),
     "crouched": Style(
         Course(
@@ -404,7 +400,7 @@ def tune_commanded_gait(
         # A few mm/s are missing after the search: the table has the speed that the gait reaches.
         reached[speed] = round(float(found.achieved.forward_velocity[0]), 3) if speed else 0.0
     turning: dict[float, NDArray[np.float64]] = {}
-    course = style.turns
+    course, largest = style.turns, max(yaw_rates)
     for speed in course.speeds:
         near = _nearest(speed, turning)
         start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
@@ -420,16 +416,13 @@ def tune_commanded_gait(
         )
         say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
         turning[speed] = found.candidate[1:]
-    searched = max(yaw_rates)
-    largest = max(searched, style.largest_yaw_rate)
     table = {}
     for speed, legs in straight.items():
         near = min(turning, key=lambda other: abs(other - speed))
-        # See `turn_size`: up to the searched yaw rate, a larger largest one changes nothing.
-        whole = np.concatenate([[legs], math.sqrt(searched / largest) * turning[near]])
-        # The turn of another speed, or a larger one, on top of this straight gait, may be beyond the limits.
+        whole = np.concatenate([[legs], turning[near]])
+        # The turn of another speed, on top of this one's straight gait, may be beyond the limits.
         limited = _within_limits(whole[None], angular_frequency, largest)[0]
-        table[reached[speed]] = whole if near == speed and largest == searched else limited
+        table[reached[speed]] = whole if near == speed else limited
     return commanded_gait(table, angular_frequency, largest)
 
 

@@ -92,7 +92,7 @@ def test_a_standing_robot_has_its_feet_on_the_ground():
 def test_the_tuned_gait_turns_at_the_commanded_rate():
     got = gait_tuning.measure_commands(TUNED, TURN_COMMANDS)
     error = np.abs(got.yaw_rate - TURN_COMMANDS[:, 1])
-    assert np.median(error) < 0.1
+    assert np.median(error) < 0.05
     assert error.max() < 0.2
     np.testing.assert_allclose(got.forward_velocity, TURN_COMMANDS[:, 0], atol=0.08)
     # In nearly every stride every foot clears the ground, and lands once.
@@ -331,30 +331,6 @@ def test_tables_hold_what_was_found_at_each_speed(monkeypatch):
             expected = 0.01 * numbers + first + 0.001 * column
             # To four digits: the searches' 0.00004 rad more is rounded away.
             np.testing.assert_allclose(getattr(table, name), expected, atol=1e-9, err_msg=f"{i} {name}")
-
-
-def test_turns_may_grow_beyond_the_yaw_rates_of_the_search(monkeypatch):
-    """At the searched yaw rate the joints do the same, at a larger one they do more, within their limits."""
-    limited = []
-    monkeypatch.setattr(
-        gait_tuning,
-        "_within_limits",
-        lambda candidates, frequency, largest: limited.append((frequency, largest)) or candidates,
-    )
-    _, gait = tuned_with(monkeypatch, 1.0)
-    monkeypatch.setattr(gait_tuning, "search", FakeSearch(1.0))
-    style = gait_tuning.STYLES["low"]
-    style = gait_tuning.Style(
-        style.straight._replace(speeds=SPEEDS), style.turns._replace(speeds=TURNING_SPEEDS), largest_yaw_rate=1.25
-    )
-    larger = gait_tuning.tune_commanded_gait(13.0, YAW_RATES, 7, lambda line: None, style)
-    assert larger.largest_yaw_rate == 1.25
-    assert larger.speeds == gait.speeds
-    for one, other in zip(larger.waves([[0.2, 0.8]]), gait.waves([[0.2, 0.8]]), strict=True):
-        np.testing.assert_allclose(one, other, atol=2e-4)
-    sine, _, _ = larger.waves([[0.2, 1.25]])
-    assert abs(sine - gait.waves([[0.2, 1.25]])[0]).max() > 0.005
-    assert limited[-4:] == [(13.0, 1.25)] * 4
 
 
 def test_tables_have_the_speeds_that_were_reached(monkeypatch):
