@@ -461,6 +461,20 @@ def test_search_weighs_a_yaw_rate_by_how_fast_it_moves_the_feet_and_more(monkeyp
     assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
 
 
+@pytest.mark.parametrize(("worth", "wanted"), [(5.5, 0.1), (4.5, 0.0)])
+def test_search_of_tuned_turns_weighs_tilt_as_30_against_150_of_speed(monkeypatch, worth, wanted):
+    """Speed is met at an offset of 0, the body is level at 0.1 rad."""
+
+    def quantities(given, _):
+        offset = hip_offset(given)
+        return {"forward_velocity": offset, "tilt": worth * abs(0.1 - offset)}
+
+    Trials(monkeypatch, quantities)
+    steps = gait_tuning.STYLES["tuned"].turns.steps
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, steps=steps)
+    assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
+
+
 def test_search_prefers_to_stay_on_its_feet_at_every_yaw_rate(monkeypatch):
     def quantities(given, sizes):
         return {"fallen": (sizes > 0.4) & (given[:, 1, 0, 1] > 0.1), "yaw_rate": sizes}
