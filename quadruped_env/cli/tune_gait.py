@@ -37,8 +37,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Search, and print and write what was found."""
     from quadruped_env.files import write_json
     from quadruped_env.gait import CommandedGait
+    from quadruped_env.training.gait_styles import STYLES
     from quadruped_env.training.gait_trial import ROBOT
-    from quadruped_env.training.gait_tuning import STYLES, achieved_table, tune_commanded_gait, tune_presets
+    from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
 
     style = STYLES[arguments.preset]
     preset = CommandedGait.preset(arguments.preset, ROBOT)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.seeds import check_training_seeds
+from quadruped_env.training.gait_styles import HIGH_STEPS, STYLES, Course, Judge, Style
 from quadruped_env.training.gait_trial import ROBOT, Achieved, measure, trials
 
 CANDIDATES: Final = 40
@@ -23,7 +24,6 @@ ELITE: Final = 8
 
 Log = Callable[[str], None]
 """Called with one line of text."""
-
 
 # A candidate is an array (3, 2, 6): the straight gait, what a turn of size 1 rad/s adds on both sides, and what it adds
 # on the right and subtracts on the left; of each for the fore and the hind legs; hip amplitude, hip offset, knee
@@ -37,172 +37,6 @@ _STANCE_LEG: Final = (0.0, float(ROBOT.stance[0]), 0.0, 0.0, float(ROBOT.stance[
 _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
 _NO_TURN: Final = np.zeros((2, 2, 6))
-_START: Final = np.array(
-    [[0.2256, 0.8522, 0.0516, -0.2225, -0.9645, 0.0894], [-0.0359, 0.7611, -0.0295, -0.1219, -1.0594, 0.0661]]
-)
-"""Where the search of the commanded gait starts: the fast gait at 0.3 m/s, on straighter legs than the stance's"""
-_TURNING: Final = np.array(
-    [
-        [[-0.148, 0.067, 0.055, 0.235, 0.074, 0.021], [-0.001, -0.202, 0.054, -0.044, -0.206, -0.059]],
-        [[-0.076, -0.088, -0.046, -0.203, -0.555, 0.008], [-0.05, 0.104, 0.09, 0.045, 0.019, 0.128]],
-    ]
-)
-"""Where the search of the turns starts: on the spot. A search that asks for the whole yaw rate at once ends at turns
-that drag a foot; this one was found in steps of 0.05 rad/s, from strides that are longer outside and shorter inside"""
-
-
-_CROUCHED_START: Final = np.array([[0.24, 1.13, -0.04, -0.29, -1.2, 0.16], [0.15, 1.09, -0.04, -0.3, -1.32, 0.16]])
-"""Where the search of the gait with bent legs starts. With the thigh nearly level, hip and knee move the foot in
-different directions: as sinusoids a quarter of a cycle apart they make it a flat ellipse"""
-_LOW_START: Final = np.array(
-    [[0.1742, 1.1511, 0.0198, -0.176, -1.2863, 0.0772], [0.0934, 1.1109, -0.0436, -0.1856, -1.3473, 0.1557]]
-)
-"""Where the search of the gait with low steps starts: what it found before at 4 Hz, from
-`_CROUCHED_START`"""
-_LOW_TURNING: Final = np.array(
-    [
-        [[-0.1823, -0.0806, -0.1216, 0.3254, 0.1646, 0.1097], [-0.1073, -0.0631, -0.028, 0.0143, -0.099, 0.0083]],
-        [[-0.0627, -0.0227, 0.0226, -0.067, -0.0202, 0.0152], [0.0186, 0.0981, 0.0878, -0.047, -0.0002, 0.0675]],
-    ]
-)
-"""Where the search of its turns starts: what it found before at 4 Hz, from a gait that does not turn. From turns with
-high steps it finds no low ones."""
-
-
-_FAST_START: Final = np.array(
-    [[0.1028, 0.8817, 0.1947, -0.2574, -0.9074, 0.1459], [-0.1849, 0.676, -0.2071, -0.2593, -0.9298, 0.2291]]
-)
-"""Where the search of the fast gait starts: the first harmonics of a policy that learned to run from scratch at 3 Hz.
-It stands taller than the tuned gait, which leaves its legs more stroke"""
-_HIGH_TURNING: Final = np.array(
-    [
-        [[-0.17, -0.03, -0.19, 0.3, -0.15, -0.05], [-0.24, -0.44, 0.19, 0.16, -0.02, -0.02]],
-        [[-0.1, -0.0, -0.01, -0.18, -0.45, 0.23], [0.02, 0.04, 0.02, 0.01, -0.03, 0.07]],
-    ]
-)
-"""Where the search of its turns, and of those of the gait with bent legs, starts: on the spot, with higher and longer
-steps outside"""
-
-
-class Steps(NamedTuple):
-    """Steps that a search looks for."""
-
-    least_lift: float
-    """Height that every sole must reach in every stride, m."""
-    most_lift: float
-    """Height that no sole needs to reach, m."""
-    excess_cost: float
-    """Cost of the mean height of the highest sole beyond that, 1/m."""
-    cost_per_foot: float = 0.0
-    """Cost of the height that each sole misses, 1/m, in the mean over the starts. The least of all soles, strides and
-    starts does not tell the search which change lifts the others a little."""
-    tilt_cost: float = 15.0
-    """Cost of the body's tilt, root mean square. A body that leans far lifts its feet without effort."""
-
-
-class Course(NamedTuple):
-    """Searches of a gait at several speeds."""
-
-    steps: Steps
-    start: NDArray[np.float64]
-    """Where the first search starts: (2, 6), or (2, 2, 6) for turns."""
-    speeds: tuple[float, ...]
-    """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
-    result."""
-    more_generations: int = 0
-    """Generations beyond those of the program's option."""
-    spread: float = 0.04
-    """Standard deviation of the first generation, see `search`."""
-    spread_again: float = 1.0
-    """The same where a search starts from its own result, as a share of that of the others."""
-
-    def first_spread(self, again: bool) -> float:
-        """Standard deviation of the first generation, `again` if the search starts from its own result."""
-        return self.spread * (self.spread_again if again else 1.0)
-
-
-class Style(NamedTuple):
-    """Courses of the searches for a commanded gait."""
-
-    straight: Course
-    turns: Course
-    yaw_rates: tuple[float, ...] = (0.25, 0.5, 0.8)
-    """Of the turns, rad/s."""
-
-
-_HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
-STYLES: Final = {
-    "tuned": Style(
-        Course(
-            Steps(0.012, 0.016, 2000.0),
-            _START,
-            (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
-            more_generations=2,
-            spread_again=0.7,
-        ),
-        Course(
-            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0),
-            _TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.2, -0.3),
-            more_generations=12,
-            spread=0.05,
-        ),
-        (0.2, 0.5),
-    ),
-    "crouched": Style(
-        Course(
-            Steps(0.014, 0.016, 2000.0),
-            _CROUCHED_START,
-            (0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.3, 0.3, 0.4, 0.5, 0.5, 0.58, 0.65),
-            more_generations=2,
-            spread_again=0.7,
-        ),
-        # Turns need higher steps.
-        Course(
-            _HIGH_STEPS,
-            _HIGH_TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
-            more_generations=2,
-            spread=0.1,
-            spread_again=0.6,
-        ),
-    ),
-    # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. To turn,
-    # the outer feet have to be higher.
-    "low": Style(
-        Course(
-            Steps(0.004, 0.006, 4000.0),
-            _LOW_START,
-            (0.3, 0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65),
-        ),
-        Course(
-            Steps(0.004, 0.009, 2000.0),
-            _LOW_TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
-            more_generations=2,
-            spread=0.1,
-            spread_again=0.6,
-        ),
-    ),
-    "fast": Style(
-        Course(
-            Steps(0.008, 0.05, 50.0),
-            _FAST_START,
-            (0.7, 0.75, 0.8, 0.8, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4),
-            more_generations=4,
-        ),
-        Course(
-            Steps(0.008, 0.05, 100.0),
-            _HIGH_TURNING,
-            (0.0, 0.0, 0.2, 0.4, 0.6, -0.2),
-            more_generations=2,
-            spread=0.1,
-            spread_again=0.6,
-        ),
-        (0.4, 0.8, 1.2),
-    ),
-}
-"""By name of the gait that is searched."""
 _FASTER: Final = np.array([[-0.1, 0.0, 0.1, 0.0, 0.0, 0.35], [-0.35, 0.0, -0.3, 0.0, 0.0, 0.8]])
 """About what 1 m/s more changes"""
 _SIDES: Final = np.array([-1.0, 1.0, -1.0, 1.0])
@@ -286,7 +120,7 @@ def search(
     generations: int,
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
-    steps: Steps = _HIGH_STEPS,
+    judge: Judge = HIGH_STEPS.judge,
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
@@ -301,7 +135,7 @@ def search(
         seed: of the search.
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
-        steps: what every step should be like.
+        judge: scores each trial.
 
     Raises:
         QuadrupedError: if the seed is reserved for evaluation.
@@ -321,29 +155,7 @@ def search(
         candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
         targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, turns)
         got = measure(targets, simulation, angular_frequency, turns)
-        # 0.1 rad/s moves a foot as fast as 0.02 m/s, and counts as 0.04 m/s: not to turn is cheap.
-        score = (
-            (
-                -150.0 * np.abs(got.forward_velocity - speed)
-                - 60.0 * np.abs(got.yaw_rate - wanted)
-                - 4.0 * np.abs(got.lateral_velocity)
-                - steps.tilt_cost * got.tilt
-                - 0.1 * got.power
-                - 2.0 * got.slip
-                # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
-                + 5.0 * got.clock
-                + 2.0 * got.lift
-                # Feet that bounce, and feet that never land.
-                - 30.0 * got.touchdown_error
-                - 600.0 * np.maximum(0.0, steps.least_lift - got.clearance)
-                - steps.cost_per_foot * _missing_height(got, steps.least_lift)
-                # High steps are fast and clean, and a robot that hops falls.
-                - steps.excess_cost * np.maximum(0.0, got.highest - steps.most_lift)
-                - 10.0 * got.fallen
-            )
-            .reshape(len(yaw_rates), CANDIDATES)
-            .mean(axis=0)
-        )
+        score = judge(got, speed, wanted).reshape(len(yaw_rates), CANDIDATES).mean(axis=0)
         elite = candidates[np.argsort(-score)[:ELITE]]
         # The old deviation keeps the search from settling before it has found the speed.
         mean, deviation = elite.mean(axis=0), 0.4 * deviation + 0.6 * elite.std(axis=0) + 0.001 * varied
@@ -354,16 +166,6 @@ def search(
             best = Found(candidates[0], achieved, best_score)
     assert best is not None
     return best
-
-
-def _missing_height(got: Achieved, least: float) -> NDArray[np.float64]:
-    """Height that the soles miss (N,), m: of the least in their lowest stride, of a fifth more in their mean stride.
-
-    Sum over the feet, mean over the starts.
-    """
-    missing = np.maximum(0.0, least - got.lowest_apex) + np.maximum(0.0, 1.2 * least - got.mean_apex)
-    height: NDArray[np.float64] = missing.sum(axis=2).mean(axis=1)
-    return height
 
 
 def tune_commanded_gait(
@@ -379,9 +181,24 @@ def tune_commanded_gait(
     speeds, then what turning changes in those for turning. The neighbour is the nearest of the speeds that were
     searched before. The other speeds turn as their nearest ones do.
     """
+    straight, reached = _straight_gaits(angular_frequency, generations, say, style.straight)
+    turning = _turning_gaits(straight, reached, angular_frequency, yaw_rates, generations, say, style.turns)
+    largest, table = max(yaw_rates), {}
+    for speed, legs in straight.items():
+        near = min(turning, key=lambda other: abs(other - speed))
+        whole = np.concatenate([[legs], turning[near]])
+        # The turn of another speed, on top of this one's straight gait, may be beyond the limits.
+        limited = _within_limits(whole[None], angular_frequency, largest)[0]
+        table[reached[speed]] = whole if near == speed else limited
+    return commanded_gait(table, angular_frequency, largest)
+
+
+def _straight_gaits(
+    angular_frequency: float, generations: int, say: Log, course: Course
+) -> tuple[dict[float, NDArray[np.float64]], dict[float, float]]:
+    """The straight gaits (2, 6) of a course by its speeds, and the speeds that they reach, m/s."""
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
-    course = style.straight
     for speed in course.speeds:
         near = _nearest(speed, straight)
         legs = course.start if near is None else straight[near] + (speed - near) * _FASTER
@@ -393,14 +210,26 @@ def tune_commanded_gait(
             start,
             course.first_spread(speed in straight),
             generations + course.more_generations,
-            steps=course.steps,
+            judge=course.steps.judge,
         )
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
         straight[speed] = found.candidate[0]
         # A few mm/s are missing after the search: the table has the speed that the gait reaches.
         reached[speed] = round(float(found.achieved.forward_velocity[0]), 3) if speed else 0.0
+    return straight, reached
+
+
+def _turning_gaits(
+    straight: Mapping[float, NDArray[np.float64]],
+    reached: Mapping[float, float],
+    angular_frequency: float,
+    yaw_rates: tuple[float, ...],
+    generations: int,
+    say: Log,
+    course: Course,
+) -> dict[float, NDArray[np.float64]]:
+    """What turning changes (2, 2, 6) in the straight gaits, by the speeds of a course."""
     turning: dict[float, NDArray[np.float64]] = {}
-    course, largest = style.turns, max(yaw_rates)
     for speed in course.speeds:
         near = _nearest(speed, turning)
         start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
@@ -412,18 +241,11 @@ def tune_commanded_gait(
             course.first_spread(speed in turning),
             generations + course.more_generations,
             yaw_rates=yaw_rates,
-            steps=course.steps,
+            judge=course.steps.judge,
         )
         say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
         turning[speed] = found.candidate[1:]
-    table = {}
-    for speed, legs in straight.items():
-        near = min(turning, key=lambda other: abs(other - speed))
-        whole = np.concatenate([[legs], turning[near]])
-        # The turn of another speed, on top of this one's straight gait, may be beyond the limits.
-        limited = _within_limits(whole[None], angular_frequency, largest)[0]
-        table[reached[speed]] = whole if near == speed else limited
-    return commanded_gait(table, angular_frequency, largest)
+    return turning
 
 
 def _nearest(speed: float, others: Iterable[float]) -> float | None:

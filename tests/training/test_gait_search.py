@@ -10,7 +10,7 @@ from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT
 from quadruped_env import QuadrupedError
 from quadruped_env.gait import LEG_PHASES
 from quadruped_env.task import TaskConfig
-from quadruped_env.training import gait_trial, gait_tuning
+from quadruped_env.training import gait_styles, gait_trial, gait_tuning
 from quadruped_env.training.gait_tuning import Achieved
 
 LOW, HIGH = np.array([-0.5, 0.1, -0.5, -0.5, -1.6, -0.5]), np.array([0.5, 1.2, 0.5, 0.5, -0.4, 0.5])
@@ -403,7 +403,7 @@ def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, styl
 
     Trials(monkeypatch, quantities)
     found = gait_tuning.search(
-        0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, steps=gait_tuning.STYLES[style].straight.steps
+        0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, judge=gait_styles.STYLES[style].straight.steps.judge
     )
     assert found.achieved.clearance[0] == pytest.approx(height, abs=2e-4)
 
@@ -425,8 +425,8 @@ def test_search_wants_no_foot_lifted_higher(monkeypatch, style, part, height):
 
     Trials(monkeypatch, quantities)
     start = candidate_of([0.0, 0.3, 0.0, 0.0, -0.7])
-    steps = getattr(gait_tuning.STYLES[style], part).steps
-    found = gait_tuning.search(0.0, 10.0, TROT, start, 0.15, 20, steps=steps)
+    steps = getattr(gait_styles.STYLES[style], part).steps
+    found = gait_tuning.search(0.0, 10.0, TROT, start, 0.15, 20, judge=steps.judge)
     assert found.achieved.highest[0] == pytest.approx(height, abs=2e-4)
 
 
@@ -443,8 +443,8 @@ def test_search_wants_each_foot_lifted_from_each_start(monkeypatch, quantity, he
         return {quantity: heights, "tilt": 0.1 * hip_offset(given)}
 
     Trials(monkeypatch, quantities)
-    steps = gait_tuning.STYLES["tuned"].turns.steps
-    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, steps=steps)
+    steps = gait_styles.STYLES["tuned"].turns.steps
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, judge=steps.judge)
     assert getattr(found.achieved, quantity)[0, start, foot] == pytest.approx(height, abs=2e-4)
 
 
@@ -470,8 +470,8 @@ def test_search_of_tuned_turns_weighs_tilt_as_30_against_150_of_speed(monkeypatc
         return {"forward_velocity": offset, "tilt": worth * abs(0.1 - offset)}
 
     Trials(monkeypatch, quantities)
-    steps = gait_tuning.STYLES["tuned"].turns.steps
-    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, steps=steps)
+    steps = gait_styles.STYLES["tuned"].turns.steps
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, judge=steps.judge)
     assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
 
 

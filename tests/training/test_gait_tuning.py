@@ -9,7 +9,7 @@ from built_in import STANCE, VELOCITY_LIMIT
 
 from quadruped_env import CommandedGait, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES
-from quadruped_env.training import gait_trial, gait_tuning
+from quadruped_env.training import gait_styles, gait_trial, gait_tuning
 
 TUNED = CommandedGait.tuned()
 CROUCHED = CommandedGait.preset("crouched")
@@ -230,7 +230,7 @@ class FakeSearch:
         self.calls, self._share = [], share
 
     def __call__(
-        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), steps=None
+        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), judge=None
     ):
         number = len(self.calls) + 1
         self.calls.append(SimpleNamespace(**locals() | {"start": np.array(start)}))
@@ -259,13 +259,13 @@ def tuned_with(
 ):
     """The searches, and the gait that they give."""
     monkeypatch.setattr(gait_tuning, "search", searches := FakeSearch(share))
-    style = gait_tuning.STYLES[name]
-    style = gait_tuning.Style(
+    style = gait_styles.STYLES[name]
+    style = gait_styles.Style(
         style.straight._replace(speeds=straight_speeds), style.turns._replace(speeds=turning_speeds)
     )
     gait = gait_tuning.tune_commanded_gait(13.0, YAW_RATES, 7, say, style)
     steps = [style.straight.steps] * len(straight_speeds) + [style.turns.steps] * len(turning_speeds)
-    assert [call.steps for call in searches.calls] == steps
+    assert [call.judge.__self__ for call in searches.calls] == steps
     return searches.calls, gait
 
 

@@ -1,0 +1,213 @@
+"""Styles of the scripted gaits: the steps that a search looks for, and where and at which velocities it looks."""
+
+from collections.abc import Callable
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.training.gait_trial import Achieved
+
+Judge = Callable[[Achieved, float, NDArray[np.float64]], NDArray[np.float64]]
+"""Scores (N,) of gaits, of which larger is better, from their results and the wanted forward velocity (m/s) and yaw
+rates (N,) in rad/s."""
+
+_START: Final = np.array(
+    [[0.2256, 0.8522, 0.0516, -0.2225, -0.9645, 0.0894], [-0.0359, 0.7611, -0.0295, -0.1219, -1.0594, 0.0661]]
+)
+"""Where the search of the commanded gait starts: the fast gait at 0.3 m/s, on straighter legs than the stance's"""
+_TURNING: Final = np.array(
+    [
+        [[-0.148, 0.067, 0.055, 0.235, 0.074, 0.021], [-0.001, -0.202, 0.054, -0.044, -0.206, -0.059]],
+        [[-0.076, -0.088, -0.046, -0.203, -0.555, 0.008], [-0.05, 0.104, 0.09, 0.045, 0.019, 0.128]],
+    ]
+)
+"""Where the search of the turns starts: on the spot. A search that asks for the whole yaw rate at once ends at turns
+that drag a foot; this one was found in steps of 0.05 rad/s, from strides that are longer outside and shorter inside"""
+
+
+_CROUCHED_START: Final = np.array([[0.24, 1.13, -0.04, -0.29, -1.2, 0.16], [0.15, 1.09, -0.04, -0.3, -1.32, 0.16]])
+"""Where the search of the gait with bent legs starts. With the thigh nearly level, hip and knee move the foot in
+different directions: as sinusoids a quarter of a cycle apart they make it a flat ellipse"""
+_LOW_START: Final = np.array(
+    [[0.1742, 1.1511, 0.0198, -0.176, -1.2863, 0.0772], [0.0934, 1.1109, -0.0436, -0.1856, -1.3473, 0.1557]]
+)
+"""Where the search of the gait with low steps starts: what it found before at 4 Hz, from
+`_CROUCHED_START`"""
+_LOW_TURNING: Final = np.array(
+    [
+        [[-0.1823, -0.0806, -0.1216, 0.3254, 0.1646, 0.1097], [-0.1073, -0.0631, -0.028, 0.0143, -0.099, 0.0083]],
+        [[-0.0627, -0.0227, 0.0226, -0.067, -0.0202, 0.0152], [0.0186, 0.0981, 0.0878, -0.047, -0.0002, 0.0675]],
+    ]
+)
+"""Where the search of its turns starts: what it found before at 4 Hz, from a gait that does not turn. From turns with
+high steps it finds no low ones."""
+
+
+_FAST_START: Final = np.array(
+    [[0.1028, 0.8817, 0.1947, -0.2574, -0.9074, 0.1459], [-0.1849, 0.676, -0.2071, -0.2593, -0.9298, 0.2291]]
+)
+"""Where the search of the fast gait starts: the first harmonics of a policy that learned to run from scratch at 3 Hz.
+It stands taller than the tuned gait, which leaves its legs more stroke"""
+_HIGH_TURNING: Final = np.array(
+    [
+        [[-0.17, -0.03, -0.19, 0.3, -0.15, -0.05], [-0.24, -0.44, 0.19, 0.16, -0.02, -0.02]],
+        [[-0.1, -0.0, -0.01, -0.18, -0.45, 0.23], [0.02, 0.04, 0.02, 0.01, -0.03, 0.07]],
+    ]
+)
+"""Where the search of its turns, and of those of the gait with bent legs, starts: on the spot, with higher and longer
+steps outside"""
+
+
+class Steps(NamedTuple):
+    """Steps that a search looks for."""
+
+    least_lift: float
+    """Height that every sole must reach in every stride, m."""
+    most_lift: float
+    """Height that no sole needs to reach, m."""
+    excess_cost: float
+    """Cost of the mean height of the highest sole beyond that, 1/m."""
+    cost_per_foot: float = 0.0
+    """Cost of the height that each sole misses, 1/m, in the mean over the starts. The least of all soles, strides and
+    starts does not tell the search which change lifts the others a little."""
+    tilt_cost: float = 15.0
+    """Cost of the body's tilt, root mean square. A body that leans far lifts its feet without effort."""
+
+    def judge(self, got: Achieved, speed: float, yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Scores (N,) of gaits: see `Judge`."""
+        # 0.1 rad/s moves a foot as fast as 0.02 m/s, and counts as 0.04 m/s: not to turn is cheap.
+        score: NDArray[np.float64] = (
+            -150.0 * np.abs(got.forward_velocity - speed)
+            - 60.0 * np.abs(got.yaw_rate - yaw_rate)
+            - 4.0 * np.abs(got.lateral_velocity)
+            - self.tilt_cost * got.tilt
+            - 0.1 * got.power
+            - 2.0 * got.slip
+            # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
+            + 5.0 * got.clock
+            + 2.0 * got.lift
+            # Feet that bounce, and feet that never land.
+            - 30.0 * got.touchdown_error
+            - 600.0 * np.maximum(0.0, self.least_lift - got.clearance)
+            - self.cost_per_foot * self._missing_height(got)
+            # High steps are fast and clean, and a robot that hops falls.
+            - self.excess_cost * np.maximum(0.0, got.highest - self.most_lift)
+            - 10.0 * got.fallen
+        )
+        return score
+
+    def _missing_height(self, got: Achieved) -> NDArray[np.float64]:
+        """Height that the soles miss (N,), m: of the least in the lowest stride, of a fifth more in the mean stride.
+
+        Sum over the feet, mean over the starts.
+        """
+        least = self.least_lift
+        missing = np.maximum(0.0, least - got.lowest_apex) + np.maximum(0.0, 1.2 * least - got.mean_apex)
+        height: NDArray[np.float64] = missing.sum(axis=2).mean(axis=1)
+        return height
+
+
+class Course(NamedTuple):
+    """Searches of a gait at several speeds."""
+
+    steps: Steps
+    start: NDArray[np.float64]
+    """Where the first search starts: (2, 6), or (2, 2, 6) for turns."""
+    speeds: tuple[float, ...]
+    """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
+    result."""
+    more_generations: int = 0
+    """Generations beyond those of the program's option."""
+    spread: float = 0.04
+    """Standard deviation of the first generation, see `search`."""
+    spread_again: float = 1.0
+    """The same where a search starts from its own result, as a share of that of the others."""
+
+    def first_spread(self, again: bool) -> float:
+        """Standard deviation of the first generation, `again` if the search starts from its own result."""
+        return self.spread * (self.spread_again if again else 1.0)
+
+
+class Style(NamedTuple):
+    """Courses of the searches for a commanded gait."""
+
+    straight: Course
+    turns: Course
+    yaw_rates: tuple[float, ...] = (0.25, 0.5, 0.8)
+    """Of the turns, rad/s."""
+
+
+HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
+STYLES: Final = {
+    "tuned": Style(
+        Course(
+            Steps(0.012, 0.016, 2000.0),
+            _START,
+            (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
+            more_generations=2,
+            spread_again=0.7,
+        ),
+        Course(
+            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0),
+            _TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.2, -0.3),
+            more_generations=12,
+            spread=0.05,
+        ),
+        (0.2, 0.5),
+    ),
+    "crouched": Style(
+        Course(
+            Steps(0.014, 0.016, 2000.0),
+            _CROUCHED_START,
+            (0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.3, 0.3, 0.4, 0.5, 0.5, 0.58, 0.65),
+            more_generations=2,
+            spread_again=0.7,
+        ),
+        # Turns need higher steps.
+        Course(
+            HIGH_STEPS,
+            _HIGH_TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
+            more_generations=2,
+            spread=0.1,
+            spread_again=0.6,
+        ),
+    ),
+    # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. To turn,
+    # the outer feet have to be higher.
+    "low": Style(
+        Course(
+            Steps(0.004, 0.006, 4000.0),
+            _LOW_START,
+            (0.3, 0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65),
+        ),
+        Course(
+            Steps(0.004, 0.009, 2000.0),
+            _LOW_TURNING,
+            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
+            more_generations=2,
+            spread=0.1,
+            spread_again=0.6,
+        ),
+    ),
+    "fast": Style(
+        Course(
+            Steps(0.008, 0.05, 50.0),
+            _FAST_START,
+            (0.7, 0.75, 0.8, 0.8, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4),
+            more_generations=4,
+        ),
+        Course(
+            Steps(0.008, 0.05, 100.0),
+            _HIGH_TURNING,
+            (0.0, 0.0, 0.2, 0.4, 0.6, -0.2),
+            more_generations=2,
+            spread=0.1,
+            spread_again=0.6,
+        ),
+        (0.4, 0.8, 1.2),
+    ),
+}
+"""By name of the gait that is searched."""
