@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.quantities import FootLift, clock_agreement, mechanical_power, sliding_squared
+from quadruped_env.task.quantities import FootLift, clock_agreement, electrical_power, mechanical_power, sliding_squared
 
 ROBOT: Final = MINI_QUADRUPED
 """Robot whose gaits are searched."""
@@ -23,6 +23,7 @@ SECONDS: Final = 3.0
 _SWING_STEPS: Final = 3
 """Steps in the air that make a swing, as in the suite's measures."""
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
+_HEAT: Final = ROBOT.motors.joule_coefficients(ROBOT.joint_names)
 
 
 class Start(NamedTuple):
@@ -71,6 +72,8 @@ class Achieved:
     """Root mean square of the horizontal part of the base's up axis"""
     power: NDArray[np.float64]
     """Positive mechanical power, W"""
+    electrical_power: NDArray[np.float64]
+    """Positive mechanical power and heat in the windings, W"""
     slip: NDArray[np.float64]
     """Mean sliding velocity of feet on the ground, root mean square, m/s"""
     lift: NDArray[np.float64]
@@ -120,7 +123,7 @@ def measure(
     state = simulation.readings
     fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
     phases = np.array(turns) * 2.0 * np.pi
-    sums, strides = np.zeros((8, n)), _Strides(n)
+    sums, strides = np.zeros((9, n)), _Strides(n)
     steps = 0
     contact = np.ones((n, 4), dtype=np.bool_)
     for k in range(1, round(SECONDS / CONTROL_TIMESTEP) + 1):
@@ -146,13 +149,15 @@ def measure(
             strides.add(np.floor(angle / (2.0 * np.pi)), height, contact, before)
             sums[6] += clock_agreement(foot_lift(height), sine)
             sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
-    vx, wz, vy, tilt, power, slip, lift, clock = sums / steps
+            sums[8] += electrical_power(state.joint_torque, state.joint_velocity, _HEAT)
+    vx, wz, vy, tilt, power, slip, lift, clock, electrical = sums / steps
     each = Achieved(
         vx,
         wz,
         vy,
         np.sqrt(tilt),
         power,
+        electrical,
         np.sqrt(0.25 * slip),
         lift,
         clock,

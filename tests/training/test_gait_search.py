@@ -395,7 +395,7 @@ def test_search_prefers_the_better_value_of_each_quantity(monkeypatch, quantity,
         assert offset == pytest.approx(wanted, abs=0.01)
 
 
-@pytest.mark.parametrize(("style", "height"), [("tuned", 0.012), ("crouched", 0.014), ("low", 0.004), ("fast", 0.008)])
+@pytest.mark.parametrize(("style", "height"), [("tuned", 0.0115), ("crouched", 0.014), ("low", 0.004), ("fast", 0.008)])
 def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, style, height):
     def quantities(given, _):
         # Tilt speaks for less.
@@ -471,6 +471,29 @@ def test_search_of_tuned_turns_weighs_tilt_as_30_against_150_of_speed(monkeypatc
 
     Trials(monkeypatch, quantities)
     steps = gait_styles.STYLES["tuned"].turns.steps
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, judge=steps.judge)
+    assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
+
+
+@pytest.mark.parametrize(
+    ("part", "worth", "wanted"),
+    [
+        # Of 1 W: 4 of 450 for 1 m/s, and 1 of 150.
+        ("straight", 115.0, 0.1),
+        ("straight", 110.0, 0.0),
+        ("turns", 155.0, 0.1),
+        ("turns", 145.0, 0.0),
+    ],
+)
+def test_search_of_tuned_weighs_electrical_power_against_speed(monkeypatch, part, worth, wanted):
+    """Speed is met at an offset of 0, no power is needed at 0.1 rad."""
+
+    def quantities(given, _):
+        offset = hip_offset(given)
+        return {"forward_velocity": offset, "electrical_power": worth * abs(0.1 - offset)}
+
+    Trials(monkeypatch, quantities)
+    steps = getattr(gait_styles.STYLES["tuned"], part).steps
     found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, judge=steps.judge)
     assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
 
