@@ -77,6 +77,9 @@ class Steps(NamedTuple):
     """Cost of electrical power, 1/W."""
     speed_cost: float = 150.0
     """Cost of the difference from the wanted forward velocity, 1/(m/s)."""
+    touchdown_cost: float = 30.0
+    """Cost of the difference of each foot's touchdowns per stride from one, mean over the feet: feet that bounce, and
+    feet that never land."""
 
     def judge(self, got: Achieved, speed: float, yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
         """Scores (N,) of gaits: see `Judge`."""
@@ -92,8 +95,7 @@ class Steps(NamedTuple):
             # Without the clock slow gaits shuffle on all four feet, and the two sides of a turn fall out of step.
             + 5.0 * got.clock
             + 2.0 * got.lift
-            # Feet that bounce, and feet that never land.
-            - 30.0 * got.touchdown_error
+            - self.touchdown_cost * got.touchdown_error
             - self.lift_cost * np.maximum(0.0, self.least_lift - got.clearance)
             - self.cost_per_foot * self._missing_height(got)
             # High steps are fast and clean, and a robot that hops falls.
@@ -128,6 +130,12 @@ class Course(NamedTuple):
     """Standard deviation of the first generation, see `search`."""
     spread_again: float = 1.0
     """The same where a search starts from its own result, as a share of that of the others."""
+    other_draws_again: bool = False
+    """True if a search that starts from its own result has other random numbers than the others."""
+
+    def seed(self, times: int) -> int:
+        """Seed of the search of a speed that was searched so many times before."""
+        return times if self.other_draws_again else 0
 
     def first_spread(self, again: bool) -> float:
         """Standard deviation of the first generation, `again` if the search starts from its own result."""
@@ -148,18 +156,20 @@ STYLES: Final = {
     # Between the gaits that meet the other wishes, electrical power decides: the cheapest need half of the dearest's.
     "tuned": Style(
         Course(
-            Steps(0.0115, 0.016, 2000.0, lift_cost=5000.0, electrical_cost=4.0, speed_cost=450.0),
+            Steps(0.0115, 0.016, 2000.0, lift_cost=5000.0, electrical_cost=4.0, speed_cost=450.0, touchdown_cost=100.0),
             _START,
             (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
             more_generations=2,
             spread_again=0.7,
+            other_draws_again=True,
         ),
         Course(
-            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0, electrical_cost=1.0),
+            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0, electrical_cost=1.0, touchdown_cost=60.0),
             _TURNING,
             (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
             more_generations=12,
             spread=0.05,
+            other_draws_again=True,
         ),
     ),
     "crouched": Style(

@@ -199,7 +199,7 @@ def _straight_gaits(
     """The straight gaits (2, 6) of a course by its speeds, and the speeds that they reach, m/s."""
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
-    for speed in course.speeds:
+    for number, speed in enumerate(course.speeds):
         near = _nearest(speed, straight)
         legs = course.start if near is None else straight[near] + (speed - near) * _FASTER
         start = np.concatenate([[legs], _NO_TURN])
@@ -210,6 +210,7 @@ def _straight_gaits(
             start,
             course.first_spread(speed in straight),
             generations + course.more_generations,
+            course.seed(course.speeds[:number].count(speed)),
             judge=course.steps.judge,
         )
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
@@ -230,7 +231,7 @@ def _turning_gaits(
 ) -> dict[float, NDArray[np.float64]]:
     """What turning changes (2, 2, 6) in the straight gaits, by the speeds of a course."""
     turning: dict[float, NDArray[np.float64]] = {}
-    for speed in course.speeds:
+    for number, speed in enumerate(course.speeds):
         near = _nearest(speed, turning)
         start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
         found = search(
@@ -240,6 +241,7 @@ def _turning_gaits(
             start,
             course.first_spread(speed in turning),
             generations + course.more_generations,
+            course.seed(course.speeds[:number].count(speed)),
             yaw_rates=yaw_rates,
             judge=course.steps.judge,
         )

@@ -269,6 +269,12 @@ def tuned_with(
     return searches.calls, gait
 
 
+@pytest.mark.parametrize(("name", "seeds"), [("tuned", [0, 1, 0, 2, 0, 1]), ("low", [0] * 6)])
+def test_speed_that_is_searched_again_has_other_draws_if_the_style_says_so(monkeypatch, name, seeds):
+    calls, _ = tuned_with(monkeypatch, 1.0, name=name, straight_speeds=(0.3, 0.3, 0.2, 0.3), turning_speeds=(0.2, 0.2))
+    assert [call.seed for call in calls] == seeds
+
+
 def test_straight_gaits_are_searched_from_their_neighbours(monkeypatch):
     calls, _ = tuned_with(monkeypatch, 1.0)
     straight = calls[:4]
