@@ -158,13 +158,13 @@ STYLES: Final = {
         Course(
             Steps(0.0115, 0.016, 2000.0, lift_cost=5000.0, electrical_cost=4.0, speed_cost=450.0, touchdown_cost=100.0),
             _START,
-            (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.7),
+            (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.6),
             more_generations=2,
             spread_again=0.7,
             other_draws_again=True,
         ),
         Course(
-            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0, electrical_cost=1.0, touchdown_cost=60.0),
+            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0, touchdown_cost=60.0),
             _TURNING,
             (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
             more_generations=12,

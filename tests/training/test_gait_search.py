@@ -476,24 +476,24 @@ def test_search_of_tuned_turns_weighs_tilt_as_30_against_150_of_speed(monkeypatc
 
 
 @pytest.mark.parametrize(
-    ("part", "worth", "wanted"),
+    ("quantity", "worth", "wanted"),
     [
-        # Of 1 W: 4 of 450 for 1 m/s, and 1 of 150.
-        ("straight", 115.0, 0.1),
-        ("straight", 110.0, 0.0),
-        ("turns", 155.0, 0.1),
-        ("turns", 145.0, 0.0),
+        # 1 m/s costs 450, 1 W 4, a touchdown more 100.
+        ("electrical_power", 115.0, 0.1),
+        ("electrical_power", 110.0, 0.0),
+        ("touchdown_error", 4.6, 0.1),
+        ("touchdown_error", 4.4, 0.0),
     ],
 )
-def test_search_of_tuned_weighs_electrical_power_against_speed(monkeypatch, part, worth, wanted):
-    """Speed is met at an offset of 0, no power is needed at 0.1 rad."""
+def test_search_of_tuned_weighs_power_and_touchdowns_against_speed(monkeypatch, quantity, worth, wanted):
+    """Speed is met at an offset of 0; no power is needed, and no foot bounces, at 0.1 rad."""
 
     def quantities(given, _):
         offset = hip_offset(given)
-        return {"forward_velocity": offset, "electrical_power": worth * abs(0.1 - offset)}
+        return {"forward_velocity": offset, quantity: worth * abs(0.1 - offset)}
 
     Trials(monkeypatch, quantities)
-    steps = getattr(gait_styles.STYLES["tuned"], part).steps
+    steps = gait_styles.STYLES["tuned"].straight.steps
     found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.15, 20, judge=steps.judge)
     assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
 
