@@ -229,7 +229,7 @@ def _turning_gaits(
     say: Log,
     course: Course,
 ) -> dict[float, NDArray[np.float64]]:
-    """What turning changes (2, 2, 6) in the straight gaits, by the speeds of a course."""
+    """Changes (2, 2, 6) of the straight gaits in turns, by the speeds of a course."""
     turning: dict[float, NDArray[np.float64]] = {}
     for number, speed in enumerate(course.speeds):
         near = _nearest(speed, turning)

@@ -64,7 +64,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                 "log_std_init": -1.0,
                 "final_log_std": -4.0,
             },
-            # On straighter legs it climbs lower steps, and falls more often.
+            # On straighter legs it climbs lower steps.
             {
                 "action": {"gait": "crouched"},
                 "clock_frequency": 3.6,
