@@ -77,7 +77,7 @@ def test_watchdog_without_commands_makes_the_robot_limp_and_a_new_controller_get
     loop.run(WATCHDOG - 0.05, commands=False)
     assert not loop.robot.limp
     # The motors only brake: it sinks slowly.
-    loop.run(9.0, commands=False)
+    loop.run(16.0, commands=False)
     assert loop.robot.limp
     assert loop.robot.state.base_position[0, 2] < 0.1
     loop.restart_live_controller()
