@@ -124,9 +124,10 @@ def test_update_is_that_of_sb3():
     actual, expected = ([*model.policy.parameters()] for model in models)
     moved = max((new.detach() - old).abs().max().item() for new, old in zip(expected, before, strict=True))
     assert moved > 1e-4
-    for one, two in zip(actual, expected, strict=True):
-        # Adam divides a gradient by its size, which leaves the rounding of those that are nearly 0.
-        np.testing.assert_allclose(one.detach(), two.detach(), atol=3e-2 * moved)
+    differences = torch.cat([(one - two).detach().abs().flatten() for one, two in zip(actual, expected, strict=True)])
+    # Adam divides a gradient by its size: of the few that are nearly 0, their rounding is left.
+    assert (differences > 1e-2 * moved).float().mean() < 0.002
+    assert differences.max() < 0.2 * moved
     records, names = [model.logger.name_to_value for model in models], []
     for name, value in records[1].items():
         if name.startswith("train/"):
