@@ -2,7 +2,7 @@
 
 They are the tables of the `tuned`, `crouched`, `low` or `fast` gait over forward velocity, with what a yaw rate adds,
 and with `tuned` the presets trot, walk, bound and pace. Writes the numbers that belong in
-quadruped_env/gait/presets.py, and prints the velocities that the gait reaches. Takes five to twenty minutes on
+quadruped_env/gait/presets.py, and prints the velocities that the gait reaches. Takes five to thirty minutes on
 two idle cores.
 """
 

@@ -200,6 +200,7 @@ def _straight_gaits(
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
     for number, speed in enumerate(course.speeds):
+        times = course.speeds[:number].count(speed)
         near = _nearest(speed, straight)
         legs = course.start if near is None else straight[near] + (speed - near) * _FASTER
         start = np.concatenate([[legs], _NO_TURN])
@@ -208,9 +209,9 @@ def _straight_gaits(
             angular_frequency,
             LEG_PHASES["trot"],
             start,
-            course.first_spread(speed in straight),
+            course.first_spread(times),
             generations + course.more_generations,
-            course.seed(course.speeds[:number].count(speed)),
+            course.seed(times),
             judge=course.steps.judge,
         )
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
@@ -232,6 +233,7 @@ def _turning_gaits(
     """Changes (2, 2, 6) of the straight gaits in turns, by the speeds of a course."""
     turning: dict[float, NDArray[np.float64]] = {}
     for number, speed in enumerate(course.speeds):
+        times = course.speeds[:number].count(speed)
         near = _nearest(speed, turning)
         start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
         found = search(
@@ -239,9 +241,9 @@ def _turning_gaits(
             angular_frequency,
             LEG_PHASES["trot"],
             start,
-            course.first_spread(speed in turning),
+            course.first_spread(times),
             generations + course.more_generations,
-            course.seed(course.speeds[:number].count(speed)),
+            course.seed(times),
             yaw_rates=yaw_rates,
             judge=course.steps.judge,
         )
