@@ -128,6 +128,8 @@ def test_measured_values_are_means_over_the_time_after_the_warm_up_and_over_the_
     assert got.tilt.tolist() == pytest.approx([(0.6 + 0.3) / 2] * 4)
     power = 2.0 * 3.0 + 4.0 * 0.5
     assert got.power.tolist() == pytest.approx([0.75 * power] * 4), "braking gives nothing back"
+    heat = 0.5 * (2.0**2 + 1.0**2 + 4.0**2)  # 0.5 W per squared N m; from the second start torques are half as large
+    assert got.electrical_power.tolist() == pytest.approx([0.75 * power + 0.625 * heat] * 4)
 
 
 def test_measured_feet_slide_lift_and_keep_the_clock(measured):
