@@ -269,7 +269,7 @@ def watch_steps(env, lock):
 def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     # Some fall.
     config = dataclasses.replace(
-        CONFIG, ranks=2, timesteps=50 * 160, n_steps=40, task={"termination": {"max_tilt": 0.08}}
+        CONFIG, ranks=2, timesteps=50 * 160, n_steps=40, task={"termination": {"max_tilt": 0.04}}
     )
     envs = [warp.prepare(config, None, None, Group(rank, 2))[2] for rank in range(2)]
     lock = threading.Lock()
