@@ -27,7 +27,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="gait cycles per second (default: 3.4 for tuned, 3.6 for crouched, 5 for low, 3.2 for fast)",
     )
     parser.add_argument(
-        "--generations", type=int, default=12, metavar="N", help="search generations per speed (default: %(default)s)"
+        "--generations", type=int, default=40, metavar="N", help="search generations per speed (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--refine", action="store_true", help="begin with the numbers in presets.py instead of from a single gait"
     )
     add_output(parser, "FILE", "JSON file of the numbers (default: %(default)s)", Path("results/gait.json"))
     parser.add_argument("--table", action="store_true", help="only measure the preset and print its table")
@@ -56,10 +59,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         generations=arguments.generations,
         say=log,
         style=style,
+        refined=preset if arguments.refine else None,
     )
     log(f"\n{achieved_table(gait)}\n")
     found: dict[str, Any] = {arguments.preset: gait.parameters()}
-    if arguments.preset == "tuned":
+    if arguments.preset == "tuned" and not arguments.refine:
         # They start from a small step, the tables from a gait.
         found["presets"] = tune_presets(3 * arguments.generations, log)
     write_json(arguments.output, found)

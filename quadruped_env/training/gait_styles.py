@@ -79,16 +79,22 @@ class Steps(NamedTuple):
     """Cost of electrical power, 1/W."""
     speed_cost: float = 150.0
     """Cost of the difference from the wanted forward velocity, 1/(m/s)."""
+    yaw_rate_cost: float = 60.0
+    """Cost of the difference from the wanted yaw rate, 1/(rad/s). 0.1 rad/s moves a foot as fast as 0.02 m/s, and
+    counts as 0.04 m/s: not to turn is cheap."""
+    sensitivity_cost: float = 0.0
+    """Cost of the largest difference that starts and soft contacts make to the forward velocity, 1/(m/s). A gait whose
+    speed hangs on how the feet land walks at another speed in another engine."""
     touchdown_cost: float = 30.0
     """Cost of the difference of each foot's touchdowns per stride from one, mean over the feet: feet that bounce, and
     feet that never land."""
 
     def judge(self, got: Achieved, speed: float, yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
         """Scores (N,) of gaits: see `Judge`."""
-        # 0.1 rad/s moves a foot as fast as 0.02 m/s, and counts as 0.04 m/s: not to turn is cheap.
         score: NDArray[np.float64] = (
             -self.speed_cost * np.abs(got.forward_velocity - speed)
-            - 60.0 * np.abs(got.yaw_rate - yaw_rate)
+            - self.yaw_rate_cost * np.abs(got.yaw_rate - yaw_rate)
+            - self.sensitivity_cost * (got.forward_velocity_spread + 0.4 * got.yaw_rate_spread)
             - 4.0 * np.abs(got.lateral_velocity)
             - self.tilt_cost * got.tilt
             - 0.1 * got.power
@@ -124,24 +130,11 @@ class Course(NamedTuple):
     start: NDArray[np.float64]
     """Where the first search starts: (2, 6), or (2, 2, 6) for turns."""
     speeds: tuple[float, ...]
-    """Forward velocities, in the order of the searches, m/s. One that is there again is searched again from its own
-    result."""
+    """Forward velocities, in the order of the searches, m/s."""
     more_generations: int = 0
     """Generations beyond those of the program's option."""
     spread: float = 0.04
     """Standard deviation of the first generation, see `search`."""
-    spread_again: float = 1.0
-    """The same where a search starts from its own result, as a share of that of the others."""
-    other_draws_again: bool = False
-    """True if a search that starts from its own result has other random numbers than the others."""
-
-    def seed(self, times: int) -> int:
-        """Seed of the search of a speed that was searched so many times before."""
-        return times if self.other_draws_again else 0
-
-    def first_spread(self, times: int) -> float:
-        """Standard deviation of the first generation of that search."""
-        return self.spread * (self.spread_again if times else 1.0)
 
 
 class Style(NamedTuple):
@@ -153,77 +146,65 @@ class Style(NamedTuple):
     """Of the turns, rad/s."""
 
 
+_FORWARDS: Final = (0.3, 0.4, 0.5, 0.58, 0.65)
 HIGH_STEPS: Final = Steps(0.015, 0.035, 100.0)
 STYLES: Final = {
     # Between gaits with equally clean steps electrical power decides.
     "tuned": Style(
         Course(
-            Steps(0.0115, 0.016, 2000.0, lift_cost=5000.0, electrical_cost=4.0, speed_cost=450.0, touchdown_cost=100.0),
+            Steps(
+                0.012,
+                0.016,
+                2000.0,
+                lift_cost=8000.0,
+                electrical_cost=4.0,
+                speed_cost=450.0,
+                sensitivity_cost=300.0,
+                touchdown_cost=150.0,
+            ),
             _START,
-            (0.3, 0.3, 0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.6, 0.6),
-            more_generations=2,
-            spread_again=0.7,
-            other_draws_again=True,
+            (0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.6),
+            more_generations=20,
         ),
         Course(
-            Steps(0.010, 0.025, 400.0, cost_per_foot=800.0, tilt_cost=30.0, touchdown_cost=60.0),
+            Steps(
+                0.010,
+                0.025,
+                400.0,
+                cost_per_foot=800.0,
+                tilt_cost=30.0,
+                yaw_rate_cost=180.0,
+                sensitivity_cost=150.0,
+                touchdown_cost=120.0,
+            ),
             _TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
-            more_generations=12,
+            (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
             spread=0.05,
-            other_draws_again=True,
         ),
     ),
     "crouched": Style(
-        Course(
-            Steps(0.014, 0.016, 2000.0),
-            _CROUCHED_START,
-            (0.2, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.2, -0.3, -0.4, 0.3, 0.3, 0.4, 0.5, 0.5, 0.58, 0.65),
-            more_generations=2,
-            spread_again=0.7,
-        ),
+        Course(Steps(0.014, 0.016, 2000.0), _CROUCHED_START, (0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4, *_FORWARDS)),
         # Turns need higher steps.
-        Course(
-            HIGH_STEPS,
-            _HIGH_TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
-            more_generations=2,
-            spread=0.1,
-            spread_again=0.6,
-        ),
+        Course(HIGH_STEPS, _HIGH_TURNING, (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3), spread=0.1),
     ),
     # A push that catches the robot with two feet in the air tips it over the more easily, the higher they are. To turn,
     # the outer feet have to be higher.
     "low": Style(
-        Course(
-            Steps(0.004, 0.006, 4000.0),
-            _LOW_START,
-            (0.3, 0.3, 0.2, 0.1, 0.0, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.58, 0.65),
-        ),
+        Course(Steps(0.004, 0.006, 4000.0), _LOW_START, (0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4, *_FORWARDS[1:])),
         Course(
             Steps(0.004, 0.009, 2000.0),
             _LOW_TURNING,
-            (0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
-            more_generations=2,
+            (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
             spread=0.1,
-            spread_again=0.6,
         ),
     ),
     "fast": Style(
         Course(
             Steps(0.008, 0.05, 50.0),
             _FAST_START,
-            (0.7, 0.75, 0.8, 0.8, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4),
-            more_generations=4,
+            (0.7, 0.75, 0.8, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4),
         ),
-        Course(
-            Steps(0.008, 0.05, 100.0),
-            _HIGH_TURNING,
-            (0.0, 0.0, 0.2, 0.4, 0.6, -0.2),
-            more_generations=2,
-            spread=0.1,
-            spread_again=0.6,
-        ),
+        Course(Steps(0.008, 0.05, 100.0), _HIGH_TURNING, (0.0, 0.2, 0.4, 0.6, -0.2), spread=0.1),
         (0.4, 0.8, 1.2),
     ),
 }

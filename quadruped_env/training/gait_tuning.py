@@ -1,26 +1,28 @@
-"""Search for the parameters of the scripted gaits, with many candidates in parallel (cross-entropy method).
+"""Search for the parameters of the scripted gaits (CMA-ES), with many candidates in parallel.
 
 A candidate is the sinusoids of a fore and of a hind leg: of each, hip amplitude and offset, the knee's cosine and sine
 parts and its offset; and what turning changes in them, on both sides and between the sides. It is scored on flat
 ground, from several starts: difference from the commanded velocities, feet that clear the ground in every stride and
 touch it once per stride, sideways drift, tilt, motor power and sliding feet; joint limits and the 5 rad/s limit are
 hard bounds of the search. The straight gait is searched first, and what turning changes on top of it. Method:
-Rubinstein 1999, https://doi.org/10.1023/A:1010091220143.
+Hansen 2016, https://arxiv.org/abs/1604.00772, of the package cmaes.
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.errors import MissingExtraError
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.gait_styles import HIGH_STEPS, STYLES, Course, Judge, Style
 from quadruped_env.training.gait_trial import ROBOT, Achieved, measure, trials
 
-CANDIDATES: Final = 40
-ELITE: Final = 8
+CANDIDATES: Final = 32
+"""Of each generation, next to its mean."""
 
 Log = Callable[[str], None]
 """Called with one line of text."""
@@ -32,7 +34,10 @@ _LOW: Final = np.array([-0.5, 0.1, -0.5, -0.5, -1.6, -0.5])
 _HIGH: Final = np.array([0.5, 1.2, 0.5, 0.5, -0.4, 0.5])
 _LARGEST_HIP: Final = 1.35
 """Largest hip angle that a leg asks for, rad: joints overshoot their targets, and the limit is 1.5."""
-_STRAIGHT: Final = np.array([True, False, False])[:, None, None]
+_STRAIGHT: Final = slice(0, 1)
+"""Part of a candidate that the search of a straight gait varies."""
+_TURN: Final = slice(1, 3)
+"""Part of a candidate that the search of a turn varies."""
 _STANCE_LEG: Final = (0.0, float(ROBOT.stance[0]), 0.0, 0.0, float(ROBOT.stance[1]), 0.0)
 _STEPPING: Final = (0.1, 0.0, 0.15, -0.1, 0.0, 0.0)
 """A small step, added to the stance: the leg folds in its swing, and the shank swings forwards"""
@@ -138,32 +143,36 @@ def search(
         judge: scores each trial.
 
     Raises:
+        MissingExtraError: if cmaes is not installed.
         QuadrupedError: if the seed is reserved for evaluation.
     """
     check_training_seeds("seed", seed)
-    rng = np.random.default_rng(seed)
-    simulation = trials(CANDIDATES * len(yaw_rates))
+    try:
+        from cmaes import CMA
+    except ImportError as error:
+        raise MissingExtraError("The search of a gait", "train") from error
+    count = CANDIDATES + 1
+    simulation = trials(count * len(yaw_rates))
     # All candidates at the first yaw rate, then all at the second.
-    wanted, largest = np.repeat(yaw_rates, CANDIDATES), max(yaw_rates)
+    wanted, largest = np.repeat(yaw_rates, count), max(yaw_rates)
     sizes = turn_size(wanted, largest)
-    varied = np.where(_STRAIGHT, 0.0, 1.0 / largest) if largest else 1.0 * _STRAIGHT
-    mean, deviation = start.copy(), spread * (_HIGH - _LOW) * varied
-    best, best_score = None, -np.inf
+    varied = _TURN if largest else _STRAIGHT
+    scale = np.broadcast_to((_HIGH - _LOW) / (largest or 1.0), start[varied].shape)
+    strategy = CMA((start[varied] / scale).ravel(), spread, seed=seed, population_size=CANDIDATES)
+    best = None
     for _ in range(generations):
-        candidates = mean + deviation * rng.standard_normal((CANDIDATES, *start.shape))
-        candidates[0] = mean
+        drawn = [strategy.ask() for _ in range(CANDIDATES)]
+        candidates = np.tile(start, (count, 1, 1, 1))
+        candidates[:, varied] = np.reshape([strategy.mean, *drawn], (count, *scale.shape)) * scale
         candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
         targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, turns)
         got = measure(targets, simulation, angular_frequency, turns)
-        score = judge(got, speed, wanted).reshape(len(yaw_rates), CANDIDATES).mean(axis=0)
-        elite = candidates[np.argsort(-score)[:ELITE]]
-        # The old deviation keeps the search from settling before it has found the speed.
-        mean, deviation = elite.mean(axis=0), 0.4 * deviation + 0.6 * elite.std(axis=0) + 0.001 * varied
-        # Use the elite mean: the best sample's score may not survive rounding.
-        if best is None or score[0] > best_score:
-            best_score = float(score[0])
-            achieved = Achieved(**{name: part[::CANDIDATES] for name, part in vars(got).items()})
-            best = Found(candidates[0], achieved, best_score)
+        score = judge(got, speed, wanted).reshape(len(yaw_rates), count).mean(axis=0)
+        strategy.tell([(values, -value) for values, value in zip(drawn, score[1:].tolist(), strict=True)])
+        first = int(np.argmax(score))
+        if best is None or score[first] > best.score:
+            achieved = Achieved(**{name: part[first::count] for name, part in vars(got).items()})
+            best = Found(candidates[first], achieved, float(score[first]))
     assert best is not None
     return best
 
@@ -174,18 +183,21 @@ def tune_commanded_gait(
     generations: int,
     say: Log,
     style: Style = STYLES["tuned"],
+    refined: CommandedGait | None = None,
 ) -> CommandedGait:
     """The tables of `CommandedGait` for the given yaw rates, rad/s, and the speeds of a style.
 
     Each search starts from the result of its neighbour, so that the tables are smooth: first the straight gaits of all
     speeds, then what turning changes in those for turning. The neighbour is the nearest of the speeds that were
-    searched before. The other speeds turn as their nearest ones do.
+    searched before, and of those in the tables of a gait that is to be refined. The other speeds turn as their nearest
+    ones do.
     """
-    straight, reached = _straight_gaits(angular_frequency, generations, say, style.straight)
-    turning = _turning_gaits(straight, reached, angular_frequency, yaw_rates, generations, say, style.turns)
+    known = {} if refined is None else candidates_of(refined)
+    straight, reached = _straight_gaits(angular_frequency, generations, say, style.straight, known)
+    turning = _turning_gaits(straight, reached, angular_frequency, yaw_rates, generations, say, style.turns, known)
     largest, table = max(yaw_rates), {}
     for speed, legs in straight.items():
-        near = min(turning, key=lambda other: abs(other - speed))
+        near = _nearest(speed, turning)
         whole = np.concatenate([[legs], turning[near]])
         # The turn of another speed, on top of this one's straight gait, may be beyond the limits.
         limited = _within_limits(whole[None], angular_frequency, largest)[0]
@@ -194,24 +206,26 @@ def tune_commanded_gait(
 
 
 def _straight_gaits(
-    angular_frequency: float, generations: int, say: Log, course: Course
+    angular_frequency: float,
+    generations: int,
+    say: Log,
+    course: Course,
+    known: Mapping[float, NDArray[np.float64]],
 ) -> tuple[dict[float, NDArray[np.float64]], dict[float, float]]:
     """The straight gaits (2, 6) of a course by its speeds, and the speeds that they reach, m/s."""
     straight: dict[float, NDArray[np.float64]] = {}
     reached: dict[float, float] = {}
-    for number, speed in enumerate(course.speeds):
-        times = course.speeds[:number].count(speed)
-        near = _nearest(speed, straight)
-        legs = course.start if near is None else straight[near] + (speed - near) * _FASTER
-        start = np.concatenate([[legs], _NO_TURN])
+    for speed in course.speeds:
+        neighbours = {near: candidate[0] for near, candidate in known.items()} | straight
+        near = _nearest(speed, neighbours) if neighbours else speed
+        legs = neighbours.get(near, course.start) + (speed - near) * _FASTER
         found = search(
             speed,
             angular_frequency,
             LEG_PHASES["trot"],
-            start,
-            course.first_spread(times),
+            np.concatenate([[legs], _NO_TURN]),
+            course.spread,
             generations + course.more_generations,
-            course.seed(times),
             judge=course.steps.judge,
         )
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
@@ -229,21 +243,20 @@ def _turning_gaits(
     generations: int,
     say: Log,
     course: Course,
+    known: Mapping[float, NDArray[np.float64]],
 ) -> dict[float, NDArray[np.float64]]:
     """Changes (2, 2, 6) of the straight gaits in turns, by the speeds of a course."""
     turning: dict[float, NDArray[np.float64]] = {}
-    for number, speed in enumerate(course.speeds):
-        times = course.speeds[:number].count(speed)
-        near = _nearest(speed, turning)
-        start = np.concatenate([[straight[speed]], course.start if near is None else turning[near]])
+    for speed in course.speeds:
+        neighbours = {near: candidate[1:] for near, candidate in known.items()} | turning
+        changes = neighbours[_nearest(speed, neighbours)] if neighbours else course.start
         found = search(
             reached[speed],
             angular_frequency,
             LEG_PHASES["trot"],
-            start,
-            course.first_spread(times),
+            np.concatenate([[straight[speed]], changes]),
+            course.spread,
             generations + course.more_generations,
-            course.seed(times),
             yaw_rates=yaw_rates,
             judge=course.steps.judge,
         )
@@ -252,9 +265,9 @@ def _turning_gaits(
     return turning
 
 
-def _nearest(speed: float, others: Iterable[float]) -> float | None:
-    """The nearest of other speeds, the first of several; None if there is none."""
-    return min(others, key=lambda other: abs(other - speed), default=None)
+def _nearest(speed: float, others: Iterable[float]) -> float:
+    """The nearest of other speeds, the first of several."""
+    return min(others, key=lambda other: abs(other - speed))
 
 
 def commanded_gait(
@@ -270,6 +283,13 @@ def commanded_gait(
     return CommandedGait(
         angular_frequency, speeds, largest_yaw_rate, fore, hind, fore_turn, hind_turn, fore_side, hind_side
     )
+
+
+def candidates_of(gait: CommandedGait) -> dict[float, NDArray[np.float64]]:
+    """The candidates (3, 2, 6) in the tables of a gait, by speed in m/s: the inverse of `commanded_gait`."""
+    parts = ((gait.fore, gait.hind), (gait.fore_turn, gait.hind_turn), (gait.fore_side, gait.hind_side))
+    columns = np.array([[[getattr(leg, field.name) for field in fields(LegTable)] for leg in part] for part in parts])
+    return dict(zip(gait.speeds, columns.transpose(3, 0, 1, 2), strict=True))
 
 
 def _line(what: str, found: Found, yaw_rates: tuple[float, ...]) -> str:

@@ -171,8 +171,7 @@ def test_candidates_in_a_turn_are_the_commanded_gait_with_their_tables():
 
 @pytest.fixture
 def small_search(monkeypatch):
-    monkeypatch.setattr(gait_tuning, "CANDIDATES", 30)
-    monkeypatch.setattr(gait_tuning, "ELITE", 6)
+    monkeypatch.setattr(gait_tuning, "CANDIDATES", 29)
     monkeypatch.setattr(gait_trial, "SECONDS", 2.0)
 
 
@@ -262,6 +261,7 @@ def tuned_with(
     name="low",
     straight_speeds=SPEEDS,
     turning_speeds=TURNING_SPEEDS,
+    refined=None,
 ):
     """The searches, and the gait that they give."""
     monkeypatch.setattr(gait_tuning, "search", searches := FakeSearch(share))
@@ -269,16 +269,10 @@ def tuned_with(
     style = gait_styles.Style(
         style.straight._replace(speeds=straight_speeds), style.turns._replace(speeds=turning_speeds)
     )
-    gait = gait_tuning.tune_commanded_gait(13.0, YAW_RATES, 7, say, style)
+    gait = gait_tuning.tune_commanded_gait(13.0, YAW_RATES, 7, say, style, refined)
     steps = [style.straight.steps] * len(straight_speeds) + [style.turns.steps] * len(turning_speeds)
     assert [call.judge.__self__ for call in searches.calls] == steps
     return searches.calls, gait
-
-
-@pytest.mark.parametrize(("name", "seeds"), [("tuned", [0, 1, 0, 2, 0, 1]), ("low", [0] * 6)])
-def test_speed_that_is_searched_again_has_other_draws_if_the_style_says_so(monkeypatch, name, seeds):
-    calls, _ = tuned_with(monkeypatch, 1.0, name=name, straight_speeds=(0.3, 0.3, 0.2, 0.3), turning_speeds=(0.2, 0.2))
-    assert [call.seed for call in calls] == seeds
 
 
 def test_straight_gaits_are_searched_from_their_neighbours(monkeypatch):
@@ -300,7 +294,7 @@ def test_turns_are_searched_from_their_neighbours_on_top_of_the_straight_gaits(m
     calls, _ = tuned_with(monkeypatch, 1.0)
     turns = calls[4:]
     assert [call.speed for call in turns] == list(TURNING_SPEEDS)
-    assert all((call.spread, call.generations, call.yaw_rates) == (0.1, 9, YAW_RATES) for call in turns)
+    assert all((call.spread, call.generations, call.yaw_rates) == (0.1, 7, YAW_RATES) for call in turns)
     for call, number in zip(turns, (1, 3, 4, 2), strict=True):
         np.testing.assert_allclose(call.start[0], found(number, (2, 6)))
     assert abs(turns[0].start[1:]).max() > 0.1, "the first is the turn with which the search begins"
@@ -309,17 +303,28 @@ def test_turns_are_searched_from_their_neighbours_on_top_of_the_straight_gaits(m
         np.testing.assert_allclose(call.start[1:], found(number, (2, 2, 6)), err_msg=f"{call.speed}")
 
 
-def test_a_search_from_its_own_result_begins_with_a_smaller_spread(monkeypatch):
-    speeds = (0.2, 0.2, 0.0, 0.2)
-    calls, _ = tuned_with(monkeypatch, 1.0, straight_speeds=speeds, turning_speeds=speeds)
-    np.testing.assert_allclose([call.spread for call in calls], [0.04, 0.04, 0.04, 0.04, 0.1, 0.06, 0.1, 0.06])
-    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned", straight_speeds=speeds, turning_speeds=speeds)
-    np.testing.assert_allclose([call.spread for call in calls[:4]], [0.04, 0.028, 0.04, 0.028])
-
-
 def test_a_course_asks_for_more_generations(monkeypatch):
-    calls, _ = tuned_with(monkeypatch, 1.0, name="low")
-    assert [call.generations for call in calls] == 4 * [7] + 4 * [9]
+    calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
+    assert [call.generations for call in calls] == 4 * [27] + 4 * [7]
+
+
+def test_gait_is_refined_from_its_own_tables(monkeypatch):
+    """A search starts from the nearest speed that was searched before, or is in the tables."""
+    known = gait_tuning.candidates_of(TUNED)
+    calls, _ = tuned_with(
+        monkeypatch, 1.0, straight_speeds=(0.3, 0.26, 0.52), refined=TUNED, turning_speeds=(0.3, 0.26)
+    )
+    faster = gait_tuning._FASTER
+    near, last = TUNED.speeds[-4], TUNED.speeds[-1]
+    np.testing.assert_allclose(calls[0].start[0], known[near][0] + (0.3 - near) * faster)
+    np.testing.assert_allclose(calls[1].start[0], found(1, (2, 6)) - 0.04 * faster)
+    np.testing.assert_allclose(calls[2].start[0], known[last][0] + (0.52 - last) * faster)
+    np.testing.assert_allclose(calls[3].start[1:], known[near][1:])
+    np.testing.assert_allclose(calls[4].start[1:], known[near][1:])
+
+
+def test_tables_and_candidates_are_the_same_numbers():
+    assert gait_tuning.commanded_gait(gait_tuning.candidates_of(LOW), LOW.angular_frequency, 0.8) == LOW
 
 
 def test_the_search_for_low_steps_starts_from_low_steps(monkeypatch):
