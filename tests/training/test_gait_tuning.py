@@ -312,15 +312,15 @@ def test_gait_is_refined_from_its_own_tables(monkeypatch):
     """A search starts from the nearest speed that was searched before, or is in the tables."""
     known = gait_tuning.candidates_of(TUNED)
     calls, _ = tuned_with(
-        monkeypatch, 1.0, straight_speeds=(0.3, 0.26, 0.52), refined=TUNED, turning_speeds=(0.3, 0.26)
+        monkeypatch, 1.0, straight_speeds=(0.3, 0.31, 0.52), refined=TUNED, turning_speeds=(0.3, 0.31)
     )
     faster = gait_tuning._FASTER
     near, last = TUNED.speeds[-4], TUNED.speeds[-1]
     np.testing.assert_allclose(calls[0].start[0], known[near][0] + (0.3 - near) * faster)
-    np.testing.assert_allclose(calls[1].start[0], found(1, (2, 6)) - 0.04 * faster)
+    np.testing.assert_allclose(calls[1].start[0], found(1, (2, 6)) + 0.01 * faster)
     np.testing.assert_allclose(calls[2].start[0], known[last][0] + (0.52 - last) * faster)
     np.testing.assert_allclose(calls[3].start[1:], known[near][1:])
-    np.testing.assert_allclose(calls[4].start[1:], known[near][1:])
+    np.testing.assert_allclose(calls[4].start[1:], found(4, (2, 2, 6)))
 
 
 def test_tables_and_candidates_are_the_same_numbers():
