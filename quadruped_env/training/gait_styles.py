@@ -6,7 +6,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.training.gait_trial import Achieved
+from quadruped_env.training.gait_trial import MANY_STARTS, Achieved, Start
 
 Judge = Callable[[Achieved, float, NDArray[np.float64]], NDArray[np.float64]]
 """Scores (N,) of gaits, of which larger is better, from their results and the wanted forward velocity (m/s) and yaw
@@ -135,6 +135,8 @@ class Course(NamedTuple):
     """Generations beyond those of the program's option."""
     spread: float = 0.04
     """Standard deviation of the first generation, see `search`."""
+    starts: tuple[Start, ...] | None = None
+    """Of each trial; None: `STARTS`."""
 
 
 class Style(NamedTuple):
@@ -165,6 +167,7 @@ STYLES: Final = {
             _START,
             (0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.6),
             more_generations=20,
+            starts=MANY_STARTS,
         ),
         Course(
             Steps(

@@ -19,7 +19,7 @@ from quadruped_env.errors import MissingExtraError
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.gait_styles import HIGH_STEPS, STYLES, Course, Judge, Style
-from quadruped_env.training.gait_trial import ROBOT, Achieved, measure, trials
+from quadruped_env.training.gait_trial import ROBOT, Achieved, Start, measure, trials
 
 CANDIDATES: Final = 32
 """Of each generation, next to its mean."""
@@ -126,6 +126,7 @@ def search(
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
     judge: Judge = HIGH_STEPS.judge,
+    starts: tuple[Start, ...] | None = None,
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
 
@@ -141,6 +142,7 @@ def search(
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
         judge: scores each trial.
+        starts: of each trial; None: `STARTS`.
 
     Raises:
         MissingExtraError: if cmaes is not installed.
@@ -152,7 +154,7 @@ def search(
     except ImportError as error:
         raise MissingExtraError("The search of a gait", "train") from error
     count = CANDIDATES + 1
-    simulation = trials(count * len(yaw_rates))
+    simulation = trials(count * len(yaw_rates), starts)
     # All candidates at the first yaw rate, then all at the second.
     wanted, largest = np.repeat(yaw_rates, count), max(yaw_rates)
     sizes = turn_size(wanted, largest)
@@ -166,7 +168,7 @@ def search(
         candidates[:, varied] = np.reshape([strategy.mean, *drawn], (count, *scale.shape)) * scale
         candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
         targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, turns)
-        got = measure(targets, simulation, angular_frequency, turns)
+        got = measure(targets, simulation, angular_frequency, turns, starts)
         score = judge(got, speed, wanted).reshape(len(yaw_rates), count).mean(axis=0)
         strategy.tell([(values, -value) for values, value in zip(drawn, score[1:].tolist(), strict=True)])
         first = int(np.argmax(score))
@@ -227,6 +229,7 @@ def _straight_gaits(
             course.spread,
             generations + course.more_generations,
             judge=course.steps.judge,
+            starts=course.starts,
         )
         say(_line(f"{speed:+.2f} m/s", found, (0.0,)))
         straight[speed] = found.candidate[0]
@@ -259,6 +262,7 @@ def _turning_gaits(
             generations + course.more_generations,
             yaw_rates=yaw_rates,
             judge=course.steps.judge,
+            starts=course.starts,
         )
         say(_line(f"{speed:+.2f} m/s in turns", found, yaw_rates))
         turning[speed] = found.candidate[1:]

@@ -292,16 +292,20 @@ def test_robots_start_with_the_velocities_and_joint_positions_of_their_start(mon
 
 
 def test_starts_cover_the_cycle_and_the_starts_of_episodes():
-    starts = gait_trial._starts(6, seed=0)
-    np.testing.assert_allclose([start.clock for start in starts], np.arange(6) * math.pi / 3)
-    assert sorted({start.friction for start in starts}) == [0.7, 0.8, 0.9]
-    velocity = np.abs([start.velocity for start in starts]).max(axis=0)
+    starts = gait_trial.draw_starts(0)
+    own, soft = starts[:6], starts[6:]
+    np.testing.assert_allclose([start.clock for start in own], np.arange(6) * math.pi / 3)
+    assert sorted({start.friction for start in own}) == [0.7, 0.8, 0.9]
+    assert {start.softness for start in own} == {1.0}
+    assert soft == tuple(own[k]._replace(softness=2.0) for k in (1, 4))
+    velocity = np.abs([start.velocity for start in own]).max(axis=0)
     episode = TaskConfig().randomization
     assert (velocity[:6] <= 1.5 * episode.start_base_velocity).all()
     assert (velocity[6:] <= episode.start_joint_velocity).all()
-    assert np.abs([start.joint_offset for start in starts]).max() <= episode.start_joint_position
+    assert np.abs([start.joint_offset for start in own]).max() <= episode.start_joint_position
     assert velocity.min() > 0.05, "nothing is at rest in all of them"
-    assert starts == gait_trial._starts(6, seed=0)
+    assert starts == gait_trial.draw_starts(0)
+    assert len({start.velocity for start in gait_trial.MANY_STARTS if start.softness == 1.0}) == 18
 
 
 def test_robot_that_once_tips_strikes_its_trunk_or_diverges_from_either_start_has_fallen(measured):
@@ -380,11 +384,13 @@ class Trials:
 
     def __init__(self, monkeypatch, quantities):
         self.candidates, self.sizes, self._quantities = [], [], quantities
-        monkeypatch.setattr(gait_tuning, "trials", lambda count: count)
+        self.starts = []
+        monkeypatch.setattr(gait_tuning, "trials", lambda count, starts: self.starts.append(starts) or count)
         monkeypatch.setattr(gait_tuning, "gait_targets", lambda *arguments: arguments)
         monkeypatch.setattr(gait_tuning, "measure", self._measure)
 
-    def _measure(self, targets, count, angular_frequency, turns):
+    def _measure(self, targets, count, angular_frequency, turns, starts):
+        assert starts is self.starts[-1]
         candidates, sizes, phases = targets
         assert len(candidates) == len(sizes) == count
         assert phases == turns
@@ -627,6 +633,27 @@ def test_search_without_its_package_says_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "cmaes", None)
     with pytest.raises(MissingExtraError, match=r"search of a gait needs the 'train' extra"):
         gait_tuning.search(0.3, 10.0, TROT, candidate_of(LEG), 0.1, 1)
+
+
+def test_search_tries_candidates_from_the_starts_of_its_course(monkeypatch):
+    trials = Trials(monkeypatch, lambda given, _: {})
+    gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.1, 1, starts=gait_trial.MANY_STARTS)
+    assert trials.starts == [gait_trial.MANY_STARTS]
+
+
+def test_given_starts_take_the_place_of_the_usual_ones():
+    starts = gait_trial.Start(0.0, 0.5), gait_trial.Start(1.0, 0.6, softness=2.0), gait_trial.Start(2.0, 0.9)
+    simulation = gait_trial.trials(2, starts)
+    np.testing.assert_array_equal(simulation.field_values("geom_friction")[:, 0, 0], [0.5, 0.5, 0.6, 0.6, 0.9, 0.9])
+    clocks = []
+
+    def targets(clock):
+        clocks.append(clock)
+        return np.tile(STANCE, (2, 1))
+
+    got = gait_tuning.measure(targets, simulation, 10.0, TROT, starts)
+    np.testing.assert_allclose(clocks[:3], 0.2 + np.array([0.0, 1.0, 2.0]))
+    assert got.lowest_apex.shape == (2, 2, 4), "from those with the robot's own contacts"
 
 
 def test_search_takes_no_seed_of_an_evaluation():

@@ -235,7 +235,17 @@ class FakeSearch:
         self.calls, self._share = [], share
 
     def __call__(
-        self, speed, angular_frequency, turns, start, spread, generations, seed=0, yaw_rates=(0.0,), judge=None
+        self,
+        speed,
+        angular_frequency,
+        turns,
+        start,
+        spread,
+        generations,
+        seed=0,
+        yaw_rates=(0.0,),
+        judge=None,
+        starts=None,
     ):
         number = len(self.calls) + 1
         self.calls.append(SimpleNamespace(**locals() | {"start": np.array(start)}))
@@ -303,9 +313,10 @@ def test_turns_are_searched_from_their_neighbours_on_top_of_the_straight_gaits(m
         np.testing.assert_allclose(call.start[1:], found(number, (2, 2, 6)), err_msg=f"{call.speed}")
 
 
-def test_a_course_asks_for_more_generations(monkeypatch):
+def test_a_course_asks_for_more_generations_and_starts(monkeypatch):
     calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
     assert [call.generations for call in calls] == 4 * [27] + 4 * [7]
+    assert [call.starts for call in calls] == 4 * [gait_trial.MANY_STARTS] + 4 * [None]
 
 
 def test_gait_is_refined_from_its_own_tables(monkeypatch):
