@@ -2,8 +2,8 @@
 
 They are the tables of the `tuned`, `crouched`, `low` or `fast` gait over forward velocity, with what a yaw rate adds,
 and with `tuned` the presets trot, walk, bound and pace. Writes the numbers that belong in
-quadruped_env/gait/presets.py, and prints the velocities that the gait reaches. Takes five to thirty minutes on
-two idle cores.
+quadruped_env/gait/presets.py, and prints the velocities that the gait reaches. Takes half an hour on two idle cores,
+`tuned` more than an hour.
 """
 
 import argparse

@@ -176,6 +176,7 @@ STYLES: Final = {
                 400.0,
                 cost_per_foot=800.0,
                 tilt_cost=30.0,
+                speed_cost=300.0,
                 yaw_rate_cost=180.0,
                 sensitivity_cost=150.0,
                 touchdown_cost=120.0,
