@@ -503,8 +503,8 @@ def test_search_weighs_a_yaw_rate_by_how_fast_it_moves_the_feet_and_more(monkeyp
     assert hip_offset(found.candidate[None])[0] == pytest.approx(wanted, abs=0.005)
 
 
-@pytest.mark.parametrize(("worth", "wanted"), [(5.5, 0.1), (4.5, 0.0)])
-def test_search_of_tuned_turns_weighs_tilt_as_30_against_150_of_speed(monkeypatch, worth, wanted):
+@pytest.mark.parametrize(("worth", "wanted"), [(10.5, 0.1), (9.5, 0.0)])
+def test_search_of_tuned_turns_weighs_tilt_as_30_against_300_of_speed(monkeypatch, worth, wanted):
     """Speed is met at an offset of 0, the body is level at 0.1 rad."""
 
     def quantities(given, _):
