@@ -252,15 +252,18 @@ class TestGait:
                 np.testing.assert_allclose(one[:, ROBOT.joint_mirror], other, atol=1e-12)
             assert abs(left[0] - right[0]).max() > 0.01
 
-    def test_tuned_gait_walks_as_commanded(self):
+    def test_tuned_gait_walks_and_turns_as_commanded(self):
         # A robot that is 1.28 times as tall swings its legs more slowly: the period grows with the root of its height.
-        slower = dataclasses.replace(CommandedGait.tuned(ROBOT), angular_frequency=math.tau * 2.8)
-        found = walk(CommandedGaitController(slower), [(0.3, 0.0), (0.0, 0.0), *[(-0.2, 0.0)] * 3])
-        assert found[:, 2].min() > 0.97  # upright
+        slower = dataclasses.replace(CommandedGait.tuned(ROBOT), angular_frequency=math.tau * 3.0)
+        turns = [(0.0, 0.5)] * 3 + [(0.0, -0.5)] * 3
+        found = walk(CommandedGaitController(slower), [(0.3, 0.0), (0.0, 0.0), *[(-0.2, 0.0)] * 3, *turns])
+        assert found[:, 2].min() > 0.95  # upright
         forward = found[:, 0]
         assert 0.22 < forward[0] < 0.33
-        assert -0.23 < np.median(forward[2:]) < -0.13
+        assert -0.23 < np.median(forward[2:5]) < -0.13
         np.testing.assert_allclose(found[1, :2], 0.0, atol=0.02)
+        assert 0.35 < np.median(found[5:8, 1]) < 0.55
+        assert -0.55 < np.median(found[8:, 1]) < -0.35
 
     def test_crouched_gait_walks_and_turns_as_commanded(self):
         slower = dataclasses.replace(CommandedGait.preset("crouched", ROBOT), angular_frequency=math.tau * 3.2)
@@ -290,7 +293,7 @@ class TestLive:
         np.testing.assert_array_equal(plan.positions(plan.duration), ROBOT.stance)
 
     def test_live_controller_walks_the_simulated_robot(self):
-        loop = Loop("tuned", robot=ROBOT)
+        loop = Loop("crouched", robot=ROBOT)
         loop.run(4.0)
         speeds, upright = loop.run(4.0, (0.3, 0.0))
         assert upright.min() > 0.95
