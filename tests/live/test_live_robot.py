@@ -73,11 +73,11 @@ def test_live_controller_stops_while_states_are_missing_and_walks_again(silence,
 
 def test_watchdog_without_commands_makes_the_robot_limp_and_a_new_controller_gets_it_up(in_environment):
     loop = Loop()
-    loop.run(5.0, (0.5, 0.0))
+    loop.run(5.0, (0.3, 0.0))
     loop.run(WATCHDOG - 0.05, commands=False)
     assert not loop.robot.limp
     # The motors only brake: it sinks slowly.
-    loop.run(16.0, commands=False)
+    loop.run(9.0, commands=False)
     assert loop.robot.limp
     assert loop.robot.state.base_position[0, 2] < 0.1
     loop.restart_live_controller()
