@@ -64,8 +64,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     log(f"\n{achieved_table(gait)}\n")
     found: dict[str, Any] = {arguments.preset: gait.parameters()}
     if arguments.preset == "tuned" and not arguments.refine:
-        # They start from a small step, the tables from a gait.
-        found["presets"] = tune_presets(3 * arguments.generations, log)
+        found["presets"] = tune_presets(arguments.generations, log)
     write_json(arguments.output, found)
     log(f"written to {arguments.output}")
     return 0
