@@ -5,7 +5,7 @@ gait that keeps the speed and its feet, and costs as little as possible; `steps`
 in every stride and touch it once. The table shows the electrical cost of transport (energy over weight and distance)
 and what the steps look like; docs/gaits.md holds it.
 
-Takes two minutes per row on two idle cores.
+Takes three minutes per row on two idle cores.
 """
 
 import argparse
