@@ -84,7 +84,7 @@ class Steps(NamedTuple):
     counts as 0.04 m/s: not to turn is cheap."""
     sensitivity_cost: float = 0.0
     """Cost of the largest difference that starts and soft contacts make to the forward velocity, 1/(m/s). A gait whose
-    speed hangs on how the feet land walks at another speed in another engine."""
+    speed depends on how the feet land walks at another speed in another engine."""
     touchdown_cost: float = 30.0
     """Cost of the difference of each foot's touchdowns per stride from one, mean over the feet: feet that bounce, and
     feet that never land."""

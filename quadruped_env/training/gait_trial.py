@@ -64,7 +64,7 @@ STARTS: Final = draw_starts(0)
 """Every gait is tried from these: from one start alone, the search finds gaits that other starts do not lead to. What
 soft contacts change is about what stiffer ones, and another engine's, change in the other direction."""
 MANY_STARTS: Final = (*STARTS, *draw_starts(1), *draw_starts(2))
-"""Near the motors' top speed one start in twenty can lead a gait astray that all of `STARTS` lead to."""
+"""Near the motors' top speed a few starts lead a gait astray that walks well from all of `STARTS`."""
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ import pytest
 from built_in import STANCE, VELOCITY_LIMIT
 
 from quadruped_env import CommandedGait, SinusoidalGait
+from quadruped_env.cli.main import main
 from quadruped_env.gait import LEG_PHASES
 from quadruped_env.training import gait_styles, gait_trial, gait_tuning
 
@@ -333,6 +334,19 @@ def test_gait_is_refined_from_its_own_tables(monkeypatch):
     np.testing.assert_allclose(calls[2].start[0], known[last][0] + (0.52 - last) * faster)
     np.testing.assert_allclose(calls[3].start[1:], known[near][1:])
     np.testing.assert_allclose(calls[4].start[1:], found(4, (2, 2, 6)))
+
+
+def test_program_refines_the_tables_of_the_preset(monkeypatch, tmp_path):
+    monkeypatch.setattr(gait_tuning, "search", searches := FakeSearch(1.0))
+    monkeypatch.setattr(gait_tuning, "achieved_table", lambda gait: "")
+    for options in (("--refine",), ()):
+        assert main(["tune-gait", "--preset", "low", *options, "-o", str(tmp_path / "gait.json")]) == 0
+    refined, fresh = (call for call in searches.calls if call.speed == 0.2 and call.yaw_rates == (0.0,))
+    near = min(LOW.speeds, key=lambda speed: abs(speed - 0.2))
+    faster = gait_tuning._FASTER
+    expected = gait_tuning.candidates_of(LOW)[near][0] + (0.2 - near) * faster
+    np.testing.assert_allclose(refined.start[0], expected)
+    assert abs(fresh.start[0] - expected).max() > 0.01
 
 
 def test_tables_and_candidates_are_the_same_numbers():
