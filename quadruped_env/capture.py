@@ -9,17 +9,15 @@ import copy
 import functools
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields, is_dataclass
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-Call = tuple[Callable[..., Any], tuple[Any, ...]]
-Operation = tuple[Any, ...]
-"""Name, method and inputs of an operation, each input as `_location` describes it."""
+from quadruped_env.array_program import Operation, program
 
-_NO_POSITIONAL_RESULT: Final = (np.maximum, np.minimum)
-"""Ufuncs for which NumPy deprecates the result as a positional argument, which is otherwise faster than a keyword."""
+Key = tuple[Any, ...]
+"""Name, method and inputs of an operation, each input as `_location` describes it."""
 
 
 class NotCapturableError(TypeError):
@@ -30,16 +28,21 @@ class Capture:
     """Recorded operations, which `repeat` carries out in their order. An operation that recurs is recorded once."""
 
     def __init__(self) -> None:
-        self._calls: list[Call] = []
-        self._last: tuple[Callable[..., Any], tuple[Any, ...], NDArray[Any]] | None = None
-        """The last operation, its arguments, and its result if this is a new array."""
-        self._results: dict[Operation, NDArray[Any]] = {}
+        self._operations: list[Operation] = []
+        self._kept: list[NDArray[Any]] = []
+        """Arrays whose values are read after a repetition."""
+        self._last: Operation | None = None
+        """The last operation, if its result is a new array."""
+        self._results: dict[Key, NDArray[Any]] = {}
         """Results of the operations recorded so far, until something else is written there or into their inputs."""
 
     def repeat(self) -> None:
         """Compute the results of all recorded functions again, from the current values of their arrays."""
-        for function, arguments in self._calls:
-            function(*arguments)
+        self._program()
+
+    @functools.cached_property
+    def _program(self) -> Callable[[], None]:
+        return program(self._operations, self._kept)
 
     def record(self, function: Callable[..., Any], *arguments: Any) -> NDArray[Any]:
         """Call a function with stand-ins (see `stand_in`), and record its operations.
@@ -50,14 +53,17 @@ class Capture:
         Raises:
             NotCapturableError: if the function is not pure; in that case nothing is recorded.
         """
-        kept, results = len(self._calls), self._results.copy()
+        recorded, results = len(self._operations), self._results.copy()
         self._last = None
+        self.__dict__.pop("_program", None)
         try:
-            return self._array(function(*arguments))
+            result = self._array(function(*arguments))
         except (AttributeError, TypeError, ValueError) as error:
-            del self._calls[kept:]
+            del self._operations[recorded:]
             self._results = results
             raise NotCapturableError(f"{function} cannot be captured: {error}") from error
+        self._kept.append(result)
+        return result
 
     def record_into(self, to: NDArray[Any], function: Callable[..., Any], *arguments: Any) -> None:
         """Record a function whose result every `repeat` writes to an array; see `record`.
@@ -67,12 +73,12 @@ class Capture:
         """
         result = self.record(function, *arguments)
         same_layout = (result.shape, result.dtype) == (to.shape, to.dtype) and to.flags.c_contiguous
-        if same_layout and self._last is not None and self._last[2] is result:
-            ufunc, inputs, _ = self._last
-            self._calls[-1] = _call(ufunc, inputs, to)
+        self._kept[-1] = to
+        if same_layout and self._last is not None and self._last.result is result:
+            self._operations[-1] = self._last._replace(result=to)
             self._overwritten(result)
         else:
-            self._calls.append((np.copyto, (to, result)))
+            self._operations.append(Operation(None, (result,), to))
 
     def stand_in(self, value: Any) -> Any:
         """A stand-in for an array, or a copy of an object with stand-ins for its arrays."""
@@ -93,47 +99,43 @@ class Capture:
             raise NotCapturableError("**, which NumPy computes in several ways")
         # Numbers are converted once, to float64, as NumPy does next to an array of float64.
         arrays = [np.array(x) if isinstance(x, float) else self._array(x) for x in inputs]
-        function: Callable[..., Any] = ufunc
-        arguments: tuple[Any, ...] = tuple(arrays)
         if "out" in options:
             result = ufunc(*arrays, out=self._array(options["out"][0]))
-            self._calls.append(_call(function, arguments, result))
+            self._operations.append(Operation(ufunc, tuple(arrays), result))
+            self._kept.append(result)
             self._last = None
             self._overwritten(result)
             return _StandIn(self, result)
-        operation = (ufunc.__name__, method, options.get("axis"), *map(_location, inputs, arrays))
-        known = self._results.get(operation)
+        key = (ufunc.__name__, method, options.get("axis"), *map(_location, inputs, arrays))
+        known = self._results.get(key)
         if known is not None:
             self._last = None
             return _StandIn(self, known)
-        if method == "reduce":
-            function, arguments = ufunc.reduce, (arrays[0], options["axis"], None)
-            result = ufunc.reduce(arrays[0], options["axis"])
-        else:
-            result = ufunc(*arrays)
-        self._calls.append(_call(function, arguments, result))
-        self._last = function, arguments, result
-        self._results[operation] = result
-        return _StandIn(self, result)
+        axis = options.get("axis")
+        result = ufunc.reduce(arrays[0], axis) if method == "reduce" else ufunc(*arrays)
+        self._last = Operation(ufunc, tuple(arrays), np.asarray(result), axis, reduces=method == "reduce")
+        self._operations.append(self._last)
+        self._results[key] = self._last.result
+        return _StandIn(self, self._last.result)
 
     def copied(self, array: NDArray[Any], dtype: DTypeLike) -> "_StandIn":
         """Record a conversion of an array to another type."""
         self._last = None
-        operation = ("astype", np.dtype(dtype).str, _location(array, array))
-        if operation not in self._results:
-            self._results[operation] = array.astype(dtype)
-            self._calls.append((np.copyto, (self._results[operation], array)))
-        return _StandIn(self, self._results[operation])
+        key = ("astype", np.dtype(dtype).str, _location(array, array))
+        if key not in self._results:
+            self._results[key] = array.astype(dtype)
+            self._operations.append(Operation(None, (array,), self._results[key]))
+        return _StandIn(self, self._results[key])
 
     def _overwritten(self, array: NDArray[Any]) -> None:
         """Forget the operations with an array as their result or one of their inputs."""
         low, high = np.lib.array_utils.byte_bounds(array)
 
-        def apart(operation: Operation, result: NDArray[Any]) -> bool:
-            inputs = [part[:2] for part in operation if isinstance(part, tuple)]
+        def apart(key: Key, result: NDArray[Any]) -> bool:
+            inputs = [part[:2] for part in key if isinstance(part, tuple)]
             return all(end <= low or start >= high for start, end in (*inputs, np.lib.array_utils.byte_bounds(result)))
 
-        self._results = {operation: result for operation, result in self._results.items() if apart(operation, result)}
+        self._results = {key: result for key, result in self._results.items() if apart(key, result)}
 
     def _array(self, value: Any) -> NDArray[Any]:
         if isinstance(value, _StandIn):
@@ -148,27 +150,6 @@ def _location(value: Any, array: NDArray[Any]) -> Any:
     if isinstance(value, float):
         return value
     return (*np.lib.array_utils.byte_bounds(array), array.shape, array.strides, array.ctypes.data, array.dtype.str)
-
-
-def _call(function: Callable[..., Any], arguments: tuple[Any, ...], result: NDArray[Any]) -> Call:
-    """Fastest call of an operation that writes its result to an array."""
-    if isinstance(function, np.ufunc) and function.signature is None:
-        arguments, result = _without_unit_axes(arguments, result)
-    if function in _NO_POSITIONAL_RESULT:
-        return functools.partial(function, out=result), arguments
-    return function, (*arguments, result)
-
-
-def _without_unit_axes(
-    inputs: tuple[NDArray[Any], ...], result: NDArray[Any]
-) -> tuple[tuple[NDArray[Any], ...], NDArray[Any]]:
-    """Views without the axes along which the result has length 1, and numbers in place of arrays of one element.
-
-    NumPy is much faster if all arrays have one shape or are numbers, and if their only axis is strided.
-    """
-    unit = [axis for axis in range(-result.ndim, 0) if result.shape[axis] == 1]
-    views = [x.reshape(()) if x.size == 1 else x.squeeze(tuple(a for a in unit if a >= -x.ndim)) for x in inputs]
-    return tuple(views), result.squeeze(tuple(unit))
 
 
 class Functions:

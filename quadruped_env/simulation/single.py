@@ -79,7 +79,10 @@ class SingleSimulation:
 
     def diverged(self) -> NDArray[np.bool_]:
         """See `Simulation.diverged`."""
-        return np.array([self._failed or np.count_nonzero(self._warnings) > 0])
+        result = np.zeros(1, np.bool_)
+        if self._failed or any(self._warnings.tolist()):
+            result[0] = True
+        return result
 
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""

@@ -79,6 +79,11 @@ class TaskContext:
         """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
         self.moving = control.moving
         """1.0 where a motion is commanded, else 0.0, (N,)."""
+        self._update: Capture | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Captured operations refer to arrays, which are others after unpickling.
+        return {**self.__dict__, "_update": None}
 
     def stand_ins(self, capture: Capture) -> tuple["TaskContext"]:
         """This context with stand-ins for its arrays, as the argument of functions that are captured."""
@@ -89,11 +94,11 @@ class TaskContext:
 
     def update(self) -> None:
         """Update the velocities from the readings after a control step."""
-        self.velocity[:, 0] = self.readings.linear_velocity_b[:, 0]
-        self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
-        change = self.velocity - self.smooth_velocity
-        self.smooth_velocity += np.multiply(change, self._smoothing, change)
-        np.subtract(self.smooth_velocity, self.command, self.tracking_error)
+        if self._update is None:
+            self._update = Capture()
+            self._update.record(_update_velocities, *self.stand_ins(self._update))  # which carries it out
+        else:
+            self._update.repeat()
 
     @property
     def joint_offset(self) -> Any:
@@ -133,3 +138,11 @@ class TaskContext:
     def command_of(self, name: str) -> Floats:
         """One component of the command by name, (N,)."""
         return self.control.command_of(name)
+
+
+def _update_velocities(context: TaskContext) -> Any:
+    np.positive(context.readings.linear_velocity_b[:, 0], out=context.velocity[:, 0])
+    np.positive(context.readings.angular_velocity_b[:, 2], out=context.velocity[:, 1])
+    change = context.velocity - context.smooth_velocity
+    np.add(context.smooth_velocity, change * context._smoothing, out=context.smooth_velocity)
+    return np.subtract(context.smooth_velocity, context.command, out=context.tracking_error)

@@ -5,6 +5,8 @@ rules in CONTRIBUTING.md before changing an expression here.
 """
 
 import functools
+import operator
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -106,6 +108,8 @@ class Task:
         self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
         """Mask (N,) of the envs whose episode has ended and that have not been reset since."""
         self._all_started = False
+        self._steps_to_next_command = 0
+        """Control steps before which no env needs a new command; 0: not known."""
         self.generators: list[np.random.Generator] = []
         """Random generator of each env, from which the key of its draws is taken."""
         self.seeds: list[int] = []
@@ -197,6 +201,7 @@ class Task:
         started_with = self._randomizer.begin_episodes(env_ids, place, fixed)
         self._started[env_ids] = True
         self._fixed[env_ids] = fixed is not None
+        self._steps_to_next_command = 0
         self._rewards.command_changed(env_ids, started_with[:, :VELOCITY])
 
     def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
@@ -263,9 +268,7 @@ class Task:
         if self.tiles is not None:
             self.tiles.update(self.context, terminated, diverged, running)
         terms = self._rewards(self.context)
-        # Added one by one in the declared order. For several envs `reduce` does so, in less time; the terms of a single
-        # one it would add in pairs.
-        reward = np.add.reduce(terms, axis=0) if self.num_envs > 1 else np.add.accumulate(terms, axis=0)[-1]
+        reward = _sum_in_order(terms)
         if self._own_terms and not np.isfinite(reward).all():
             self._refuse_reward(terms)
         self._resample_commands(running)
@@ -312,6 +315,7 @@ class Task:
         self.generators[env_id].bit_generator.state = state["generator"]
         self.seeds[env_id] = state["seed"]
         self._keyed[env_id] = self.generators[env_id] if state["keyed"] else None
+        self._steps_to_next_command = 0
         self.simulation.set_state(env_id, state["simulation"])
 
     def _parts(self) -> dict[str, EpisodeMemory | Draws]:
@@ -371,15 +375,26 @@ class Task:
         )
 
     def _resample_commands(self, running: EnvIds | None) -> None:
-        due = self.steps >= self._randomizer.command_due
-        if np.count_nonzero(due):
-            due &= ~self._fixed
-            env_ids = np.flatnonzero(due)
-            if running is not None:
-                env_ids = np.intersect1d(env_ids, running)
-            if len(env_ids):
-                self._set_command(env_ids, self._randomizer.next_command(env_ids))
+        if self._steps_to_next_command > 1:
+            self._steps_to_next_command -= 1
+            return
+        env_ids = np.flatnonzero((self.steps >= self._randomizer.command_due) & ~self._fixed)
+        if running is not None:
+            env_ids = np.intersect1d(env_ids, running)
+        if len(env_ids):
+            self._set_command(env_ids, self._randomizer.next_command(env_ids))
+        waiting = (self._randomizer.command_due - self.steps)[~self._fixed]
+        self._steps_to_next_command = int(waiting.min()) if len(waiting) else sys.maxsize
 
     def _set_command(self, env_ids: EnvIds, command: Floats) -> None:
         self.control.set_command(env_ids, command)
         self._rewards.command_changed(env_ids, command[:, :VELOCITY])
+
+
+def _sum_in_order(terms: Floats) -> Floats:
+    """Sum (N,) of terms (T, N), added one by one: `reduce` does so for several envs, but not for a single one."""
+    if terms.shape[1] > 1:
+        return np.add.reduce(terms, axis=0)
+    result = np.empty(1)
+    result[0] = functools.reduce(operator.add, terms[:, 0].tolist())
+    return result

@@ -208,3 +208,17 @@ def test_environments_share_nothing():
         if log[-1][2] or log[-1][3]:
             log.append(env.reset())
     assert_same(log, expected)
+
+
+def test_a_restored_environment_changes_its_command_when_the_saved_one_would():
+    env, other = make().unwrapped, make().unwrapped
+    env.reset(seed=4)
+    play(env, 33)
+    state = env.get_state()
+    expected = [info["command"] for *_, info in play(env, 300)]
+    assert len(np.unique(expected, axis=0)) > 1
+    # A fixed command never changes.
+    other.reset(seed=0, options={"command": (0.3, 0.0)})
+    play(other, 2)
+    other.set_state(state)
+    np.testing.assert_array_equal([info["command"] for *_, info in play(other, 300)], expected)
