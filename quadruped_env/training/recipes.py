@@ -74,7 +74,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
         ),
         "fast": Recipe(
             "commands up to 0.9 m/s and 1.5 rad/s, with longer strides",
-            {"timesteps": 2_500_000},
+            {"timesteps": 5_000_000},
             # With as much noise as for terrain the policy becomes no faster than its gait, with as little as for level
             # ground slower.
             {"n_steps": 32, "hidden": (128, 128), "log_std_init": -2.2, "final_log_std": -4.5},
