@@ -147,7 +147,8 @@ class _Code:
             names = [f"v{len(self._lines)}_{i}" for i in range(len(addresses))]
             method = array.item if array.size == 1 else array.tolist
             self._lines.append(f"{', '.join(names)} = {self._name(method)}()")
-            self._variables.update(zip(addresses, names, strict=True))
+            # Only those not known: what Python has computed may not be in memory.
+            self._variables = dict(zip(addresses, names, strict=True)) | self._variables
         return [self._variables[at] for at in addresses]
 
     def _assign(self, expression: str) -> str:

@@ -33,11 +33,17 @@ PURE = {
     "result of a view": lambda a, b: a[:, 1],
     "written into a result": lambda a, b: np.sin(a + b, a * b),
     "in place, on a result": lambda a, b: _doubled(a + b),
+    "written into a part of a result": lambda a, b: _with_sine_in_front(a + b, a) * 2.0,
 }
 
 
 def _doubled(values):
     values *= 2.0
+    return values
+
+
+def _with_sine_in_front(values, others):
+    np.sin(others[:, :2], out=values[:, :2])
     return values
 
 
