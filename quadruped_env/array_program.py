@@ -5,7 +5,9 @@ long as an addition in Python. Both have the same floating-point numbers, so the
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, Final, NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +37,8 @@ _KEYWORD_RESULT: Final = (np.maximum, np.minimum)
 """Ufuncs for which NumPy deprecates the result as a positional argument, which is otherwise faster than a keyword."""
 
 
-class Operation(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Operation:
     """A recorded operation: a ufunc, its reduction along an axis, or a copy to another type."""
 
     ufunc: np.ufunc | None
@@ -46,6 +49,16 @@ class Operation(NamedTuple):
     """Axis of a reduction."""
     reduces: bool = False
 
+    def carry_out(self) -> None:
+        """Compute the result."""
+        if self.ufunc is None:
+            np.copyto(self.result, self.inputs[0])
+        elif self.reduces:
+            self.ufunc.reduce(self.inputs[0], self.axis, out=self.result)
+        else:
+            self.ufunc(*self.inputs, out=self.result)
+
+    @cached_property
     def arrays(self) -> tuple[tuple[NDArray[Any], ...], NDArray[Any]]:
         """Inputs and result as the call takes them.
 
@@ -56,15 +69,16 @@ class Operation(NamedTuple):
         if self.reduces or (self.ufunc is not None and self.ufunc.signature is not None):
             return self.inputs, self.result
         unit = [axis for axis in range(-self.result.ndim, 0) if self.result.shape[axis] == 1]
+        inputs = (
+            x.reshape(()) if x.size == 1 else x.squeeze(tuple(axis for axis in unit if axis >= -x.ndim))
+            for x in self.inputs
+        )
+        return tuple(inputs), self.result.squeeze(tuple(unit))
 
-        def slim(x: NDArray[Any]) -> NDArray[Any]:
-            return x.reshape(()) if x.size == 1 else x.squeeze(tuple(axis for axis in unit if axis >= -x.ndim))
-
-        return tuple(slim(x) for x in self.inputs), self.result.squeeze(tuple(unit))
-
+    @cached_property
     def expression(self) -> str | None:
         """Python's expression for one element of the result, if Python computes it in less time."""
-        inputs, result = self.arrays()
+        inputs, result = self.arrays
         if max(x.size for x in (*inputs, result)) > _FEW or any(x.squeeze().ndim > 1 for x in (*inputs, result)):
             return None
         types = {x.dtype for x in inputs}
@@ -88,13 +102,12 @@ def program(operations: Sequence[Operation], kept: Iterable[NDArray[Any]]) -> Ca
         operations: the operations.
         kept: results that are read afterwards. Others need not be written.
     """
-    code = _Code([*kept, *(x for op in operations if op.expression() is None for x in op.inputs)])
+    code = _Code([*kept, *(x for op in operations if op.expression is None for x in op.inputs)])
     for operation in operations:
-        expression = operation.expression()
-        if expression is None:
+        if operation.expression is None:
             code.call(operation)
         else:
-            code.compute(operation, expression)
+            code.compute(operation, operation.expression)
     return code.function()
 
 
@@ -110,7 +123,7 @@ class _Code:
 
     def call(self, operation: Operation) -> None:
         """Let NumPy carry out an operation."""
-        inputs, result = operation.arrays()
+        inputs, result = operation.arrays
         to = self._name(result)
         if operation.ufunc is None:
             self._lines.append(f"{self._name(np.copyto)}({to}, {self._name(inputs[0])})")
@@ -125,7 +138,7 @@ class _Code:
 
     def compute(self, operation: Operation, expression: str) -> None:
         """Let Python carry out an operation, by an expression for each element of the result."""
-        inputs, result = operation.arrays()
+        inputs, result = operation.arrays
         operands = [self._load(x.squeeze()) for x in inputs]
         if operation.reduces:
             operands = [[name] for name in operands[0]]
@@ -171,5 +184,6 @@ class _Code:
 
 
 def _addresses(array: NDArray[Any]) -> Iterator[int]:
+    start: int = array.__array_interface__["data"][0]
     stride = array.strides[0] if array.ndim else 0
-    return (array.ctypes.data + i * stride for i in range(array.size))
+    return (start + i * stride for i in range(array.size))

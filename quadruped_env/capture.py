@@ -6,9 +6,8 @@ arguments and its result; repeating them applies the same ufuncs to the same arr
 """
 
 import copy
-import functools
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -31,6 +30,8 @@ class Capture:
         self._operations: list[Operation] = []
         self._kept: list[NDArray[Any]] = []
         """Arrays whose values are read after a repetition."""
+        self._program: Callable[[], None] | None = None
+        self._repeated = False
         self._last: Operation | None = None
         """The last operation, if its result is a new array."""
         self._results: dict[Key, NDArray[Any]] = {}
@@ -38,11 +39,16 @@ class Capture:
 
     def repeat(self) -> None:
         """Compute the results of all recorded functions again, from the current values of their arrays."""
-        self._program()
-
-    @functools.cached_property
-    def _program(self) -> Callable[[], None]:
-        return program(self._operations, self._kept)
+        if self._program is not None:
+            self._program()
+        elif self._repeated:
+            self._program = program(self._operations, self._kept)
+            self._program()
+        else:
+            # To write the program takes longer than to do without it once, and many an env is reset and never steps.
+            self._repeated = True
+            for operation in self._operations:
+                operation.carry_out()
 
     def record(self, function: Callable[..., Any], *arguments: Any) -> NDArray[Any]:
         """Call a function with stand-ins (see `stand_in`), and record its operations.
@@ -55,7 +61,7 @@ class Capture:
         """
         recorded, results = len(self._operations), self._results.copy()
         self._last = None
-        self.__dict__.pop("_program", None)
+        self._program, self._repeated = None, False
         try:
             result = self._array(function(*arguments))
         except (AttributeError, TypeError, ValueError) as error:
@@ -75,7 +81,7 @@ class Capture:
         same_layout = (result.shape, result.dtype) == (to.shape, to.dtype) and to.flags.c_contiguous
         self._kept[-1] = to
         if same_layout and self._last is not None and self._last.result is result:
-            self._operations[-1] = self._last._replace(result=to)
+            self._operations[-1] = replace(self._last, result=to)
             self._overwritten(result)
         else:
             self._operations.append(Operation(None, (result,), to))
