@@ -104,6 +104,13 @@ def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_o
         assert measure.value == pytest.approx(ratio, rel=0.02)
 
 
+def test_randomization_is_measured_with_its_physics_alone():
+    total, physics = throughput.randomized_over_plain(rows=3, steps=3, chunks=2)
+    assert min(total.value, physics.value) > 0.0
+    assert re.fullmatch(r"outside of the physics \d+\.\d\d and \d+\.\d\d ms per step", total.detail)
+    assert "randomization" in throughput.WORKS
+
+
 def test_physics_on_tiles_is_measured_over_the_plane():
     ratio, step = terrain_speed.ratios(num_envs=4, chunks=1)
     assert min(ratio, step) > 0.0

@@ -159,7 +159,48 @@ def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 5) 
     return measures
 
 
-def _watch_physics(env: Any, seconds: dict[int, float], size: int) -> None:
+def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNKS) -> list[Measure]:
+    """The native vector environment with the preset `hard` over without, on robots that walk with the scripted gait.
+
+    Args:
+        rows: number of envs.
+        steps: steps of each turn.
+        chunks: how often both take turns.
+    """
+    presets = {preset: {"randomization": preset} for preset in ("none", "hard")}
+    envs = {
+        preset: gymnasium.make_vec(ENV_ID, num_envs=rows, action_mode="residual", config=config)
+        for preset, config in presets.items()
+    }
+    physics: dict[str, float] = {}
+    for preset, env in envs.items():
+        _watch_physics(env, physics, preset)
+        env.reset(seed=0)
+    no_change = np.zeros((rows, ROBOT.num_joints), np.float32)
+    ratios, physics_ratios, own = [], [], []
+    for _ in range(chunks + 1):
+        seconds = {}
+        physics.clear()
+        for preset, env in envs.items():
+            start = time.perf_counter()
+            for _ in range(steps):
+                env.step(no_change)
+            seconds[preset] = time.perf_counter() - start
+        ratios.append(seconds["none"] / seconds["hard"])
+        physics_ratios.append(physics["none"] / physics["hard"])
+        own.append([1e3 * (seconds[preset] - physics[preset]) / steps for preset in envs])
+    for env in envs.values():
+        env.close()
+    ratio, alone, outside = np.median(ratios[1:]), np.median(physics_ratios[1:]), np.median(own[1:], axis=0)
+    detail = f"outside of the physics {outside[0]:.2f} and {outside[1]:.2f} ms per step"
+    what = "delays and changed models cost more physics"
+    return [
+        Measure(f"vector env, {rows} rows, hard over none", float(ratio), "", ">= 0.90", bool(ratio >= 0.9), detail),
+        Measure("its physics alone", float(alone), "", "a bound", True, what),
+    ]
+
+
+def _watch_physics(env: Any, seconds: dict[Any, float], size: Any) -> None:
     """Add the time of an env's physics steps to `seconds[size]`."""
     simulation = env.unwrapped.task.simulation
     step = simulation.step
@@ -411,6 +452,7 @@ WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "sync": vector_over_sync,
     "vector": vector_over_bare,
     "rows": cost_by_rows,
+    "randomization": randomized_over_plain,
     "training": training_over_bare,
     "terrain": terrain_over_plane,
 }
