@@ -6,7 +6,6 @@ rules in CONTRIBUTING.md before changing an expression here.
 
 import functools
 import operator
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -109,7 +108,7 @@ class Task:
         """Mask (N,) of the envs whose episode has ended and that have not been reset since."""
         self._all_started = False
         self._steps_to_next_command = 0
-        """Control steps before which no env needs a new command; 0: not known."""
+        """Control steps after which a single env needs a new command; 0: not known."""
         self.generators: list[np.random.Generator] = []
         """Random generator of each env, from which the key of its draws is taken."""
         self.seeds: list[int] = []
@@ -378,13 +377,16 @@ class Task:
         if self._steps_to_next_command > 1:
             self._steps_to_next_command -= 1
             return
-        env_ids = np.flatnonzero((self.steps >= self._randomizer.command_due) & ~self._fixed)
-        if running is not None:
-            env_ids = np.intersect1d(env_ids, running)
-        if len(env_ids):
-            self._set_command(env_ids, self._randomizer.next_command(env_ids))
-        waiting = (self._randomizer.command_due - self.steps)[~self._fixed]
-        self._steps_to_next_command = int(waiting.min()) if len(waiting) else sys.maxsize
+        due = self.steps >= self._randomizer.command_due
+        if np.count_nonzero(due):
+            env_ids = np.flatnonzero(due & ~self._fixed)
+            if running is not None:
+                env_ids = np.intersect1d(env_ids, running)
+            if len(env_ids):
+                self._set_command(env_ids, self._randomizer.next_command(env_ids))
+        # Of several envs, some one needs a command nearly at every step.
+        if self.num_envs == 1 and not self._fixed[0]:
+            self._steps_to_next_command = int(self._randomizer.command_due[0] - self.steps[0])
 
     def _set_command(self, env_ids: EnvIds, command: Floats) -> None:
         self.control.set_command(env_ids, command)
