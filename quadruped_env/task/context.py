@@ -94,7 +94,9 @@ class TaskContext:
 
     def update(self) -> None:
         """Update the velocities from the readings after a control step."""
-        if self._update is None:
+        if self.xp is not NUMPY:
+            _update_velocities(self)
+        elif self._update is None:
             self._update = Capture()
             self._update.record(_update_velocities, *self.stand_ins(self._update))  # which carries it out
         else:
