@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
-from benchmarks import throughput
+from benchmarks import measures, throughput
 from quadruped_env.program import run_program
 from quadruped_env.provenance import machine, versions
 
@@ -38,11 +38,11 @@ def main() -> int:
 
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
-    print(throughput.HEADER, flush=True)
-    measures = throughput.run_all(arguments.memory_steps, lambda line: print(line, flush=True), arguments.only)
-    throughput.write(measures, machine(), versions(), arguments.output)
+    print(measures.HEADER, flush=True)
+    found = throughput.run_all(arguments.memory_steps, lambda line: print(line, flush=True), arguments.only)
+    measures.write(found, machine(), versions(), arguments.output)
     print(f"\nmeasured on {machine()}; written to {arguments.output}")
-    return 0 if all(measure.reached for measure in measures) else 1
+    return 0 if all(measure.reached for measure in found) else 1
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import pytest
 from paths import importing
 from waiting import killed_on_failure, output_of
 
-from benchmarks import shipping, terrain_speed, throughput
+from benchmarks import env_speed, measures, shipping, terrain_speed, throughput
 from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
 from benchmarks.shipping import acceptance
 from quadruped_env.evaluation.rollout import roll_out
@@ -82,20 +82,20 @@ def test_acceptance_is_on_the_same_ground_for_every_policy_and_disturbance_is_no
 
 
 def test_gymnasiums_benchmarks_are_measured_over_ant():
-    measures = throughput.gymnasium_over_ant(chunks=1, seconds=0)
-    assert [measure.name.split(",")[0] for measure in measures] == [
+    found = env_speed.gymnasium_over_ant(chunks=1, seconds=0)
+    assert [measure.name.split(",")[0] for measure in found] == [
         "Gymnasium's benchmark_step",
         "Gymnasium's benchmark_init",
         "time of a reset",
     ]
-    assert all(measure.value > 0 for measure in measures)
+    assert all(measure.value > 0 for measure in found)
 
 
 def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_of_the_physics(monkeypatch):
-    monkeypatch.setattr(throughput.os, "cpu_count", lambda: 2)
-    measures = throughput.cost_by_rows(sizes=(2, 3), chunks=1)
-    assert [measure.name.split("threads: ")[1] for measure in measures] == ["1", "2"]
-    for measure in measures:
+    monkeypatch.setattr(env_speed.os, "cpu_count", lambda: 2)
+    found = env_speed.cost_by_rows(sizes=(2, 3), chunks=1)
+    assert [measure.name.split("threads: ")[1] for measure in found] == ["1", "2"]
+    for measure in found:
         assert measure.value >= 1.0
         costs, shares = zip(*re.findall(r"\d: ([\d.]+) us, (\d+)%", measure.detail), strict=True)
         assert len(costs) == 2
@@ -105,7 +105,7 @@ def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_o
 
 
 def test_randomization_is_measured_with_its_physics_alone():
-    total, physics = throughput.randomized_over_plain(rows=3, steps=3, chunks=2)
+    total, physics = env_speed.randomized_over_plain(rows=3, steps=3, chunks=2)
     assert min(total.value, physics.value) > 0.0
     assert re.fullmatch(r"outside of the physics \d+\.\d\d and \d+\.\d\d ms per step", total.detail)
     assert "randomization" in throughput.WORKS
@@ -118,17 +118,17 @@ def test_physics_on_tiles_is_measured_over_the_plane():
 
 
 def test_measures_are_written_as_a_table_and_as_json(tmp_path):
-    measure = throughput.Measure("ratio", 0.5, "x", ">= 0.4", True, "")
-    assert throughput.row(measure) == "| ratio | 0.5 x | >= 0.4 | yes |  |"
+    measure = measures.Measure("ratio", 0.5, "x", ">= 0.4", True, "")
+    assert measures.row(measure) == "| ratio | 0.5 x | >= 0.4 | yes |  |"
     path = tmp_path / "results" / "throughput.json"
-    throughput.write([measure], "machine", {"numpy": np.__version__}, path)
+    measures.write([measure], "machine", {"numpy": np.__version__}, path)
     assert json.loads(path.read_text())["measures"][0]["value"] == 0.5
 
 
 def test_a_measurement_ends_with_the_program_that_is_killed():
     """The measuring process writes a byte when it begins; this test's end of the pipe closes when it has ended."""
     measurement = "import os, time; os.write(2, b'.'); time.sleep(1e6)"
-    program = f"from benchmarks.throughput import run_python; run_python({measurement!r})"
+    program = f"from benchmarks.measures import run_python; run_python({measurement!r})"
     process = subprocess.Popen([sys.executable, "-c", program], stderr=subprocess.PIPE, env=importing())
     with killed_on_failure(process):
         assert process.stderr.read(1) == b"."

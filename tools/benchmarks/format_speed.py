@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
-from benchmarks.throughput import HEADER, Measure, row, run_python
+from benchmarks.measures import HEADER, Measure, row, run_python
 
 MIN_RATE: Final = 30_000
 """Minimum speed of reading MCAP on one core, messages per second."""

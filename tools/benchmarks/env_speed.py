@@ -1,0 +1,292 @@
+"""Speed of the environments: each measure interleaves what it compares, and takes the median of the turns' ratios."""
+
+import os
+import time
+from collections.abc import Callable, Sequence
+from typing import Any, Final
+
+import gymnasium
+import mujoco
+import numpy as np
+from gymnasium.utils.performance import benchmark_init, benchmark_step
+from gymnasium.vector import AutoresetMode
+from mujoco.batch import Batch
+from numpy.typing import NDArray
+
+from benchmarks.measures import Measure, seconds_of
+from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation.interface import SETTLED
+from quadruped_env.task import Task
+
+ROWS: Final = 256
+SYNC_ROWS: Final = 64
+ROBOT: Final = MINI_QUADRUPED
+CHUNKS: Final = 15
+
+FALLING: Final = {"randomization": {"push_velocity": 3.0, "push_interval": (1.0, 4.0)}}
+"""Random actions alone hardly ever throw this robot over: pushes make it fall every few seconds."""
+
+
+def joint_targets(task: Task, actions: NDArray[Any]) -> NDArray[np.float64]:
+    """Joint targets for actions (..., J) in position mode, rad."""
+    robot = task.control.robot
+    target = robot.stance + task.config.action.position_scale * actions.astype(np.float64)
+    return np.clip(target, robot.joint_position_low, robot.joint_position_high)
+
+
+def vector_over_bare() -> list[Measure]:
+    """The native vector environment over a bare `Batch.step` from the same states with the same controls."""
+    env = gymnasium.make_vec(ENV_ID, num_envs=ROWS, config=FALLING)
+    assert isinstance(env.unwrapped, MiniQuadrupedVectorEnv)
+    simulation = env.unwrapped.task.simulation
+    batch: Batch = simulation.batch  # type: ignore[attr-defined]
+    decimation = env.unwrapped.task.config.decimation
+    bare = Batch(simulation.model, ROWS)
+    own = Batch(simulation.model, ROWS, persistent=True)
+    rng = np.random.default_rng(0)
+    env.reset(seed=0)
+    steps = 60
+    ratios, own_ratios, rates, bare_rates, resets = [], [], [], [], 0
+    for _ in range(CHUNKS + 1):
+        actions = rng.uniform(-1.0, 1.0, (steps, ROWS, ROBOT.num_joints)).astype(np.float32)
+        state = batch.state.copy()
+        controls = joint_targets(env.unwrapped.task, actions)
+        env_seconds = 0.0
+        for action in actions:
+            start = time.perf_counter()
+            _, _, terminated, truncated, _ = env.step(action)
+            env_seconds += time.perf_counter() - start
+            resets += int((terminated | truncated).sum())
+
+        def step(batch: Batch, stage: Any, state: Any = state, controls: Any = controls) -> float:
+            batch.state[:] = state
+            ctrl = batch.bind("ctrl")
+            start = time.perf_counter()
+            for control in controls:
+                ctrl[:] = control
+                batch.step(nstep=decimation, stage=stage)
+            return time.perf_counter() - start
+
+        bare_seconds = step(bare, mujoco.mjtStage.mjSTAGE_NONE)
+        own_ratios.append(bare_seconds / step(own, SETTLED))
+        ratios.append(bare_seconds / env_seconds)
+        rates.append(steps * ROWS / env_seconds)
+        bare_rates.append(steps * ROWS / bare_seconds)
+    env.close()
+    ratio = float(np.median(ratios[1:]))
+    detail = (
+        f"{np.median(rates[1:]):,.0f} of {np.median(bare_rates[1:]):,.0f} env steps/s; {resets} falls in "
+        f"{(CHUNKS + 1) * steps * ROWS:,} steps"
+    )
+    alone = float(np.median(own_ratios[1:]))
+    what = "no env that knows the state after a step can be faster"
+    return [
+        Measure(f"vector env, {ROWS} rows, over bare Batch.step", ratio, "", ">= 0.92", ratio >= 0.92, detail),
+        Measure("its batch alone, with readings of the new state", alone, "", "a bound", True, what),
+    ]
+
+
+def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 5) -> list[Measure]:
+    """Cost of an env step by the number of envs, and the share of it outside of the physics, by number of threads.
+
+    Args:
+        sizes: numbers of envs.
+        chunks: how often they take turns; each turn has as many env steps.
+    """
+    threads = [2**i for i in range((os.cpu_count() or 1).bit_length())]
+    measures = []
+    rng = np.random.default_rng(0)
+    for count in threads:
+        envs = {size: gymnasium.make_vec(ENV_ID, num_envs=size, num_threads=count) for size in sizes}
+        physics: dict[int, float] = {}
+        for size, env in envs.items():
+            _watch_physics(env, physics, size)
+            env.reset(seed=0)
+        turns: dict[int, list[float]] = {size: [] for size in sizes}
+        steps = {size: max(4, 4 * max(sizes) // size) for size in sizes}
+        for chunk in range(chunks + 1):
+            for size, env in envs.items():
+                actions = rng.uniform(-1.0, 1.0, (steps[size], size, ROBOT.num_joints)).astype(np.float32)
+                start = time.perf_counter()
+                for action in actions:
+                    env.step(action)
+                turns[size].append(time.perf_counter() - start)
+                if chunk == 0:
+                    turns[size].clear()
+                    physics[size] = 0.0
+        for env in envs.values():
+            env.close()
+        costs = {size: float(np.median(turns[size])) / (steps[size] * size) * 1e6 for size in sizes}
+        spread = max(costs.values()) / min(costs.values())
+        detail = ", ".join(
+            f"{size}: {costs[size]:.1f} us, {1.0 - physics[size] / sum(turns[size]):.0%} outside of the physics"
+            for size in sizes
+        )
+        name = f"cost per env step, {min(sizes)} to {max(sizes)} rows, most over least, threads: {count}"
+        measures.append(Measure(name, spread, "x", "<= 1.1", spread <= 1.1, detail))
+    return measures
+
+
+def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNKS) -> list[Measure]:
+    """The native vector environment with the preset `hard` over without, on robots that walk with the scripted gait.
+
+    Args:
+        rows: number of envs.
+        steps: steps of each turn.
+        chunks: how often both take turns.
+    """
+    presets = {preset: {"randomization": preset} for preset in ("none", "hard")}
+    envs = {
+        preset: gymnasium.make_vec(ENV_ID, num_envs=rows, action_mode="residual", config=config)
+        for preset, config in presets.items()
+    }
+    physics: dict[str, float] = {}
+    for preset, env in envs.items():
+        _watch_physics(env, physics, preset)
+        env.reset(seed=0)
+    no_change = np.zeros((rows, ROBOT.num_joints), np.float32)
+    ratios, physics_ratios, own = [], [], []
+    for _ in range(chunks + 1):
+        seconds = {}
+        physics.clear()
+        for preset, env in envs.items():
+            start = time.perf_counter()
+            for _ in range(steps):
+                env.step(no_change)
+            seconds[preset] = time.perf_counter() - start
+        ratios.append(seconds["none"] / seconds["hard"])
+        physics_ratios.append(physics["none"] / physics["hard"])
+        own.append([1e3 * (seconds[preset] - physics[preset]) / steps for preset in envs])
+    for env in envs.values():
+        env.close()
+    ratio, alone, outside = np.median(ratios[1:]), np.median(physics_ratios[1:]), np.median(own[1:], axis=0)
+    detail = f"outside of the physics {outside[0]:.2f} and {outside[1]:.2f} ms per step"
+    what = "delays and changed models cost more physics"
+    return [
+        Measure(f"vector env, {rows} rows, hard over none", float(ratio), "", ">= 0.90", bool(ratio >= 0.9), detail),
+        Measure("its physics alone", float(alone), "", "a bound", True, what),
+    ]
+
+
+def _watch_physics(env: Any, seconds: dict[Any, float], size: Any) -> None:
+    """Add the time of an env's physics steps to `seconds[size]`."""
+    simulation = env.unwrapped.task.simulation
+    step = simulation.step
+
+    def watched(*arguments: Any) -> None:
+        seconds[size] = seconds.get(size, 0.0) + seconds_of(lambda: step(*arguments))
+
+    simulation.step = watched
+
+
+def single_over_ant() -> list[Measure]:
+    """The single environment over Gymnasium's Ant-v5, and its time above a bare `mj_step`."""
+    env, ant = gymnasium.make(ENV_ID), gymnasium.make("Ant-v5")
+    assert isinstance(env.unwrapped, MiniQuadrupedEnv)
+    model, decimation = env.unwrapped.model, env.unwrapped.task.config.decimation
+    data = mujoco.MjData(model)
+    steps = 400
+
+    def run(environment: gymnasium.Env[Any, Any], actions: Any) -> Callable[[], None]:
+        def work() -> None:
+            for action in actions:
+                _, _, terminated, truncated, _ = environment.step(action)
+                if terminated or truncated:
+                    environment.reset()
+
+        return work
+
+    rng = np.random.default_rng(0)
+    env.reset(seed=0)
+    ant.reset(seed=0)
+    ratios, above, rates = [], [], []
+    for _ in range(CHUNKS + 1):
+        actions = rng.uniform(-1.0, 1.0, (steps, ROBOT.num_joints)).astype(np.float32)
+        spec = mujoco.mjtState.mjSTATE_INTEGRATION
+        state = np.empty(mujoco.mj_stateSize(model, spec))
+        mujoco.mj_getState(model, env.unwrapped.data, state, spec)
+        own = seconds_of(run(env, actions))
+        other = seconds_of(run(ant, actions))
+        mujoco.mj_setState(model, data, state, spec)
+        controls = joint_targets(env.unwrapped.task, actions)
+
+        def step_bare(controls: Any = controls) -> None:
+            for control in controls:
+                data.ctrl = control
+                mujoco.mj_step(model, data, decimation)
+
+        bare = seconds_of(step_bare)
+        ratios.append(other / own)
+        rates.append(steps / own)
+        above.append((own - bare) / steps * 1e6)
+    ratio, micros = float(np.median(ratios[1:])), float(np.median(above[1:]))
+    return [
+        Measure(
+            "single env over Ant-v5, steps alone",
+            ratio,
+            "x",
+            ">= 2.2",
+            ratio >= 2.2,
+            f"{np.median(rates[1:]):,.0f} steps/s, actions drawn before",
+        ),
+        Measure("single env above bare mj_step", micros, "us/step", "<= 60", micros <= 60.0, ""),
+    ]
+
+
+def gymnasium_over_ant(chunks: int = 9, seconds: int = 1) -> list[Measure]:
+    """Gymnasium's own benchmarks over Ant-v5: steps with resets and drawn actions, and making an environment.
+
+    Args:
+        chunks: how often the two environments take turns.
+        seconds: of each turn.
+    """
+    env, ant = gymnasium.make(ENV_ID), gymnasium.make("Ant-v5")
+    env.reset(seed=0)
+    ant.reset(seed=0)
+    steps, inits, resets, rates = [], [], [], []
+    for _ in range(chunks):
+        own = benchmark_step(env, seconds)
+        steps.append(own / benchmark_step(ant, seconds))
+        rates.append(own)
+        own = benchmark_init(lambda: gymnasium.make(ENV_ID), seconds)
+        inits.append(own / benchmark_init(lambda: gymnasium.make("Ant-v5"), seconds))
+        resets.append(
+            seconds_of(lambda: [env.reset() for _ in range(200)])
+            / seconds_of(lambda: [ant.reset() for _ in range(200)])
+        )
+    env.close()
+    ant.close()
+    step, init, reset = float(np.median(steps)), float(np.median(inits)), float(np.median(resets))
+    detail = f"{np.median(rates):,.0f} steps/s, drawing the actions and resets included"
+    return [
+        Measure("Gymnasium's benchmark_step, over Ant-v5", step, "x", ">= 1.9", step >= 1.9, detail),
+        Measure("Gymnasium's benchmark_init, over Ant-v5", init, "x", ">= 1.2", init >= 1.2, "make and first reset"),
+        Measure("time of a reset, over Ant-v5's", reset, "x", "<= 3", reset <= 3.0, ""),
+    ]
+
+
+def vector_over_sync() -> list[Measure]:
+    """The native vector environment over `SyncVectorEnv` of the single one."""
+    native = gymnasium.make_vec(ENV_ID, num_envs=SYNC_ROWS)
+    sync = gymnasium.make_vec(
+        ENV_ID,
+        num_envs=SYNC_ROWS,
+        vectorization_mode="sync",
+        vector_kwargs={"autoreset_mode": AutoresetMode.SAME_STEP},
+    )
+    rng = np.random.default_rng(0)
+    native.reset(seed=0)
+    sync.reset(seed=0)
+    ratios = []
+    for _ in range(CHUNKS + 1):
+        actions = rng.uniform(-1.0, 1.0, (20, SYNC_ROWS, ROBOT.num_joints)).astype(np.float32)
+
+        def run(env: Any, actions: Any = actions) -> float:
+            return seconds_of(lambda: [env.step(action) for action in actions])
+
+        ratios.append(run(sync) / run(native))
+    native.close()
+    sync.close()
+    ratio = float(np.median(ratios[1:]))
+    return [Measure(f"vector env over SyncVectorEnv, {SYNC_ROWS} rows", ratio, "x", ">= 4", ratio >= 4.0, "")]
