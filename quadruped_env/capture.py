@@ -2,7 +2,7 @@
 
 For a single env, the calls, attributes and new arrays of a reward term cost more than its arithmetic. A pure function
 of arrays that stay where they are is called once with stand-ins for these arrays. They record each NumPy ufunc with its
-arguments and its result; repeating them applies the same ufuncs to the same arrays, and gives the same bits.
+arguments and its result. To repeat them, `array_program` computes the same on the same arrays, to the same bits.
 """
 
 import copy
