@@ -110,6 +110,13 @@ def presses_by_rounding(here, there):
     return differ.any(axis=1) & (near | ~differ).all(axis=1)
 
 
+def test_reward_of_a_single_env_is_the_sum_of_its_terms():
+    for task in pair(TaskConfig(), 1):
+        transition = task.step(np.zeros((1, 8)))
+        assert type(transition.reward) is type(transition.terms)
+        assert transition.reward.tolist() == pytest.approx([sum(transition.terms.tolist()[0])])
+
+
 def test_steps_from_the_same_state_agree_with_mujoco():
     """64 robots for 150 steps with all randomizations: masses, friction, motors, latency, pushes; some of them fall."""
     n, falling = 64, 12

@@ -104,10 +104,10 @@ def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_o
         assert measure.value == pytest.approx(ratio, rel=0.02)
 
 
-def test_randomization_is_measured_with_its_physics_alone():
-    total, physics = env_speed.randomized_over_plain(rows=3, steps=3, chunks=2)
-    assert min(total.value, physics.value) > 0.0
-    assert re.fullmatch(r"outside of the physics \d+\.\d\d and \d+\.\d\d ms per step", total.detail)
+def test_cost_of_randomization_is_measured_with_what_its_physics_costs():
+    total, bound = env_speed.randomized_over_plain(rows=3, steps=3, chunks=2)
+    assert min(total.value, bound.value) > 0.0
+    assert re.fullmatch(r"outside of the physics \d+\.\d\d ms per step, without \d+\.\d\d ms", total.detail)
     assert "randomization" in throughput.WORKS
 
 

@@ -146,7 +146,7 @@ def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNK
         _watch_physics(env, physics, preset)
         env.reset(seed=0)
     no_change = np.zeros((rows, ROBOT.num_joints), np.float32)
-    ratios, physics_ratios, own = [], [], []
+    ratios, bounds, outside = [], [], []
     for _ in range(chunks + 1):
         seconds = {}
         physics.clear()
@@ -156,26 +156,28 @@ def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNK
                 env.step(no_change)
             seconds[preset] = time.perf_counter() - start
         ratios.append(seconds["none"] / seconds["hard"])
-        physics_ratios.append(physics["none"] / physics["hard"])
-        own.append([1e3 * (seconds[preset] - physics[preset]) / steps for preset in envs])
+        rest = {preset: seconds[preset] - physics[preset] for preset in envs}
+        bounds.append(seconds["none"] / (physics["hard"] + rest["none"]))
+        outside.append([1e3 * rest[preset] / steps for preset in envs])
     for env in envs.values():
         env.close()
-    ratio, alone, outside = np.median(ratios[1:]), np.median(physics_ratios[1:]), np.median(own[1:], axis=0)
-    detail = f"outside of the physics {outside[0]:.2f} and {outside[1]:.2f} ms per step"
-    what = "delays and changed models cost more physics"
+    ratio, bound = float(np.median(ratios[1:])), float(np.median(bounds[1:]))
+    plain, randomized = np.median(outside[1:], axis=0)
+    detail = f"outside of the physics {randomized:.2f} ms per step, without {plain:.2f} ms"
+    what = "delays, changed models and pushes make the physics slower"
     return [
-        Measure(f"vector env, {rows} rows, hard over none", float(ratio), "", ">= 0.90", bool(ratio >= 0.9), detail),
-        Measure("its physics alone", float(alone), "", "a bound", True, what),
+        Measure(f"vector env, {rows} rows, hard over none", ratio, "", ">= 0.90", ratio >= 0.9, detail),
+        Measure("the same, if only the physics cost more", bound, "", "a bound", True, what),
     ]
 
 
-def _watch_physics(env: Any, seconds: dict[Any, float], size: Any) -> None:
-    """Add the time of an env's physics steps to `seconds[size]`."""
+def _watch_physics(env: Any, seconds: dict[Any, float], name: Any) -> None:
+    """Add the time of an env's physics steps to `seconds[name]`."""
     simulation = env.unwrapped.task.simulation
     step = simulation.step
 
     def watched(*arguments: Any) -> None:
-        seconds[size] = seconds.get(size, 0.0) + seconds_of(lambda: step(*arguments))
+        seconds[name] = seconds.get(name, 0.0) + seconds_of(lambda: step(*arguments))
 
     simulation.step = watched
 

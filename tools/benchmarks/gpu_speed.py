@@ -2,7 +2,6 @@
 
 import resource
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -10,6 +9,7 @@ import torch
 import warp
 
 from benchmarks.learning_speed import WalkTest, walk_test
+from benchmarks.measures import Say
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import TaskConfig
@@ -19,8 +19,6 @@ from quadruped_env.training.warp_env import WarpVecEnv
 
 GOALS: Final = {"env": 1e6, "training": 4e5}
 """Steps per second to reach on a GPU of a data centre, at the best number of envs."""
-
-Say = Callable[[str], None]
 
 
 @dataclass(frozen=True)
