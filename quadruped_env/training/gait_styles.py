@@ -6,7 +6,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.training.gait_trial import MANY_STARTS, Achieved, Start
+from quadruped_env.training.gait_trial import Achieved, Start, many_new_starts, new_starts
 
 Judge = Callable[[Achieved, float, NDArray[np.float64]], NDArray[np.float64]]
 """Scores (N,) of gaits, of which larger is better, from their results and the wanted forward velocity (m/s) and yaw
@@ -135,8 +135,8 @@ class Course(NamedTuple):
     """Generations beyond those of the program's option."""
     spread: float = 0.04
     """Standard deviation of the first generation, see `search`."""
-    starts: tuple[Start, ...] | None = None
-    """Of each trial; None: `STARTS`."""
+    starts: Callable[[int], tuple[Start, ...]] | None = None
+    """Of the trials, by the number of the generation; None: always `STARTS`."""
 
 
 class Style(NamedTuple):
@@ -156,18 +156,18 @@ STYLES: Final = {
         Course(
             Steps(
                 0.012,
-                0.016,
+                0.020,
                 2000.0,
                 lift_cost=8000.0,
-                electrical_cost=4.0,
-                speed_cost=450.0,
+                electrical_cost=6.0,
+                speed_cost=1000.0,
                 sensitivity_cost=300.0,
-                touchdown_cost=150.0,
+                touchdown_cost=300.0,
             ),
             _START,
             (0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3, -0.4, 0.4, 0.5, 0.6),
             more_generations=20,
-            starts=MANY_STARTS,
+            starts=many_new_starts,
         ),
         Course(
             Steps(
@@ -184,6 +184,7 @@ STYLES: Final = {
             _TURNING,
             (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, -0.1, -0.2, -0.3),
             spread=0.05,
+            starts=new_starts,
         ),
     ),
     "crouched": Style(

@@ -126,9 +126,11 @@ def search(
     seed: int = 0,
     yaw_rates: tuple[float, ...] = (0.0,),
     judge: Judge = HIGH_STEPS.judge,
-    starts: tuple[Start, ...] | None = None,
+    starts: Callable[[int], tuple[Start, ...]] | None = None,
 ) -> Found:
     """The best candidate for a forward speed (m/s): its straight gait, or what turning changes in the one of `start`.
+
+    Scores from different starts do not compare. With new ones in each generation it is the mean of the last.
 
     Args:
         speed: target, m/s.
@@ -142,7 +144,8 @@ def search(
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
         judge: scores each trial.
-        starts: of each trial; None: `STARTS`.
+        starts: of the trials, by the number of the generation: as many in each, with the same frictions and softness;
+            None: always `STARTS`.
 
     Raises:
         MissingExtraError: if cmaes is not installed.
@@ -154,7 +157,7 @@ def search(
     except ImportError as error:
         raise MissingExtraError("The search of a gait", "train") from error
     count = CANDIDATES + 1
-    simulation = trials(count * len(yaw_rates), starts)
+    simulation = trials(count * len(yaw_rates), starts(0) if starts else None)
     # All candidates at the first yaw rate, then all at the second.
     wanted, largest = np.repeat(yaw_rates, count), max(yaw_rates)
     sizes = turn_size(wanted, largest)
@@ -162,17 +165,17 @@ def search(
     scale = np.broadcast_to((_HIGH - _LOW) / (largest or 1.0), start[varied].shape)
     strategy = CMA((start[varied] / scale).ravel(), spread, seed=seed, population_size=CANDIDATES)
     best = None
-    for _ in range(generations):
+    for generation in range(generations):
         drawn = [strategy.ask() for _ in range(CANDIDATES)]
         candidates = np.tile(start, (count, 1, 1, 1))
         candidates[:, varied] = np.reshape([strategy.mean, *drawn], (count, *scale.shape)) * scale
         candidates = np.round(_within_limits(candidates, angular_frequency, largest), 4)
         targets = gait_targets(np.tile(candidates, (len(yaw_rates), 1, 1, 1)), sizes, turns)
-        got = measure(targets, simulation, angular_frequency, turns, starts)
+        got = measure(targets, simulation, angular_frequency, turns, starts(generation) if starts else None)
         score = judge(got, speed, wanted).reshape(len(yaw_rates), count).mean(axis=0)
         strategy.tell([(values, -value) for values, value in zip(drawn, score[1:].tolist(), strict=True)])
-        first = int(np.argmax(score))
-        if best is None or score[first] > best.score:
+        first = 0 if starts else int(np.argmax(score))
+        if best is None or starts or score[first] > best.score:
             achieved = Achieved(**{name: part[first::count] for name, part in vars(got).items()})
             best = Found(candidates[first], achieved, float(score[first]))
     assert best is not None

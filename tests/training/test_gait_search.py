@@ -305,7 +305,21 @@ def test_starts_cover_the_cycle_and_the_starts_of_episodes():
     assert np.abs([start.joint_offset for start in own]).max() <= episode.start_joint_position
     assert velocity.min() > 0.05, "nothing is at rest in all of them"
     assert starts == gait_trial.draw_starts(0)
-    assert len({start.velocity for start in gait_trial.MANY_STARTS if start.softness == 1.0}) == 18
+    assert {start.target_offset for start in starts} == {(0.0,) * 8}
+
+
+def test_every_generation_has_starts_of_its_own_with_offset_targets():
+    generations = [gait_trial.many_new_starts(k) for k in range(3)]
+    for starts in generations:
+        assert len({start.velocity for start in starts if start.softness == 1.0}) == 18
+        # What the search sets once for all generations.
+        ground = [(start.friction, start.softness) for start in starts]
+        assert ground == [(start.friction, start.softness) for start in generations[0]]
+        offsets = np.array([start.target_offset for start in starts])
+        assert 0.009 < abs(offsets).max() <= 0.01
+        assert abs(offsets).min() > 0.0
+    assert len({start.velocity for starts in generations for start in starts}) == 54
+    assert gait_trial.new_starts(0) == generations[0][:8]
 
 
 def test_robot_that_once_tips_strikes_its_trunk_or_diverges_from_either_start_has_fallen(measured):
@@ -317,6 +331,16 @@ def test_robot_starts_in_its_stance_with_the_whole_amplitude(measured):
     simulation, _ = measured
     np.testing.assert_allclose(simulation.start, [[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]] * 8)
     np.testing.assert_allclose(simulation.targets, np.broadcast_to(np.add(STANCE, 0.2), (150, 8, 8)))
+
+
+def test_a_start_may_offset_the_joint_targets_of_its_trial(monkeypatch):
+    offset = tuple(0.01 * np.arange(8))
+    starts = gait_trial.Start(0.0, 0.7), gait_trial.Start(0.0, 0.7, target_offset=offset)
+    monkeypatch.setattr(gait_trial, "STARTS", starts)
+    simulation = FakeSimulation(2.0, TROT)
+    gait_tuning.measure(lambda _: np.tile(STANCE, (4, 1)), simulation, 2 * np.pi * 2.0, TROT)
+    expected = np.array([STANCE] * 4 + [np.add(STANCE, offset)] * 4)
+    np.testing.assert_allclose(simulation.targets, np.broadcast_to(expected, (150, 8, 8)))
 
 
 def test_targets_are_asked_for_the_clock_of_each_start_at_the_end_of_each_step():
@@ -453,7 +477,7 @@ def test_search_wants_every_foot_lifted_by_so_much_and_no_more(monkeypatch, styl
 @pytest.mark.parametrize(
     ("style", "part", "height"),
     [
-        ("tuned", "straight", 0.016),
+        ("tuned", "straight", 0.020),
         ("tuned", "turns", 0.025),
         ("crouched", "turns", 0.035),
         ("low", "straight", 0.006),
@@ -520,13 +544,13 @@ def test_search_of_tuned_turns_weighs_tilt_as_30_against_300_of_speed(monkeypatc
 @pytest.mark.parametrize(
     ("quantity", "worth", "wanted"),
     [
-        # 1 m/s costs 450, 1 W 4, a touchdown more 150, a difference of 1 m/s between the starts 300.
-        ("electrical_power", 115.0, 0.1),
-        ("electrical_power", 110.0, 0.0),
-        ("touchdown_error", 3.1, 0.1),
-        ("touchdown_error", 2.9, 0.0),
-        ("forward_velocity_spread", 1.6, 0.1),
-        ("forward_velocity_spread", 1.4, 0.0),
+        # 1 m/s costs 1000, 1 W 6, a touchdown more 300, a difference of 1 m/s between the starts 300.
+        ("electrical_power", 170.0, 0.1),
+        ("electrical_power", 163.0, 0.0),
+        ("touchdown_error", 3.5, 0.1),
+        ("touchdown_error", 3.2, 0.0),
+        ("forward_velocity_spread", 3.5, 0.1),
+        ("forward_velocity_spread", 3.2, 0.0),
     ],
 )
 def test_search_of_tuned_weighs_power_touchdowns_and_differences_against_speed(monkeypatch, quantity, worth, wanted):
@@ -635,10 +659,21 @@ def test_search_without_its_package_says_how_to_install_it(monkeypatch):
         gait_tuning.search(0.3, 10.0, TROT, candidate_of(LEG), 0.1, 1)
 
 
-def test_search_tries_candidates_from_the_starts_of_its_course(monkeypatch):
-    trials = Trials(monkeypatch, lambda given, _: {})
-    gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.1, 1, starts=gait_trial.MANY_STARTS)
-    assert trials.starts == [gait_trial.MANY_STARTS]
+def test_search_with_new_starts_in_each_generation_takes_the_mean_of_the_last(monkeypatch):
+    """A score from kinder starts is no better candidate."""
+    monkeypatch.setattr(gait_trial, "STARTS", ())
+    rounds = []
+
+    def starts(generation):
+        rounds.append(generation)
+        return gait_trial.STARTS
+
+    kindness = iter((0.0, 50.0, 0.0))
+    trials = Trials(monkeypatch, lambda given, _: {"power": 10.0 * abs(hip_offset(given)) - next(kindness)})
+    found = gait_tuning.search(0.0, 10.0, TROT, candidate_of(LEG), 0.1, 3, starts=starts)
+    assert rounds == [0, 0, 1, 2], "the first for the simulation, too"
+    np.testing.assert_array_equal(found.candidate, trials.candidates[-1][0])
+    assert found.score == pytest.approx(-abs(hip_offset(found.candidate[None])[0]))
 
 
 def test_given_starts_take_the_place_of_the_usual_ones():
