@@ -33,25 +33,36 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--refine", action="store_true", help="begin with the numbers in presets.py instead of from a single gait"
     )
     add_output(parser, "FILE", "JSON file of the numbers (default: %(default)s)", Path("results/gait.json"))
-    parser.add_argument("--table", action="store_true", help="only measure the preset and print its table")
+    measured = parser.add_mutually_exclusive_group()
+    measured.add_argument("--table", action="store_true", help="only measure the preset and print its table")
+    measured.add_argument(
+        "--sensitivity",
+        action="store_true",
+        help="only measure how many of the gaits beside the preset some start leads astray, at each of its speeds",
+    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Search, and print and write what was found."""
     from quadruped_env.files import write_json
     from quadruped_env.gait import CommandedGait
+    from quadruped_env.training.gait_sensitivity import sensitivity_table
     from quadruped_env.training.gait_styles import STYLES
     from quadruped_env.training.gait_trial import ROBOT
     from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
 
+    def log(line: str) -> None:
+        print(line, flush=True)
+
     style = STYLES[arguments.preset]
     preset = CommandedGait.preset(arguments.preset, ROBOT)
     if arguments.table:
-        print(achieved_table(preset))
+        log(achieved_table(preset))
         return 0
-
-    def log(line: str) -> None:
-        print(line, flush=True)
+    if arguments.sensitivity:
+        for line in sensitivity_table(preset):
+            log(line)
+        return 0
 
     gait = tune_commanded_gait(
         preset.angular_frequency if arguments.frequency is None else math.tau * arguments.frequency,

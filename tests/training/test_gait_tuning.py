@@ -78,7 +78,7 @@ def test_the_tuned_gait_needs_less_power_than_the_others(walked):
     assert (power[TUNED] < power[CROUCHED]).all()
     assert np.median(power[TUNED] / power[CROUCHED]) < 0.85
     for gait in (LOW, FAST):
-        assert (power[TUNED] < 0.9 * power[gait])[[0, 4]].all()
+        assert (power[TUNED] < power[gait])[[0, 4]].all()
 
 
 def test_the_fast_gait_turns_sharply():
@@ -318,19 +318,19 @@ def test_turns_are_searched_from_their_neighbours_on_top_of_the_straight_gaits(m
 def test_a_course_asks_for_more_generations_and_starts(monkeypatch):
     calls, _ = tuned_with(monkeypatch, 1.0, name="tuned")
     assert [call.generations for call in calls] == 4 * [27] + 4 * [7]
-    assert [call.starts for call in calls] == 4 * [gait_trial.MANY_STARTS] + 4 * [None]
+    assert [call.starts for call in calls] == 4 * [gait_trial.many_new_starts] + 4 * [gait_trial.new_starts]
 
 
 def test_gait_is_refined_from_its_own_tables(monkeypatch):
     """A search starts from the nearest speed that was searched before, or is in the tables."""
     known = gait_tuning.candidates_of(TUNED)
     calls, _ = tuned_with(
-        monkeypatch, 1.0, straight_speeds=(0.3, 0.31, 0.52), refined=TUNED, turning_speeds=(0.3, 0.31)
+        monkeypatch, 1.0, straight_speeds=(0.3, 0.28, 0.52), refined=TUNED, turning_speeds=(0.3, 0.28)
     )
     faster = gait_tuning._FASTER
     near, last = TUNED.speeds[-4], TUNED.speeds[-1]
     np.testing.assert_allclose(calls[0].start[0], known[near][0] + (0.3 - near) * faster)
-    np.testing.assert_allclose(calls[1].start[0], found(1, (2, 6)) + 0.01 * faster)
+    np.testing.assert_allclose(calls[1].start[0], found(1, (2, 6)) - 0.02 * faster)
     np.testing.assert_allclose(calls[2].start[0], known[last][0] + (0.52 - last) * faster)
     np.testing.assert_allclose(calls[3].start[1:], known[near][1:])
     np.testing.assert_allclose(calls[4].start[1:], found(4, (2, 2, 6)))
