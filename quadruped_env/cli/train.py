@@ -222,12 +222,15 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
         whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
     """
     name, algo = typed.get("recipe", TrainConfig.recipe), typed.get("algo", TrainConfig.algo)
+    action_mode = typed.get("action_mode", TrainConfig.action_mode)
     own = typed.get("task", {})
     chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
-    task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
+    task = {
+        section: values for section, values in task_values(name, robot, action_mode).items() if section not in chosen
+    }
     task = changed(task, own)
     device = typed.get("device", TrainConfig.device)
-    own_defaults = {"name": algo, **defaults(algo, typed.get("action_mode", TrainConfig.action_mode), device)}
+    own_defaults = {"name": algo, **defaults(algo, action_mode, device)}
     entry = recipe(name)
     chosen_settings = {**entry.training, **(entry.ppo if algo == TrainConfig.algo else {})}
     on_device = GPU_DEFAULTS if on_gpu(device) else {}

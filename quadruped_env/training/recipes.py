@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
 
+from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task.presets import with_preset
@@ -22,6 +23,8 @@ class Recipe:
     """Fields of `TrainConfig` for PPO alone."""
     task: Mapping[str, Any] = field(default_factory=dict)
     """Changes to the task's config; `randomization` may be the name of a preset."""
+    on_gait: Mapping[str, Any] = field(default_factory=dict)
+    """Further changes in the mode `residual`."""
 
 
 RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
@@ -31,6 +34,8 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             "level ground of any friction, and an undisturbed robot",
             {"asymmetric_critic": True},
             task={"randomization": {"friction": [0.6, 1.0]}},
+            # The gait has clean steps to keep. From scratch so large weights would pay for marching on the spot.
+            on_gait={"reward": {"weights": {"gait_clock": 18.0, "contact_clock": 10.0}}},
         ),
         "robust": Recipe(
             "another robot in each episode, with sensor noise, latency and pushes",
@@ -101,13 +106,14 @@ def recipe(name: str) -> Recipe:
     return RECIPES[name]
 
 
-def task_values(name: str, robot: Robot) -> dict[str, Any]:
-    """Changes of a recipe to the task's config as plain values, with its preset's values for a robot.
+def task_values(name: str, robot: Robot, action_mode: str) -> dict[str, Any]:
+    """Changes of a recipe to the task's config in an action mode as plain values, with its preset's values for a robot.
 
     Raises:
         QuadrupedError: if there is no such recipe.
     """
-    values = dict(recipe(name).task)
+    entry = recipe(name)
+    values = changed(entry.task, entry.on_gait if action_mode == "residual" else {})
     if "randomization" in values:
         values["randomization"] = with_preset(values["randomization"], robot)
     return values

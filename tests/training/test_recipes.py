@@ -35,16 +35,19 @@ def test_recipes_give_valid_trainings_and_tasks(asked, name):
     task = task_of(config)
     for field, value in {**RECIPES[name].training, **RECIPES[name].ppo}.items():
         assert getattr(config, field) == value
-    assert json.loads(json.dumps(config.task)) == json.loads(json.dumps(task_values(name, MINI_QUADRUPED))), (
-        "plain values"
-    )
+    assert json.loads(json.dumps(config.task)) == json.loads(
+        json.dumps(task_values(name, MINI_QUADRUPED, "residual"))
+    ), "plain values"
     task.compiled_model()
 
 
 def test_recipes_are_what_their_names_say(asked):
     flat, robust, rough, fast = (task_of(asked("--recipe", name)) for name in ("flat", "robust", "rough", "fast"))
-    assert flat.randomization == RandomizationConfig(friction=(0.6, 1.0)), "and nothing else"
-    assert dataclasses.replace(flat, randomization=TaskConfig().randomization) == TaskConfig()
+    assert flat.randomization == RandomizationConfig(friction=(0.6, 1.0))
+    default_reward = TaskConfig().reward
+    for name in ("gait_clock", "contact_clock"):
+        assert getattr(flat.reward.weights, name) > 2.0 * getattr(default_reward.weights, name)
+    assert dataclasses.replace(flat, randomization=TaskConfig().randomization, reward=default_reward) == TaskConfig()
     pushes = {"push_speed": (0.5, 1.0), "push_interval": (1.0, 2.0)}
     assert robust.randomization == RandomizationConfig(preset="hard", **pushes)
     assert robust.reward.weights.fall == 6.0 * TaskConfig().reward.weights.fall
@@ -111,6 +114,13 @@ def test_recipe_for_another_robot_has_that_robots_values(asked, tmp_path):
     config = asked("--recipe", "robust", "--task", str(file))
     heavy, built_in = config.task["randomization"]["payload"], preset_values("hard")["payload"]
     assert heavy == pytest.approx([2.0 * end for end in built_in])
+
+
+def test_flat_pays_for_clean_steps_only_on_top_of_a_gait_that_has_them(asked):
+    """From scratch, a policy that is paid this much for lifting its feet marches on the spot."""
+    from_scratch = task_of(asked("--action-mode", "position"))
+    assert from_scratch.reward == TaskConfig().reward
+    assert from_scratch.randomization == task_of(asked()).randomization
 
 
 def test_help_lists_the_recipes_with_their_descriptions():
