@@ -59,8 +59,8 @@ def test_program_prints_a_row_for_each_speed_of_the_tables(monkeypatch, capsys):
 
 @pytest.mark.slow
 def test_gaits_beside_the_tuned_one_walk_as_well():
-    """Searched from the same starts in every generation, the gait at 0.4 m/s went astray in most of its variants."""
-    shares = [gait_sensitivity.astray_share(TUNED, speed) for speed in TUNED.speeds]
-    assert np.median(shares) < 0.1
+    """Searched from the same starts in every generation, the gait at 0.3 m/s went astray in most of its variants."""
+    shares = [gait_sensitivity.astray_share(TUNED, speed) for speed in TUNED.speeds if speed < 0.45]
+    assert np.median(shares) < 0.05
     # A walking robot is chaotic: on another processor other starts lead astray.
-    assert max(shares) < 0.5
+    assert max(shares) < 0.4
