@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     measured.add_argument(
         "--sensitivity",
         action="store_true",
-        help="only measure how many of the gaits beside the preset some start leads astray, at each of its speeds",
+        help="only measure how many of the gaits near the preset some start leads astray, at each of its speeds",
     )
 
 

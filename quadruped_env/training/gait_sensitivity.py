@@ -1,4 +1,4 @@
-"""How exactly a scripted gait needs its own numbers: gaits beside it, from starts that no search has seen."""
+"""Share of the gaits near a scripted gait that some start leads astray: whether it needs its own numbers exactly."""
 
 from collections.abc import Iterator
 from typing import Final

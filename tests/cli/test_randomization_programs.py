@@ -63,7 +63,7 @@ def run(*arguments):
 
 def test_training_gets_the_plain_values_of_a_preset(asked, tmp_path):
     run("--randomization", "hard", "-o", str(tmp_path))
-    assert asked[0].task == {"randomization": preset_values("hard")}
+    assert asked[0].task["randomization"] == preset_values("hard")
     assert TaskConfig.from_dict(asked[0].task).randomization == RandomizationConfig(preset="hard")
 
 

@@ -312,7 +312,7 @@ def test_every_generation_has_starts_of_its_own_with_offset_targets():
     generations = [gait_trial.many_new_starts(k) for k in range(3)]
     for starts in generations:
         assert len({start.velocity for start in starts if start.softness == 1.0}) == 18
-        # What the search sets once for all generations.
+        # What the search sets at its start alone.
         ground = [(start.friction, start.softness) for start in starts]
         assert ground == [(start.friction, start.softness) for start in generations[0]]
         offsets = np.array([start.target_offset for start in starts])

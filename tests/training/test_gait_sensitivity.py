@@ -1,4 +1,4 @@
-"""Gaits beside a scripted gait."""
+"""Gaits near a scripted gait."""
 
 from types import SimpleNamespace
 
@@ -58,7 +58,7 @@ def test_program_prints_a_row_for_each_speed_of_the_tables(monkeypatch, capsys):
 
 
 @pytest.mark.slow
-def test_gaits_beside_the_tuned_one_walk_as_well():
+def test_gaits_near_the_tuned_one_walk_as_well():
     """Searched from the same starts in every generation, the gait at 0.3 m/s went astray in most of its variants."""
     shares = [gait_sensitivity.astray_share(TUNED, speed) for speed in TUNED.speeds if speed < 0.45]
     assert np.median(shares) < 0.05

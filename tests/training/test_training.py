@@ -15,8 +15,10 @@ import quadruped_env
 from quadruped_env.control.policy import TENSORS_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.recipes import task_values
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS
 
 
@@ -40,7 +42,7 @@ def test_run_records_its_settings_and_versions(tiny_run):
     document = json.loads((tiny_run / CONFIG_FILE).read_text())
     training = dict(document["training"])
     assert training["hidden"] == list(TrainConfig().hidden)
-    recipe = {"randomization": {"friction": [0.6, 1.0]}}
+    recipe = task_values("flat", MINI_QUADRUPED, "residual")
     sizes = {"timesteps": 2048, "num_envs": 16, "n_steps": 16, "batch_size": 64}
     expected = TrainConfig(**sizes, asymmetric_critic=True, task=recipe)
     assert TrainConfig(**{**training, "hidden": tuple(training["hidden"])}) == expected
