@@ -13,7 +13,7 @@ VARIANTS: Final = 24
 DEVIATION: Final = 0.003
 """Standard deviation of what a variant changes in each number of the straight gait, rad."""
 ASTRAY: Final = 0.06
-"""Difference of one start's forward velocity from the mean of the starts, m/s: two feet drag."""
+"""Difference of one start's forward velocity from the mean of the starts, m/s, that counts as astray."""
 _UNSEEN: Final = 10_000
 """Of the starts: a generation that no search reaches."""
 

@@ -34,7 +34,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             "level ground of any friction, and an undisturbed robot",
             {"asymmetric_critic": True},
             task={"randomization": {"friction": [0.6, 1.0]}},
-            # The gait has clean steps to keep. From scratch so large weights would pay for marching on the spot.
+            # The gait has clean steps to keep. From scratch, weights this large would pay for marching.
             on_gait={"reward": {"weights": {"gait_clock": 16.0, "contact_clock": 8.0}}},
         ),
         "robust": Recipe(

@@ -11,7 +11,9 @@ from quadruped_env.cli.main import make_parser
 from quadruped_env.cli.options import randomization_option
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.policies import load_policy
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
+from quadruped_env.training.recipes import task_values
 from quadruped_env.viewer.lineup import RANDOMIZATIONS
 
 
@@ -63,7 +65,8 @@ def run(*arguments):
 
 def test_training_gets_the_plain_values_of_a_preset(asked, tmp_path):
     run("--randomization", "hard", "-o", str(tmp_path))
-    assert asked[0].task["randomization"] == preset_values("hard")
+    recipe = task_values("flat", MINI_QUADRUPED, "residual")
+    assert asked[0].task == {**recipe, "randomization": preset_values("hard")}
     assert TaskConfig.from_dict(asked[0].task).randomization == RandomizationConfig(preset="hard")
 
 

@@ -660,7 +660,7 @@ def test_search_without_its_package_says_how_to_install_it(monkeypatch):
 
 
 def test_search_with_new_starts_in_each_generation_takes_the_mean_of_the_last(monkeypatch):
-    """A score from kinder starts is no better candidate."""
+    """A high score from kind starts does not make a candidate better."""
     monkeypatch.setattr(gait_trial, "STARTS", ())
     rounds = []
 

@@ -77,8 +77,9 @@ def test_the_tuned_gait_needs_less_power_than_the_others(walked):
     }
     assert (power[TUNED] < power[CROUCHED]).all()
     assert np.median(power[TUNED] / power[CROUCHED]) < 0.85
-    for gait in (LOW, FAST):
-        assert (power[TUNED] < power[gait])[[0, 4]].all()
+    assert (power[TUNED] < 0.9 * power[LOW])[[0, 4]].all()
+    assert power[TUNED][0] < 0.9 * power[FAST][0]
+    assert power[TUNED][4] < power[FAST][4]
 
 
 def test_the_fast_gait_turns_sharply():

@@ -44,10 +44,11 @@ def test_recipes_give_valid_trainings_and_tasks(asked, name):
 def test_recipes_are_what_their_names_say(asked):
     flat, robust, rough, fast = (task_of(asked("--recipe", name)) for name in ("flat", "robust", "rough", "fast"))
     assert flat.randomization == RandomizationConfig(friction=(0.6, 1.0))
-    default_reward = TaskConfig().reward
-    for name in ("gait_clock", "contact_clock"):
-        assert getattr(flat.reward.weights, name) > 2.0 * getattr(default_reward.weights, name)
-    assert dataclasses.replace(flat, randomization=TaskConfig().randomization, reward=default_reward) == TaskConfig()
+    weights, default = flat.reward.weights, TaskConfig()
+    clocks = {name: getattr(weights, name) for name in ("gait_clock", "contact_clock")}
+    assert all(weight > 2.0 * getattr(default.reward.weights, name) for name, weight in clocks.items())
+    assert flat.reward == TaskConfig.from_dict({"reward": {"weights": clocks}}).reward, "and no other weight"
+    assert dataclasses.replace(flat, randomization=default.randomization, reward=default.reward) == default
     pushes = {"push_speed": (0.5, 1.0), "push_interval": (1.0, 2.0)}
     assert robust.randomization == RandomizationConfig(preset="hard", **pushes)
     assert robust.reward.weights.fall == 6.0 * TaskConfig().reward.weights.fall
