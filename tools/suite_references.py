@@ -38,7 +38,11 @@ def main() -> int:
         "--policy", action="append", default=[], metavar="NAME=RUN", help="a run as a further row, under a name"
     )
     parser.add_argument(
-        "--only", nargs="+", metavar="NAME", help="measure these rows, and keep the others that the file has"
+        "--only",
+        nargs="+",
+        action="extend",
+        metavar="NAME",
+        help="measure these rows, and keep the others that the file has",
     )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")

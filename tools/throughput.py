@@ -27,6 +27,7 @@ def main() -> int:
     parser.add_argument(
         "--only",
         nargs="+",
+        action="extend",
         choices=[*throughput.WORKS, throughput.MEMORY],
         default=[],
         metavar="NAME",

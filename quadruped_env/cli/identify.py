@@ -56,7 +56,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME",
         help=f"parameters to estimate, of {', '.join(QUANTITIES)} (default: {' '.join(FITTED)})",
     )
-    parser.add_argument("--without", nargs="+", default=[], metavar="JOINT", help="joints to leave out")
+    parser.add_argument(
+        "--without", nargs="+", action="extend", default=[], metavar="JOINT", help="joints to leave out"
+    )
     parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the robot's)")
     parser.add_argument(
         "--share", type=float, default=0.7, help="fraction of the time that is used for the fit (default: %(default)g)"

@@ -1,6 +1,7 @@
 """The program that writes the suite's reference rows."""
 
 import argparse
+import sys
 
 import numpy as np
 import pytest
@@ -62,6 +63,15 @@ def test_some_rows_are_measured_again_and_the_others_stay(tmp_path, monkeypatch)
     assert (
         rows["tuned"]["origin"]["commit"] == rows["flat"]["origin"]["commit"] == "later" != first[1]["origin"]["commit"]
     )
+
+
+def test_an_option_that_is_given_twice_counts_twice(tmp_path, monkeypatch):
+    monkeypatch.setattr(suite_references, "run_suite", result_of)
+    output = tmp_path / "references.json"
+    options = ["--quick", "--only", "standing", "--only", "flat", "-o", str(output)]
+    monkeypatch.setattr(sys, "argv", ["suite_references.py", *options])
+    assert suite_references.main() == 0
+    assert [row["name"] for row in read_references(output)] == ["standing", "flat"]
 
 
 def test_rows_of_another_suite_are_not_kept(tmp_path, monkeypatch):
