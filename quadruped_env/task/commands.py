@@ -14,8 +14,9 @@ from quadruped_env.task.settings import Section
 
 Floats = NDArray[np.float64]
 
-_STRAIGHT_SPEEDS: Final = (1 / 2, 5 / 6)
-"""Range of the speeds of `straight_only`, as shares of the largest one."""
+_STRAIGHT_SPEEDS: Final = (0.75, 0.95)
+"""Range of the speeds of `straight_only`, as shares of the largest one. At lower speeds some trainings march on the
+spot, or find short strides that never become long ones."""
 
 
 class CommandSampler:
@@ -33,7 +34,7 @@ class CommandSampler:
         ranges = frozen(np.array([config[name] for name in names]))
         self._low, self._high = ranges[:, 0], ranges[:, 1]
         self.straight_only = False
-        """True: every command is straight ahead, in the direction with the larger range, at a medium speed."""
+        """True: every command is straight ahead, in the direction with the larger range, and fast."""
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
         """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""

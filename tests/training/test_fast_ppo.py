@@ -215,7 +215,7 @@ def test_training_begins_straight_ahead_with_bolder_updates_and_goes_on_with_all
     straight = np.array([values for timesteps, values in commands if timesteps < 2 * steps])
     later = np.array([values for timesteps, values in commands if timesteps > 3 * steps])
     assert (straight[..., 1] == 0.0).all()
-    assert straight[..., 0].min() >= 0.3
+    assert straight[..., 0].min() >= 0.45
     assert (later[..., 1] != 0.0).any()
     assert (later[..., 0] < 0.3).any()
     left = 1.0 - np.arange(1, 7) / 6
