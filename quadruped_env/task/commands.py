@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 
 _STRAIGHT_SPEEDS: Final = (0.75, 0.95)
 """Range of the speeds of `straight_only`, as shares of the largest one. At lower speeds some trainings march on the
-spot, or find short strides that never become long ones."""
+spot, or keep short strides for hundreds of thousands of steps."""
 
 
 class CommandSampler:

@@ -1,5 +1,6 @@
 """Identification of motors: simulated recordings with known motors must give these motors."""
 
+import argparse
 import json
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import pytest
 from paths import DYNA1, ROOT
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
+from quadruped_env.cli.identify import add_arguments
 from quadruped_env.evaluation.episode import play, publish
 from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
 from quadruped_env.identification.dataset import align, held
@@ -379,6 +381,13 @@ class TestProgram:
         done = run(tmp_path, "walk.csv", "--out", "results/identify-walk")
         assert (done.returncode, done.stdout) == (2, "")
         assert "motors.json: exists already" in done.stderr
+
+    def test_joints_to_leave_out_may_be_named_one_by_one_or_together(self):
+        parser = argparse.ArgumentParser()
+        add_arguments(parser)
+        options = ["walk.csv", "--without", "LF_hip_joint", "RF_hip_joint", "--without", "LH_knee_joint"]
+        assert parser.parse_args(options).without == ["LF_hip_joint", "RF_hip_joint", "LH_knee_joint"]
+        assert parser.parse_args(["walk.csv"]).without == []
 
     def test_help(self):
         done = run(".", "--help")
