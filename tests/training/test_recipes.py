@@ -11,7 +11,7 @@ from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.cli.main import make_parser
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
+from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, load_task_file, preset_values
 from quadruped_env.training import TrainConfig, recipes
 from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.recipes import RECIPES, Recipe, task_values
@@ -64,7 +64,9 @@ def test_recipes_are_what_their_names_say(asked):
     assert fast.action.gait == "fast"
     assert fast.clock_frequency == pytest.approx(CommandedGait.preset("fast").angular_frequency / math.tau)
     assert rough.action.gait == "crouched"
-    assert rough.clock_frequency == pytest.approx(CommandedGait.preset("crouched").angular_frequency / math.tau)
+    assert rough.clock_frequency < CommandedGait.preset("crouched").angular_frequency / math.tau
+    assert rough.reward.foot_lift > 2.0 * TaskConfig().reward.foot_lift, "more than the steps that it shall climb"
+    assert {*rough.terrain.kinds} == {*TaskConfig.from_dict({"terrain": {"name": "tiles"}}).terrain.kinds}
     critics = {name: asked("--recipe", name).asymmetric_critic for name in RECIPES}
     assert critics == {"flat": True, "robust": True, "rough": True, "fast": False}
 
@@ -115,6 +117,20 @@ def test_recipe_for_another_robot_has_that_robots_values(asked, tmp_path):
     config = asked("--recipe", "robust", "--task", str(file))
     heavy, built_in = config.task["randomization"]["payload"], preset_values("hard")["payload"]
     assert heavy == pytest.approx([2.0 * end for end in built_in])
+
+
+def test_recipe_for_another_robot_asks_for_steps_of_its_size(asked, tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text(
+        "from quadruped_env.robot import QuadrupedDesign\nROBOT = QuadrupedDesign(name='long', leg_length=0.25)\n"
+    )
+    config = asked("--recipe", "robust", "--task", str(file))
+    own, built_in = config.task["reward"], RECIPES["robust"].task["reward"]
+    scale = load_task_file(file).robot.stance_height / MINI_QUADRUPED.stance_height
+    assert scale > 1.3
+    for length in ("foot_lift", "step_height"):
+        assert own[length] == pytest.approx(scale * built_in[length])
+    assert own["weights"] == built_in["weights"]
 
 
 def test_flat_pays_for_clean_steps_only_on_top_of_a_gait_that_has_them(asked):
