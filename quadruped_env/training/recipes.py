@@ -133,7 +133,5 @@ def task_values(name: str, robot: Robot, action_mode: str) -> dict[str, Any]:
         parameters = [item for term in BUILT_IN.rewards for item in term.parameters.items()]
         lengths = {key for key, (parameter, _) in parameters if parameter.scales}
         scale = leg_scale(robot)
-        values["reward"] = {
-            key: scale * value if key in lengths else value for key, value in values["reward"].items()
-        }
+        values["reward"] = {key: scale * value if key in lengths else value for key, value in values["reward"].items()}
     return values
