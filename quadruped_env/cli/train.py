@@ -30,7 +30,7 @@ from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
-from quadruped_env.training.config import GPU_DEFAULTS, defaults, on_gpu
+from quadruped_env.training.config import GPU_DEFAULTS, defaults, on_gpu, possible_on
 from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.job import Job
 from quadruped_env.training.distributed.launch import LAUNCHERS, launch
@@ -232,7 +232,7 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
     device = typed.get("device", TrainConfig.device)
     own_defaults = {"name": algo, **defaults(algo, action_mode, device)}
     entry = recipe(name)
-    chosen_settings = {**entry.training, **(entry.ppo if algo == TrainConfig.algo else {})}
+    chosen_settings = {**entry.training, **(possible_on(device, entry.ppo) if algo == TrainConfig.algo else {})}
     on_device = GPU_DEFAULTS if on_gpu(device) else {}
     return {**own_defaults, **chosen_settings, **on_device, **typed, **({"task": task} if task else {})}
 

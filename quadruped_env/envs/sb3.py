@@ -64,6 +64,10 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         low, high = (np.concatenate([getattr(space, end) for space in spaces]) for end in ("low", "high"))
         return gymnasium.spaces.Box(low, high)
 
+    def observe(self) -> NDArray[np.float32]:
+        """Observations (N, width) of the present state, as `step` returns them."""
+        return self._with_privileged(self.task.observe())
+
     def _with_privileged(self, observations: NDArray[np.float32]) -> NDArray[np.float32]:
         """Observations (N, width) of the present state, with the privileged readings."""
         if self.privileged is None:
@@ -113,7 +117,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
                 }
             self._episode_terms[env_ids] = 0.0
             self.task.reset(env_ids)
-            observations = self._with_privileged(self.task.observe())
+            observations = self.observe()
         return observations, transition.reward.astype(np.float32), done, infos
 
     def close(self) -> None:

@@ -94,7 +94,7 @@ class FastPPO(PPO):
                 observations = rollout_buffer.observations[step]
                 observations[:] = self._last_obs
                 actions = rollout_buffer.actions[step]
-                means[step] = self._mean_action(torch.from_numpy(observations))
+                means[step] = self.mean_action(torch.from_numpy(observations))
                 if self._waves is not None:
                     self._waves.mix_into(noise[step], *self._clock())
                 actions[:] = (means[step] + noise[step] * deviation).numpy()
@@ -132,7 +132,7 @@ class FastPPO(PPO):
         control = self._task.control
         return torch.from_numpy(control.phase).float(), torch.from_numpy(control.moving).float()
 
-    def _mean_action(self, observations: torch.Tensor) -> torch.Tensor:
+    def mean_action(self, observations: torch.Tensor) -> torch.Tensor:
         """Mean action (N, J) of observations (N, width)."""
         return self._actor(self.policy.mlp_extractor.seen_by_actor(observations))
 
@@ -196,7 +196,7 @@ class FastPPO(PPO):
         """One step of the optimizer; the records of `train` (6,)."""
         policy, size = self.policy, len(observations)
         log_std, inverse = policy.log_std, (-policy.log_std).exp()
-        noise = (actions - self._mean_action(observations)) * inverse
+        noise = (actions - self.mean_action(observations)) * inverse
         log_ratio = self._log_prob(noise) - old_log_prob
         ratio = log_ratio.exp()
         gain, clipped = advantages * ratio, advantages * ratio.clamp(1.0 - clip_range, 1.0 + clip_range)

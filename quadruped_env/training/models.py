@@ -90,9 +90,14 @@ class NativeModel:
             self.policy.log_std.data.clamp_(max=bound)
         return super().collect_rollouts(*args, **kwargs)  # type: ignore[misc]
 
+    @property
+    def update_threads(self) -> int:
+        """Threads of an update."""
+        return max(1, (self.threads or os.cpu_count() or 1) // 2)
+
     def train(self, *args: Any, **kwargs: Any) -> None:
         """See SB3."""
-        torch.set_num_threads(max(1, (self.threads or os.cpu_count() or 1) // 2))
+        torch.set_num_threads(self.update_threads)
         super().train(*args, **kwargs)  # type: ignore[misc]
         if isinstance(self.policy, ActorCritic):
             # Where the steps are not elementwise, rounding would add up to a difference between the sides.

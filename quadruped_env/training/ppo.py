@@ -29,6 +29,7 @@ from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.distributed.group import ALONE, DifferentWeightsError, Group, RankLostError
+from quadruped_env.training.reflex import ReflexRound, add_reflex
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run, check_latest
 from quadruped_env.training.statistics import StepStatistics
@@ -92,7 +93,7 @@ def train(
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
     recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
     try:
-        record(run, model, recorder, lambda: learn(config, model, recorder, fresh=parent is None))
+        record(run, model, recorder, lambda: learn(config, model, recorder, parent is None, recorder.note_reflex))
     finally:
         env.close()
     return run.directory, not recorder.stopped
@@ -103,7 +104,8 @@ def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, gro
     config, parent, env, model = prepare(config, resume, task_file, group)
     try:
         model.set_logger(Logger(None, []))
-        learn(config, model, StepStatistics(group), fresh=parent is None)
+        # Rank 0 learns the reflex alone.
+        learn(replace(config, reflex_rounds=0), model, StepStatistics(group), fresh=parent is None)
     finally:
         env.close()
 
@@ -182,18 +184,27 @@ def prepare(
     return config, parent, env, model
 
 
-def learn(config: TrainConfig, model: Any, statistics: StepStatistics, fresh: bool) -> None:
-    """Train a model until its budget is used, or a signal stops it.
+def learn(
+    config: TrainConfig,
+    model: Any,
+    statistics: StepStatistics,
+    fresh: bool,
+    note_reflex: Callable[[float, list[ReflexRound]], None] | None = None,
+) -> None:
+    """Train a model until its budget is used and it has its reflex, or a signal stops it.
 
     Args:
         config: settings of the training.
         model: of `prepare`.
         statistics: callback that knows when to stop.
         fresh: False if the training goes on from a run.
+        note_reflex: called with the share of the reflex's learning that is done, and its rounds so far.
     """
     with stop_on_signal(statistics):
         timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
         model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
+        if config.reflex_rounds and not (statistics.stopped or statistics.ended):
+            add_reflex(model, config.reflex_rounds, note_reflex, lambda: statistics.stopped)
 
 
 @contextmanager
@@ -265,6 +276,8 @@ class Recorder(StepStatistics):
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
+        self._reflex_began: float | None = None
+        self._reflex: list[ReflexRound] = []
 
     @property
     def seconds(self) -> float:
@@ -366,6 +379,25 @@ class Recorder(StepStatistics):
         """Rest of a budget in seconds; the bar itself shows that of a budget in steps."""
         return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
 
+    def note_reflex(self, share: float, rounds: list[ReflexRound]) -> None:
+        """Show how much of the reflex is learned, as a line every ten seconds and after each round."""
+        self.elapsed = time.perf_counter() - self._start
+        if self._reflex_began is None:
+            self._reflex_began = self.elapsed
+        text = f"reflex against falls: {share:.0%}"
+        if len(rounds) > len(self._reflex):
+            self._reflex = list(rounds)
+            text += (
+                f", round {len(rounds)}: {rounds[-1].survived:.0%} of the replayed falls survived, then "
+                f"{rounds[-1].fall_rate:.2f} falls in 20 s"
+            )
+        elif self.elapsed < self._next_line:
+            return
+        self._next_line = self.elapsed + _LINE_INTERVAL
+        if share > 0.0:
+            text += f", {(self.elapsed - self._reflex_began) * (1.0 / share - 1.0):.0f} s left"
+        self._bar.write(text, file=sys.stderr)
+
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
         """Save at the end of a training, but not a policy that the ranks do not share."""
         if not isinstance(error, _BETWEEN_RANKS):
@@ -404,6 +436,7 @@ class Recorder(StepStatistics):
             "timesteps": int(model.num_timesteps),
             "seconds": round(self.seconds, 1),
             "budget_left": model.budget_left(),
+            **({"reflex": [asdict(result) for result in self._reflex]} if self._reflex else {}),
         }
 
     def _policy(self, card: dict[str, Any]) -> Policy:

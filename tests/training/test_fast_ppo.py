@@ -188,7 +188,7 @@ def test_exploration_of_a_rollout_swings_with_the_clock_from_the_second_one_on()
         _, buffer = collected(model, FastPPO.collect_rollouts)
         seen, done = (torch.from_numpy(buffer[name].reshape(STEPS * ENVS, -1)) for name in ("observations", "actions"))
         with torch.no_grad():
-            noise = (done - model._mean_action(seen)).reshape(STEPS, ENVS, -1) / model.policy.log_std.exp()
+            noise = (done - model.mean_action(seen)).reshape(STEPS, ENVS, -1) / model.policy.log_std.exp()
             _, log_probs, _ = model.policy.evaluate_actions(seen, done)
         np.testing.assert_allclose(buffer["log_probs"].ravel(), log_probs, atol=1e-4)
         correlations.append((noise[1:] * noise[:-1]).mean().item())

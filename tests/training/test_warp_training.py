@@ -35,6 +35,7 @@ COMMAND = (0.4, 0.0)
         ({"device": "cuda:x"}, r"--device: 'cuda:x' is unknown"),
         ({"device": "cuda", "clock_noise": 0.5}, r"--clock-noise: found 0.5 with --device cuda"),
         ({"device": "warp-cpu", "straight_steps": 1000}, r"--straight-steps: found 1000 with --device warp-cpu"),
+        ({"device": "cuda", "reflex_rounds": 6}, r"--reflex-rounds: found 6 with --device cuda"),
         ({"device": "cuda:1", "ranks": 2}, r"--device: found cuda:1 with --ranks 2, .*; choose --device cuda: rank i"),
         ({"device": "cuda", "num_envs": 64, "ranks": 65}, r"--ranks: found 65, more than the 64 envs"),
         ({"device": "cuda", "algo": "sac"}, r"--device: cuda trains with ppo alone; found --algo sac"),
@@ -58,6 +59,8 @@ def test_what_the_cpu_alone_has_is_left_out_elsewhere():
     for device in ("cuda", "warp-cpu"):
         config = TrainConfig(**with_recipe({"device": device, "action_mode": "position"}, MINI_QUADRUPED, ()))
         assert (config.clock_noise, config.straight_steps) == (0, 0)
+        robust = TrainConfig(**with_recipe({"device": device, "recipe": "robust"}, MINI_QUADRUPED, ()))
+        assert robust.reflex_rounds == 0
 
 
 @pytest.fixture

@@ -1,0 +1,209 @@
+"""A reflex against falls: its inputs, its gradient, and what it does to a policy."""
+
+import copy
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+from networks import perturb
+from settings import settings
+
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.training import TrainConfig, reflex
+from quadruped_env.training.models import make_model
+from quadruped_env.training.reflex import Reflex, add_reflex
+
+PAIRS, INPUTS = 4, 12
+"""Pairs of joints: hips and knees of the fore and the hind legs."""
+
+
+def disturbed(up=(0.0, 0.0), rates=(0.0, 0.0), clock=(0.0, 0.0, 0.0, 0.0)):
+    """A task of one robot: horizontal part of its up axis, roll and pitch rate, sine of each leg's clock."""
+    readings = SimpleNamespace(up_b=np.array([[*up, 1.0]]), angular_velocity_b=np.array([[*rates, 9.0]]))
+    control = SimpleNamespace(leg_clock=lambda: np.array([clock]))
+    return SimpleNamespace(context=SimpleNamespace(readings=readings), control=control)
+
+
+@pytest.mark.parametrize(
+    ("task", "expected"),
+    [
+        (disturbed(), 0.0),
+        (disturbed(up=(0.06, 0.08)), 0.0),
+        (disturbed(up=(0.0, -0.14)), 0.5),
+        (disturbed(rates=(1.7, 0.0)), 0.0),
+        (disturbed(rates=(0.0, 2.2)), 0.5),
+        (disturbed(rates=(-3.0, 4.0)), 1.0),
+        (disturbed(up=(0.14, 0.0), rates=(1.95, 0.0)), 0.5),
+    ],
+)
+def test_disturbance(task, expected):
+    assert Reflex(MINI_QUADRUPED).disturbance(task) == pytest.approx([expected])
+
+
+def test_inputs():
+    """Left fore leg: pitch and roll in units of 0.2, rates in units of 3 rad/s, and the clock's part."""
+    inputs = Reflex(MINI_QUADRUPED).inputs(disturbed((0.1, -0.2), (1.5, -3.0), (0.5, 0.0, 0.0, -1.0)))[0]
+    plain = [1.0, 0.5, -1.0, -1.0, 0.5]
+    assert inputs[0] == pytest.approx([*plain, 1.0, 0.5, *(0.5 * value for value in plain)])
+    right_hind = [1.0, 0.5, -1.0, 1.0, -0.5]
+    assert inputs[7] == pytest.approx([*right_hind, 1.0, 0.5, *(-value for value in right_hind)])
+
+
+def test_reflex_of_the_mirrored_robot_is_the_mirrored_reflex():
+    own = Reflex(MINI_QUADRUPED)
+    own.weights[:] = np.random.default_rng(0).standard_normal((PAIRS, INPUTS))
+    task = disturbed((0.2, 0.3), (2.0, -1.0), (0.1, 0.2, 0.3, 0.4))
+    mirrored = disturbed((0.2, -0.3), (-2.0, -1.0), (0.2, 0.1, 0.4, 0.3))
+    actions, of_mirrored = (own.actions(own.disturbance(t), own.inputs(t)) for t in (task, mirrored))
+    assert np.abs(actions).max() > 0.1
+    np.testing.assert_allclose(of_mirrored, actions[:, list(MINI_QUADRUPED.joint_mirror)])
+
+
+def test_products_are_the_derivative_of_the_actions_by_the_weights():
+    random = np.random.default_rng(1)
+    own = Reflex(MINI_QUADRUPED)
+    inputs, per_joint = random.standard_normal((5, 8, INPUTS)), random.standard_normal((5, 8))
+    products = own.products(per_joint, inputs)
+    before = np.einsum("nj,nj->n", per_joint, own.actions(np.ones(5), inputs))
+    own.weights[2, 7] += 1.0
+    after = np.einsum("nj,nj->n", per_joint, own.actions(np.ones(5), inputs))
+    np.testing.assert_allclose(products[:, 2, 7], after - before)
+
+
+ENVS = 16
+PUSHED = {"push_speed": (0.9, 1.3), "push_interval": (0.5, 1.0)}
+SMALL = {
+    "_REPLAYS": 64,
+    "_REPLAY_STEPS": 40,
+    "_TRACKING_STEPS": 20,
+    "_FIRST_STEPS": 120 * ENVS,
+    "_ROUND_STEPS": 120 * ENVS,
+    "_LESSON_STEPS": 60 * ENVS,
+    "_LESSON_BATCH": 64,
+}
+
+
+@pytest.fixture
+def small(monkeypatch):
+    for name, value in SMALL.items():
+        monkeypatch.setattr(reflex, name, value)
+
+
+def walking(asymmetric_critic=False, num_envs=ENVS, **randomization):
+    """A model that walks about as its gait, in envs that have begun."""
+    config = settings(randomization=randomization)
+    env = make_sb3_vec_env(num_envs, seed=3, config=config, action_mode="residual", privileged=asymmetric_critic)
+    training = {"num_envs": num_envs, "batch_size": 64, "hidden": (16, 16), "asymmetric_critic": asymmetric_critic}
+    model = make_model(TrainConfig(**training), env)
+    env.reset()
+    return model
+
+
+def states(model):
+    return [model.env.task.get_state(env_id) for env_id in range(model.env.num_envs)]
+
+
+def parameters(model):
+    return {name: value.clone() for name, value in model.policy.state_dict().items()}
+
+
+def changed_parts(before, model):
+    return {name.split(".")[0] for name, value in parameters(model).items() if not torch.equal(value, before[name])}
+
+
+@pytest.mark.parametrize("asymmetric_critic", [False, True])
+def test_network_learns_the_reflex_and_nothing_else_changes(small, asymmetric_critic):
+    model = walking(asymmetric_critic, **PUSHED)
+    weights, envs = parameters(model), copy.deepcopy(states(model))
+    shares = []
+    rounds = add_reflex(model, 2, lambda share, rounds: shares.append((share, len(rounds))))
+    assert len(rounds) == 2
+    assert all(0.0 <= result.survived <= 1.0 and result.fall_rate > 0.0 for result in rounds)
+    critic = {name for name in weights if "value_net" in name}
+    assert changed_parts(weights, model) == {"mlp_extractor", "action_net"}
+    assert all(torch.equal(weights[name], model.policy.state_dict()[name]) for name in critic)
+    np.testing.assert_equal(states(model), envs)
+    steps = 120 + 2 * (4 * 40 + 120) + 60
+    assert model.num_timesteps == steps * ENVS
+    assert [number for _, number in shares] == sorted(number for _, number in shares)
+    assert [share for share, _ in shares] == sorted(share for share, _ in shares)
+    assert 0.0 < shares[0][0] < 0.01
+    assert 0.9 < shares[-1][0] < 1.0
+
+
+def test_policy_stays_symmetric(small):
+    model = walking(**PUSHED)
+    perturb(model)
+    model.policy.project()
+    add_reflex(model, 1)
+    seen = torch.randn(20, model.policy.actor_width)
+    mirror = MirrorMap.of(model.env.task.control.layout)
+    mirrored = seen[:, torch.tensor(mirror.observation_order.copy())] * torch.tensor(mirror.observation_sign)
+    with torch.inference_mode():
+        actions, of_mirrored = model.mean_action(seen).clone(), model.mean_action(mirrored)
+    assert actions.abs().max() > 1e-3
+    torch.testing.assert_close(of_mirrored, actions[:, torch.tensor(mirror.action_order.copy())])
+
+
+def test_same_seed_gives_the_same_policy(small):
+    found = []
+    for _ in range(2):
+        model = walking(**PUSHED)
+        add_reflex(model, 1)
+        found.append(parameters(model))
+    assert all(torch.equal(value, found[1][name]) for name, value in found[0].items())
+
+
+@pytest.mark.parametrize("after", [0.0, 0.3, 0.9])
+def test_a_training_that_is_to_end_keeps_its_policy(small, after):
+    model = walking(**PUSHED)
+    weights, envs = parameters(model), copy.deepcopy(states(model))
+    shares = [0.0]
+    assert add_reflex(model, 1, lambda share, _: shares.append(share), lambda: shares[-1] >= after) == []
+    assert shares[-1] < after + 0.05
+    assert not changed_parts(weights, model)
+    np.testing.assert_equal(states(model), envs)
+
+
+def test_without_a_fall_the_policy_stays_as_it_is(small):
+    model = walking()
+    weights = parameters(model)
+    assert add_reflex(model, 1) == []
+    assert not changed_parts(weights, model)
+
+
+@pytest.mark.parametrize("num_envs", [1, 5, 9])
+def test_any_number_of_envs(small, num_envs):
+    """With a single env no state is repeated, so that there is nothing to compare."""
+    model = walking(num_envs=num_envs, **PUSHED)
+    for result in add_reflex(model, 1):
+        assert math.isfinite(result.survived)
+    assert all(torch.isfinite(value).all() for value in parameters(model).values())
+
+
+@pytest.mark.slow
+def test_reflex_saves_robots_that_are_pushed(monkeypatch):
+    """On the scripted gait, with pushes of which every second one throws it over."""
+    for name, value in {"_REPLAYS": 2048, "_FIRST_STEPS": 50_000, "_ROUND_STEPS": 50_000}.items():
+        monkeypatch.setattr(reflex, name, value)
+    model = walking(num_envs=128, push_speed=(1.0, 1.2), push_interval=(1.0, 1.5))
+    before = falls(model)
+    add_reflex(model, 4)
+    assert falls(model) < 0.7 * before
+
+
+def falls(model, steps=400):
+    """Falls of the policy without noise."""
+    env = model.env
+    env.seed(1000)
+    observations, number = env.reset(), 0
+    for _ in range(steps):
+        with torch.inference_mode():
+            actions = model.mean_action(torch.from_numpy(observations)).numpy()
+        observations, _, ended, infos = env.step(np.clip(actions, -1.0, 1.0))
+        number += sum(not infos[env_id]["TimeLimit.truncated"] for env_id in np.flatnonzero(ended))
+    return number
