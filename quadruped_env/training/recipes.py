@@ -50,8 +50,8 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                 # A push that catches two feet in the air tips the robot over the more easily, the higher they are.
                 "action": {"gait": "low"},
                 "clock_frequency": 5.0,
-                # More pushes than in the preset: in 20 s most robots survive those.
-                "randomization": {"preset": "hard", "push_speed": [0.5, 1.0], "push_interval": [1.0, 2.0]},
+                # More and harder pushes than in the preset: most robots survive those, and learn nothing from them.
+                "randomization": {"preset": "hard", "push_speed": [0.7, 1.0], "push_interval": [1.5, 2.5]},
                 "reward": {
                     # By default a fall costs about a second's reward: less than what a policy that follows its commands
                     # a little better earns between two falls.
