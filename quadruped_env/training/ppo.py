@@ -203,7 +203,7 @@ def learn(
     with stop_on_signal(statistics):
         timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
         model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
-        if config.reflex_rounds and not (statistics.stopped or statistics.ended):
+        if config.reflex_rounds and not statistics.stopped:
             add_reflex(model, config.reflex_rounds, note_reflex, lambda: statistics.stopped)
 
 

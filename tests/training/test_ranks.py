@@ -208,6 +208,23 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     assert one.shared[-1][1] == other.shared[-1][1]
 
 
+def test_rank_0_alone_learns_the_reflex(tmp_path, monkeypatch):
+    learned = []
+    monkeypatch.setattr(ppo, "add_reflex", lambda model, rounds, *_: learned.append((model, rounds)))
+    config = TrainConfig(**SMALL | {"ranks": 2, "timesteps": 2 * STEPS, "reflex_rounds": 3})
+
+    def run(group):
+        if group.rank:
+            return ppo.follow(config, None, None, group)
+        return ppo.train(config, tmp_path, "test", group=group)
+
+    (_, finished), _ = on_ranks(2, run)
+    assert finished
+    ((model, rounds),) = learned
+    assert rounds == 3
+    assert model.num_timesteps >= config.timesteps
+
+
 # --- settings ---
 
 

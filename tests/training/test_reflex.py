@@ -2,6 +2,7 @@
 
 import copy
 import math
+import signal
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,11 +10,14 @@ import pytest
 import torch
 from networks import perturb
 from settings import settings
+from trainings import SMALL as TRAINING
+from trainings import learn
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.policies import load_policy
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.training import TrainConfig, reflex
+from quadruped_env.training import TrainConfig, ppo, reflex
 from quadruped_env.training.models import make_model
 from quadruped_env.training.reflex import Reflex, add_reflex
 
@@ -183,6 +187,38 @@ def test_any_number_of_envs(small, num_envs):
     for result in add_reflex(model, 1):
         assert math.isfinite(result.survived)
     assert all(torch.isfinite(value).all() for value in parameters(model).values())
+
+
+PUSHED_TRAINING = TRAINING | {"timesteps": 64, "reflex_rounds": 1, "task": {"randomization": PUSHED}}
+
+
+def test_training_ends_with_the_reflex_and_says_so_on_the_card(small, tmp_path, capsys):
+    plain, taught = (
+        learn(tmp_path / name, TrainConfig(**PUSHED_TRAINING | changes))
+        for name, changes in (("plain", {"reflex_rounds": 0}), ("taught", {}))
+    )
+    (first,) = load_policy(taught).card["reflex"]
+    assert "reflex" not in load_policy(plain).card
+    assert set(first) == {"survived", "fall_rate"}
+    assert f"round 1: {first['survived']:.0%} of the replayed falls survived" in capsys.readouterr().err
+    assert load_policy(taught).card["timesteps"] > load_policy(plain).card["timesteps"]
+    weights = [(run / "policy.safetensors").read_bytes() for run in (plain, taught)]
+    assert weights[0] != weights[1]
+
+
+def test_signal_during_the_reflex_keeps_the_policy_of_ppo(small, tmp_path, monkeypatch):
+    plain = learn(tmp_path / "plain", TrainConfig(**PUSHED_TRAINING | {"reflex_rounds": 0}))
+    usual = ppo.Recorder.note_reflex
+
+    def interrupt(self, share, rounds):
+        usual(self, share, rounds)
+        signal.raise_signal(signal.SIGINT)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(ppo.Recorder, "note_reflex", interrupt)
+        run, finished = ppo.train(TrainConfig(**PUSHED_TRAINING), tmp_path / "stopped", "test")
+    assert not finished
+    assert (run / "policy.safetensors").read_bytes() == (plain / "policy.safetensors").read_bytes()
 
 
 @pytest.mark.slow
