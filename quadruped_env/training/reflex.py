@@ -11,7 +11,8 @@ policy and reflex do together, from the observations of a robot (Ross et al. 201
 
 import math
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -95,7 +96,7 @@ class Reflex:
         """Weights (pairs of joints, inputs); an action's unit is its range."""
 
     def disturbance(self, task: Task) -> Floats:
-        """How disturbed each robot is (N,), from 0 to 1."""
+        """Size of the disturbance of each robot (N,), from 0 to 1."""
         tilt, rate = self._tilt_and_rate(task)
         return np.maximum(
             np.clip((np.hypot(*tilt) - _CALM_TILT) / _TILT_RANGE, 0.0, 1.0),
@@ -124,7 +125,7 @@ class Reflex:
         return np.stack([*parts, *sizes, *(part * clock for part in parts)], axis=-1)
 
     def actions(self, disturbance: Floats, inputs: Floats) -> Floats:
-        """What the reflex adds to the actions (N, J)."""
+        """Share of the reflex in the actions (N, J)."""
         return np.einsum("njf,jf->nj", inputs, self.weights[self._row]) * disturbance[:, None]
 
     def products(self, per_joint: Floats, inputs: Floats) -> Floats:
@@ -168,14 +169,11 @@ def add_reflex(
         The rounds; empty if the policy stays as it is.
     """
     practice = _Practice(model, rounds, report, stopped)
-    before = [practice.task.get_state(env_id) for env_id in range(practice.num_envs)]
-    try:
-        return practice.run(rounds)
-    except StoppedError:
-        return []
-    finally:
-        for env_id, state in enumerate(before):
-            practice.task.set_state(env_id, state)
+    with practice.own_states():
+        try:
+            return practice.run(rounds)
+        except StoppedError:
+            return []
 
 
 class _Practice:
@@ -209,6 +207,16 @@ class _Practice:
         if self._rounds:
             self._teach()
         return self._rounds
+
+    @contextmanager
+    def own_states(self) -> Iterator[None]:
+        """Within it, the envs may take any states; in the end each gets back its own, and with it its random numbers."""
+        before = [self.task.get_state(env_id) for env_id in range(self.num_envs)]
+        try:
+            yield
+        finally:
+            for env_id, state in enumerate(before):
+                self.task.set_state(env_id, state)
 
     def _note(self, share: float) -> None:
         if self._report is not None:
@@ -267,12 +275,14 @@ class _Practice:
         gradient, fisher = np.zeros(number), np.zeros((number, number))
         survived = []
         inputs: list[Floats] = []
-        for _ in range(self._batches):
-            score, share, scores, disturbed = self._replay()
-            survived.append(share)
-            inputs.append(disturbed)
-            gradient += score @ scores
-            fisher += scores.T @ scores
+        # Else all envs with the same state would go on with the same episodes.
+        with self.own_states():
+            for _ in range(self._batches):
+                score, share, scores, disturbed = self._replay()
+                survived.append(share)
+                inputs.append(disturbed)
+                gradient += score @ scores
+                fisher += scores.T @ scores
         fisher[np.diag_indices(number)] *= 1.0 + _DAMPING
         # A weight whose input never differs from 0 has no gradient either.
         fisher[np.diag_indices(number)] += 1e-9 * max(1.0, float(fisher.trace()))
