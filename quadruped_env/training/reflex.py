@@ -210,7 +210,7 @@ class _Practice:
 
     @contextmanager
     def own_states(self) -> Iterator[None]:
-        """Within it, the envs may take any states; in the end each gets back its own, and with it its random numbers."""
+        """Within it, the envs may take any states; in the end each gets back its own, with its random numbers."""
         before = [self.task.get_state(env_id) for env_id in range(self.num_envs)]
         try:
             yield

@@ -139,6 +139,22 @@ def test_network_learns_the_reflex_and_nothing_else_changes(small, asymmetric_cr
     assert 0.9 < shares[-1][0] < 1.0
 
 
+def test_after_the_replays_each_env_goes_on_with_its_own_episodes(small, monkeypatch):
+    model = walking(**PUSHED)
+    collected = []
+    usual = reflex._Practice._collect
+
+    def collect(self, steps):
+        rate = usual(self, steps)
+        collected.append(states(model))
+        return rate
+
+    monkeypatch.setattr(reflex._Practice, "_collect", collect)
+    add_reflex(model, 1)
+    for found in collected:
+        assert len({state["simulation"].integration.tobytes() for state in found}) == ENVS
+
+
 def test_policy_stays_symmetric(small):
     model = walking(**PUSHED)
     perturb(model)
