@@ -240,11 +240,12 @@ def test_signal_during_the_reflex_keeps_the_policy_of_ppo(small, tmp_path, monke
 @pytest.mark.slow
 def test_reflex_saves_robots_that_are_pushed(monkeypatch):
     """On the scripted gait, with pushes of which every second one throws it over."""
-    for name, value in {"_REPLAYS": 2048, "_FIRST_STEPS": 50_000, "_ROUND_STEPS": 50_000}.items():
+    sizes = {"_REPLAYS": 2048, "_FIRST_STEPS": 50_000, "_ROUND_STEPS": 50_000, "_LESSON_STEPS": 100_000}
+    for name, value in sizes.items():
         monkeypatch.setattr(reflex, name, value)
     model = walking(num_envs=128, push_speed=(1.0, 1.2), push_interval=(1.0, 1.5))
     before = falls(model)
-    add_reflex(model, 4)
+    add_reflex(model, 3)
     assert falls(model) < 0.7 * before
 
 
