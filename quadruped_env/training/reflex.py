@@ -9,6 +9,7 @@ as in Kool et al. 2019, https://openreview.net/forum?id=r1lgTGL5DE). In the end 
 policy and reflex do together, from the observations of a robot (Ross et al. 2011, https://arxiv.org/abs/1011.0686).
 """
 
+import copy
 import math
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
@@ -67,8 +68,6 @@ _LESSON_STEPS, _LESSON_EPOCHS = 768_000, 8
 """Environment steps of the network's lesson, and passes over them."""
 _LESSON_BATCH, _LESSON_RATE = 4096, 1e-3
 """Samples in a gradient step of the lesson, and Adam's first step size, which falls to 0 as half a cosine."""
-_LESSON_SHARE: Final = 0.04
-"""Share of the whole time that the lesson takes after its steps."""
 
 
 class StoppedError(Exception):
@@ -242,7 +241,7 @@ class _Practice:
             fell[env_id] = not infos[env_id]["TimeLimit.truncated"]
         self._model.num_timesteps += self.num_envs
         self._steps += 1
-        self._note((1.0 - _LESSON_SHARE) * self._steps / self._all_steps)
+        self._note(self._steps / self._all_steps)
         return observations, ended, fell
 
     def _collect(self, steps: int) -> float:
@@ -337,36 +336,50 @@ class _Practice:
         return [states[i] for i in self._random.integers(len(states), size=number).tolist()]
 
     def _teach(self) -> None:
-        """Teach the network what policy and reflex do together."""
+        """Teach the network what policy and reflex do together.
+
+        In the first half of the lesson these act, in the second the network itself: it would else not know the states
+        into which its own small errors lead.
+        """
         self.task.reset(np.arange(self.num_envs))
         observations = self._observe()
         policy = self._model.policy
+        teacher = copy.deepcopy(self._actor())
         joints = self.task.control.robot.num_joints
         seen = torch.empty((self._lesson, self.num_envs, policy.actor_width))
         wanted = torch.empty((self._lesson, self.num_envs, joints))
         # Half of the robots are led astray, so that the network learns to return as well.
         astray = (np.arange(self.num_envs) % 2)[:, None]
         noise = self._random.standard_normal((self.num_envs, joints))
+        half = self._lesson // 2
         for step in range(self._lesson):
-            actions, disturbance, _ = self._act(observations)
             seen[step] = policy.mlp_extractor.seen_by_actor(torch.from_numpy(observations))
-            wanted[step] = torch.from_numpy(np.clip(actions, -1.0, 1.0))
+            disturbance, inputs = self.reflex.disturbance(self.task), self.reflex.inputs(self.task)
+            with torch.inference_mode():
+                actions = teacher(seen[step]).numpy() + self.reflex.actions(disturbance, inputs)
+                wanted[step] = torch.from_numpy(np.clip(actions, -1.0, 1.0))
+                if step >= half:
+                    actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
             noise *= _NOISE_KEPT
             noise += math.sqrt(1.0 - _NOISE_KEPT**2) * self._random.standard_normal(noise.shape)
             observations, _, _ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
-        self._fit(seen.flatten(0, 1), wanted.flatten(0, 1))
+            if step + 1 in (half, self._lesson):
+                self._fit(seen[: step + 1].flatten(0, 1), wanted[: step + 1].flatten(0, 1))
+
+    def _actor(self) -> torch.nn.Sequential:
+        policy = self._model.policy
+        return torch.nn.Sequential(*policy.mlp_extractor.policy_net, policy.action_net)
 
     def _fit(self, seen: torch.Tensor, wanted: torch.Tensor) -> None:
         """Fit the actor to actions (M, J) for observations (M, width)."""
         policy = self._model.policy
         policy.set_training_mode(True)
         torch.set_num_threads(self._model.update_threads)
-        actor = torch.nn.Sequential(*policy.mlp_extractor.policy_net, policy.action_net)
+        actor = self._actor()
         optimizer = torch.optim.Adam(actor.parameters(), lr=_LESSON_RATE)
         steps = _LESSON_EPOCHS * math.ceil(len(seen) / _LESSON_BATCH)
         schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, steps)
-        for epoch in range(_LESSON_EPOCHS):
-            self._note(1.0 - _LESSON_SHARE * (1.0 - epoch / _LESSON_EPOCHS))
+        for _ in range(_LESSON_EPOCHS):
             for batch in torch.randperm(len(seen)).split(_LESSON_BATCH):
                 loss = (actor(seen[batch]) - wanted[batch]).square().sum(1).mean()
                 optimizer.zero_grad()
@@ -375,3 +388,4 @@ class _Practice:
                 schedule.step()
         # Where the steps are not elementwise, rounding would add up to a difference between the sides.
         policy.project()
+        torch.set_num_threads(1)

@@ -49,7 +49,7 @@ def test_recipes_are_what_their_names_say(asked):
     assert all(weight > 2.0 * getattr(default.reward.weights, name) for name, weight in clocks.items())
     assert flat.reward == TaskConfig.from_dict({"reward": {"weights": clocks}}).reward, "and no other weight"
     assert dataclasses.replace(flat, randomization=default.randomization, reward=default.reward) == default
-    pushes = {"push_speed": (0.7, 1.0), "push_interval": (1.5, 2.5)}
+    pushes = {"push_speed": (0.5, 1.0), "push_interval": (1.0, 2.0)}
     assert robust.randomization == RandomizationConfig(preset="hard", **pushes)
     assert robust.reward.weights.fall == 6.0 * TaskConfig().reward.weights.fall
     assert robust.reward.weights.high_steps < 0.0
