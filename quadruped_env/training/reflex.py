@@ -61,6 +61,8 @@ _FIRST_STEPS, _ROUND_STEPS = 512_000, 256_000
 
 _STEP: Final = 0.15
 """Root mean square of the change of a disturbed robot's actions by the first rounds' steps."""
+_LAST_STEP: Final = 0.25
+"""Smallest share of it in later rounds."""
 _DAMPING: Final = 0.1
 """Share of the Fisher matrix's diagonal that is added to it."""
 
@@ -201,10 +203,15 @@ class _Practice:
         torch.set_num_threads(1)
         self._collect(self._first)
         for index in range(rounds if self._falls else 0):
-            survived = self._improve(_STEP * min(1.0, 1.3 - 0.15 * index))
+            survived = self._improve(_STEP * min(1.0, max(_LAST_STEP, 1.3 - 0.15 * index)))
             self._rounds.append(ReflexRound(survived, self._collect(self._round)))
         if self._rounds:
-            self._teach()
+            teacher = copy.deepcopy(self._actor())
+            try:
+                self._teach(teacher)
+            except StoppedError:
+                self._actor().load_state_dict(teacher.state_dict())
+                raise
         return self._rounds
 
     @contextmanager
@@ -335,8 +342,8 @@ class _Practice:
         """As many states, chosen by chance."""
         return [states[i] for i in self._random.integers(len(states), size=number).tolist()]
 
-    def _teach(self) -> None:
-        """Teach the network what policy and reflex do together.
+    def _teach(self, teacher: torch.nn.Sequential) -> None:
+        """Teach the network what the policy, whose copy is given, and the reflex do together.
 
         In the first half of the lesson these act, in the second the network itself: it would else not know the states
         into which its own small errors lead.
@@ -344,7 +351,6 @@ class _Practice:
         self.task.reset(np.arange(self.num_envs))
         observations = self._observe()
         policy = self._model.policy
-        teacher = copy.deepcopy(self._actor())
         joints = self.task.control.robot.num_joints
         seen = torch.empty((self._lesson, self.num_envs, policy.actor_width))
         wanted = torch.empty((self._lesson, self.num_envs, joints))

@@ -178,7 +178,7 @@ def test_same_seed_gives_the_same_policy(small):
     assert all(torch.equal(value, found[1][name]) for name, value in found[0].items())
 
 
-@pytest.mark.parametrize("after", [0.0, 0.3, 0.9])
+@pytest.mark.parametrize("after", [0.0, 0.3, 0.9, 0.96])
 def test_a_training_that_is_to_end_keeps_its_policy(small, after):
     model = walking(**PUSHED)
     weights, envs = parameters(model), copy.deepcopy(states(model))
@@ -194,6 +194,16 @@ def test_without_a_fall_the_policy_stays_as_it_is(small):
     weights = parameters(model)
     assert add_reflex(model, 1) == []
     assert not changed_parts(weights, model)
+
+
+def test_later_rounds_take_smaller_steps_in_the_same_direction(monkeypatch):
+    sizes = []
+    monkeypatch.setattr(reflex._Practice, "_collect", lambda self, steps: self._falls.append({}) or 0.0)
+    monkeypatch.setattr(reflex._Practice, "_improve", lambda self, size: sizes.append(size) or 0.5)
+    monkeypatch.setattr(reflex._Practice, "_teach", lambda self, teacher: None)
+    add_reflex(walking(), 12)
+    assert sizes == sorted(sizes, reverse=True)
+    assert sizes[0] > sizes[5] > sizes[-1] > 0.0
 
 
 @pytest.mark.parametrize("num_envs", [1, 5, 9])
