@@ -88,9 +88,10 @@ class Reflex:
     def __init__(self, robot: Robot) -> None:
         joints = np.arange(robot.num_joints)
         _, self._row = np.unique(np.minimum(joints, robot.joint_mirror), return_inverse=True)
-        leg = joints // (robot.num_joints // robot.num_legs)
-        self._leg = leg
-        self._side = np.where(np.array(robot.foot_mirror) > np.arange(robot.num_legs), 1.0, -1.0)[leg]
+        self._leg = np.empty_like(joints)
+        for leg, own in enumerate(robot.leg_joints):
+            self._leg[list(own)] = leg
+        self._side = np.where(robot.left_legs, 1.0, -1.0)[self._leg]
         # The time in which a robot tips over grows with the square root of its size.
         self._rate_scale = 1.0 / math.sqrt(leg_scale(robot))
         self.weights: Floats = np.zeros((int(self._row.max()) + 1, 12))
@@ -325,8 +326,7 @@ class _Practice:
         disturbed: list[Floats] = []
         for step in range(_REPLAY_STEPS):
             actions, disturbance, inputs = self._act(observations)
-            noise *= _NOISE_KEPT
-            noise += math.sqrt(1.0 - _NOISE_KEPT**2) * self._random.standard_normal(noise.shape)
+            self._advance(noise)
             scores += self.reflex.products(noise * (alive * disturbance)[:, None], inputs)
             disturbed.append(inputs[alive & (disturbance > 0.3)][:8])
             observations, _, fell = self._step(actions + _NOISE * disturbance[:, None] * noise)
@@ -337,6 +337,11 @@ class _Practice:
         means = np.bincount(group, score) / np.bincount(group)
         falls = group < of_falls
         return score - means[group], float(alive[falls].mean()), scores.reshape(n, -1), np.concatenate(disturbed)
+
+    def _advance(self, noise: Floats) -> None:
+        """Advance correlated noise by a control step, in place."""
+        noise *= _NOISE_KEPT
+        noise += math.sqrt(1.0 - _NOISE_KEPT**2) * self._random.standard_normal(noise.shape)
 
     def _some(self, states: Sequence[dict[str, Any]], number: int) -> list[dict[str, Any]]:
         """As many states, chosen by chance."""
@@ -366,8 +371,7 @@ class _Practice:
                 wanted[step] = torch.from_numpy(np.clip(actions, -1.0, 1.0))
                 if step >= half:
                     actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
-            noise *= _NOISE_KEPT
-            noise += math.sqrt(1.0 - _NOISE_KEPT**2) * self._random.standard_normal(noise.shape)
+            self._advance(noise)
             observations, _, _ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
             if step + 1 in (half, self._lesson):
                 self._fit(seen[: step + 1].flatten(0, 1), wanted[: step + 1].flatten(0, 1))

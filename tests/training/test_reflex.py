@@ -249,7 +249,7 @@ def test_signal_during_the_reflex_keeps_the_policy_of_ppo(small, tmp_path, monke
 
 @pytest.mark.slow
 def test_reflex_saves_robots_that_are_pushed(monkeypatch):
-    """On the scripted gait, with pushes of which every second one throws it over."""
+    """On the scripted gait, with pushes that often throw it over."""
     sizes = {"_REPLAYS": 2048, "_FIRST_STEPS": 50_000, "_ROUND_STEPS": 50_000, "_LESSON_STEPS": 100_000}
     for name, value in sizes.items():
         monkeypatch.setattr(reflex, name, value)
