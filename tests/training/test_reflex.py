@@ -155,6 +155,14 @@ def test_after_the_replays_each_env_goes_on_with_its_own_episodes(small, monkeyp
         assert len({state["simulation"].integration.tobytes() for state in found}) == ENVS
 
 
+def test_network_acts_itself_in_the_second_half_of_its_lesson(small, monkeypatch):
+    model = walking(**PUSHED)
+    usual, calls = model.mean_action, []
+    monkeypatch.setattr(model, "mean_action", lambda seen: calls.append(1) or usual(seen))
+    add_reflex(model, 1)
+    assert len(calls) == 120 + (4 * 40 + 120) + 60 // 2
+
+
 def test_policy_stays_symmetric(small):
     model = walking(**PUSHED)
     perturb(model)
