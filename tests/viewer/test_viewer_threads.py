@@ -1,0 +1,48 @@
+"""Messages that other threads than the server's queue."""
+
+import asyncio
+import threading
+
+from viewer_clients import connected_browser
+
+from quadruped_env.viewer.wake_up import WakeUp
+
+
+def set_elsewhere(event):
+    thread = threading.Thread(target=event.set)
+    thread.start()
+    thread.join()
+
+
+def test_another_thread_leaves_the_waiting_tasks_to_the_event_loop():
+    async def run():
+        event = WakeUp(asyncio.get_running_loop())
+        first, second = (asyncio.create_task(event.wait()) for _ in range(2))
+        await asyncio.sleep(0)
+        set_elsewhere(event)
+        # The loop has not run since: the other thread did not touch its tasks, of which one is cancelled just now.
+        assert not event.is_set()
+        first.cancel()
+        assert await second
+        assert first.cancelled()
+        event.clear()
+        event.set()
+        assert event.is_set()
+
+    asyncio.run(run())
+
+
+def test_setting_it_after_the_loop_has_ended_is_no_error():
+    loop = asyncio.new_event_loop()
+    event = WakeUp(loop)
+    loop.close()
+    set_elsewhere(event)
+    event.set()
+
+
+def test_drawing_reaches_connected_browsers_through_such_events(show):
+    with connected_browser(show):
+        server = show._server._websock_server
+        (client,) = server._client_state_from_id.values()
+        for buffer in (server._broadcast_buffer, client.message_buffer):
+            assert isinstance(buffer.message_event, WakeUp)
