@@ -29,7 +29,7 @@ from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.distributed.group import ALONE, DifferentWeightsError, Group, RankLostError
-from quadruped_env.training.reflex import ReflexRound, add_reflex
+from quadruped_env.training.reflex import ReflexRound, add_reflex, reflex_steps
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run, check_latest
 from quadruped_env.training.statistics import StepStatistics
@@ -302,6 +302,10 @@ class Recorder(StepStatistics):
             disable=None,
             dynamic_ncols=True,
         )
+        if self._config.reflex_rounds:
+            steps = reflex_steps(self._config.reflex_rounds, self.model.n_envs)
+            text = f"then {steps:,} more steps for a reflex against falls (--reflex-rounds 0 leaves it out)"
+            self._bar.write(text, file=sys.stderr)
 
     def _on_step(self) -> bool:
         self.elapsed = time.perf_counter() - self._start

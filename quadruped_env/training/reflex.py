@@ -128,7 +128,11 @@ class Reflex:
 
     def actions(self, disturbance: Floats, inputs: Floats) -> Floats:
         """Share of the reflex in the actions (N, J)."""
-        return np.einsum("njf,jf->nj", inputs, self.weights[self._row]) * disturbance[:, None]
+        return self.response(inputs, self.weights) * disturbance[:, None]
+
+    def response(self, inputs: Floats, weights: Floats) -> Floats:
+        """What these weights would make of the inputs if the robots were fully disturbed (N, J)."""
+        return np.einsum("njf,jf->nj", inputs, weights[self._row])
 
     def products(self, per_joint: Floats, inputs: Floats) -> Floats:
         """Sum of numbers (N, J) times inputs, over the joints that share weights (N, pairs of joints, inputs)."""
@@ -151,6 +155,46 @@ class ReflexRound:
 
 Report = Callable[[float, list[ReflexRound]], None]
 """Called with the fraction done, and the rounds so far."""
+
+
+def reflex_steps(rounds: int, num_envs: int) -> int:
+    """Environment steps that learning a reflex takes."""
+    return num_envs * _Budget(num_envs).all_steps(rounds)
+
+
+@dataclass(frozen=True)
+class _Budget:
+    """Control steps of each part of the learning, rounded up to whole steps of all envs.
+
+    Args:
+        num_envs: number of envs.
+    """
+
+    num_envs: int
+
+    @property
+    def batches(self) -> int:
+        """Number of times that all envs replay, in a round."""
+        return math.ceil(_REPLAYS / self.num_envs)
+
+    @property
+    def first(self) -> int:
+        """Steps before the first round."""
+        return math.ceil(_FIRST_STEPS / self.num_envs)
+
+    @property
+    def each(self) -> int:
+        """Steps after each round."""
+        return math.ceil(_ROUND_STEPS / self.num_envs)
+
+    @property
+    def lesson(self) -> int:
+        """Steps of the lesson."""
+        return math.ceil(_LESSON_STEPS / self.num_envs)
+
+    def all_steps(self, rounds: int) -> int:
+        """Steps of all rounds, with those before and after."""
+        return self.first + rounds * (self.batches * _REPLAY_STEPS + self.each) + self.lesson
 
 
 def add_reflex(
@@ -192,20 +236,16 @@ class _Practice:
         """States before falls."""
         self._others: deque[dict[str, Any]] = deque(maxlen=_KEPT_STATES)
         """States at any time."""
-        self._batches = math.ceil(_REPLAYS / self.num_envs)
-        self._first, self._round, self._lesson = (
-            math.ceil(steps / self.num_envs) for steps in (_FIRST_STEPS, _ROUND_STEPS, _LESSON_STEPS)
-        )
-        self._steps = 0
-        self._all_steps = self._first + rounds * (self._batches * _REPLAY_STEPS + self._round) + self._lesson
+        self._budget = _Budget(self.num_envs)
+        self._steps, self._all_steps = 0, self._budget.all_steps(rounds)
 
     def run(self, rounds: int) -> list[ReflexRound]:
         """See `add_reflex`."""
         torch.set_num_threads(1)
-        self._collect(self._first)
+        self._collect(self._budget.first)
         for index in range(rounds if self._falls else 0):
             survived = self._improve(_STEP * min(1.0, max(_LAST_STEP, 1.3 - 0.15 * index)))
-            self._rounds.append(ReflexRound(survived, self._collect(self._round)))
+            self._rounds.append(ReflexRound(survived, self._collect(self._budget.each)))
         if self._rounds:
             teacher = copy.deepcopy(self._actor())
             try:
@@ -284,7 +324,7 @@ class _Practice:
         inputs: list[Floats] = []
         # Else all envs with the same state would go on with the same episodes.
         with self.own_states():
-            for _ in range(self._batches):
+            for _ in range(self._budget.batches):
                 score, share, scores, disturbed = self._replay()
                 survived.append(share)
                 inputs.append(disturbed)
@@ -294,10 +334,7 @@ class _Practice:
         # A weight whose input never differs from 0 has no gradient either.
         fisher[np.diag_indices(number)] += 1e-9 * max(1.0, float(fisher.trace()))
         step = np.linalg.solve(fisher, gradient).reshape(self.reflex.weights.shape)
-        trial = Reflex(self.task.control.robot)
-        trial.weights[:] = step
-        values = np.concatenate(inputs)
-        change = trial.actions(np.ones(len(values)), values)
+        change = self.reflex.response(np.concatenate(inputs), step)
         self.reflex.weights += step * (size / max(1e-9, float(np.sqrt(np.mean(change * change)))))
         return float(np.mean(survived))
 
@@ -357,13 +394,13 @@ class _Practice:
         observations = self._observe()
         policy = self._model.policy
         joints = self.task.control.robot.num_joints
-        seen = torch.empty((self._lesson, self.num_envs, policy.actor_width))
-        wanted = torch.empty((self._lesson, self.num_envs, joints))
+        seen = torch.empty((self._budget.lesson, self.num_envs, policy.actor_width))
+        wanted = torch.empty((self._budget.lesson, self.num_envs, joints))
         # Half of the robots are led astray, so that the network learns to return as well.
         astray = (np.arange(self.num_envs) % 2)[:, None]
         noise = self._random.standard_normal((self.num_envs, joints))
-        half = self._lesson // 2
-        for step in range(self._lesson):
+        half = self._budget.lesson // 2
+        for step in range(self._budget.lesson):
             seen[step] = policy.mlp_extractor.seen_by_actor(torch.from_numpy(observations))
             disturbance, inputs = self.reflex.disturbance(self.task), self.reflex.inputs(self.task)
             with torch.inference_mode():
@@ -373,7 +410,7 @@ class _Practice:
                     actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
             self._advance(noise)
             observations, _, _ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
-            if step + 1 in (half, self._lesson):
+            if step + 1 in (half, self._budget.lesson):
                 self._fit(seen[: step + 1].flatten(0, 1), wanted[: step + 1].flatten(0, 1))
 
     def _actor(self) -> torch.nn.Sequential:

@@ -234,8 +234,11 @@ def test_training_ends_with_the_reflex_and_says_so_on_the_card(small, tmp_path, 
     (first,) = load_policy(taught).card["reflex"]
     assert "reflex" not in load_policy(plain).card
     assert set(first) == {"survived", "fall_rate"}
-    assert f"round 1: {first['survived']:.0%} of the replayed falls survived" in capsys.readouterr().err
-    assert load_policy(taught).card["timesteps"] > load_policy(plain).card["timesteps"]
+    output = capsys.readouterr().err
+    assert f"round 1: {first['survived']:.0%} of the replayed falls survived" in output
+    more = load_policy(taught).card["timesteps"] - load_policy(plain).card["timesteps"]
+    assert output.count("more steps for a reflex") == 1
+    assert f"then {more:,} more steps for a reflex" in output
     weights = [(run / "policy.safetensors").read_bytes() for run in (plain, taught)]
     assert weights[0] != weights[1]
 
