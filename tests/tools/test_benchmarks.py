@@ -1,8 +1,10 @@
 import json
+import math
 import re
 import signal
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -79,6 +81,27 @@ def test_acceptance_is_on_the_same_ground_for_every_policy_and_disturbance_is_no
     assert {config.terrain.name for config in seen} == {"flat"}
     assert found["episodes"] == 10
     assert np.mean(list(found["fall_rate_by_command"].values())) == pytest.approx(found["fall_rate"])
+
+
+def turned(angle, axis):
+    """Orientation wxyz after a turn about an axis (1, 2 or 3 for x, y or z)."""
+    quaternion = np.zeros(4)
+    quaternion[[0, axis]] = math.cos(angle / 2), math.sin(angle / 2)
+    return quaternion
+
+
+def test_time_in_which_a_robot_sits_is_counted_until_it_falls(monkeypatch):
+    orientation, valid = np.zeros((200, 2, 4)), np.ones((200, 2), dtype=bool)
+    # Both lean a little too little to count, then the first sits for a second, and the second until it falls.
+    orientation[...] = turned(0.29, 1)
+    orientation[100:150, 0] = orientation[100:, 1] = turned(0.31, 2)
+    valid[150:, 1] = False
+
+    rollout = SimpleNamespace(orientation=orientation, valid=valid, fallen=~valid[-1], timestep=0.02)
+    monkeypatch.setattr(shipping, "roll_out", lambda *arguments, **options: rollout)
+    monkeypatch.setattr(shipping, "DISTURBED_COMMANDS", ((0.0, 0.0),))
+    found = shipping.disturbed(load_policy("flat"), episodes=2)
+    assert found["tilted_share"] == pytest.approx((50 + 50) / (150 + 100), abs=1e-4)
 
 
 def test_gymnasiums_benchmarks_are_measured_over_ant():
