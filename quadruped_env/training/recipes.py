@@ -45,7 +45,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             {"timesteps": 3_000_000, "asymmetric_critic": True},
             # With more exploration the policy gives up walking: a robot that stands does not fall.
             # So it does not learn to survive a push either: the reflex does.
-            {"hidden": (128, 128), "log_std_init": -3.0, "final_log_std": -4.5, "reflex_rounds": 10},
+            {"hidden": (128, 128), "log_std_init": -3.0, "final_log_std": -4.5, "reflex_rounds": 8},
             {
                 # A push that catches two feet in the air tips the robot over the more easily, the higher they are.
                 "action": {"gait": "low"},

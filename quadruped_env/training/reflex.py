@@ -41,14 +41,14 @@ _NOISE_KEPT: Final = 0.85
 """Correlation of the noise with itself one control step later. White noise moves a joint less than its motor can."""
 _REPEATS: Final = 8
 """Repetitions of each state with other noise."""
-_REPLAYS, _REPLAY_STEPS = 6144, 75
-"""Replays of a round, and control steps of each: 1.5 s, in which a push is survived or not."""
+_REPLAYS, _REPLAY_STEPS = 6144, 100
+"""Replays of a round, and control steps of each: 2 s, in which a robot falls, gets stuck or walks on."""
 _SHARE_OF_FALLS: Final = 5 / 8
 """Share of the replays that begin before a fall. The others keep the reflex from costing falls elsewhere."""
-_TRACKING_SHARE, _TRACKING_STEPS = 0.3, 35
-"""Share of a survivor's score that depends on following the command in the last steps of the replay."""
+_WALKING_SHARE, _WALKING_STEPS = 0.6, 30
+"""Share of a survivor's score that depends on how it walks in the last steps of the replay."""
 _TRACKING_WIDTH: Final = (0.15, 0.3)
-"""Errors of forward velocity (m/s) and yaw rate (rad/s) at which that score is 1 / e."""
+"""Errors of forward velocity (m/s) and yaw rate (rad/s) at which an undisturbed robot counts as walking by 1 / e."""
 
 _BEFORE_FALL: Final = 30
 """Control steps before a fall at which its replays begin at the latest: 0.6 s."""
@@ -357,7 +357,7 @@ class _Practice:
             self.task.set_state(env_id, states[group[env_id]])
         observations = self._observe()
         joints = self.task.control.robot.num_joints
-        alive, tracked = np.ones(n, dtype=np.bool_), np.zeros(n)
+        alive, walking = np.ones(n, dtype=np.bool_), np.zeros(n)
         noise = self._random.standard_normal((n, joints))
         scores = np.zeros((n, *self.reflex.weights.shape))
         disturbed: list[Floats] = []
@@ -368,12 +368,18 @@ class _Practice:
             disturbed.append(inputs[alive & (disturbance > 0.3)][:8])
             observations, _, fell = self._step(actions + _NOISE * disturbance[:, None] * noise)
             alive &= ~fell
-            if step >= _REPLAY_STEPS - _TRACKING_STEPS:
-                tracked += np.exp(-((self.task.tracking_error / _TRACKING_WIDTH) ** 2)).mean(axis=1) / _TRACKING_STEPS
-        score = alive * (1.0 - _TRACKING_SHARE + _TRACKING_SHARE * tracked)
+            if step >= _REPLAY_STEPS - _WALKING_STEPS:
+                walking += self._walking() / _WALKING_STEPS
+        # A robot that survives by sitting down is not saved.
+        score = alive * (1.0 - _WALKING_SHARE + _WALKING_SHARE * walking)
         means = np.bincount(group, score) / np.bincount(group)
         falls = group < of_falls
         return score - means[group], float(alive[falls].mean()), scores.reshape(n, -1), np.concatenate(disturbed)
+
+    def _walking(self) -> Floats:
+        """How well each robot walks just now (N,), from 0 to 1: undisturbed, and following its command."""
+        tracking = np.exp(-((self.task.tracking_error / _TRACKING_WIDTH) ** 2)).mean(axis=1)
+        return (1.0 - self.reflex.disturbance(self.task)) * tracking
 
     def _advance(self, noise: Floats) -> None:
         """Advance correlated noise by a control step, in place."""
@@ -409,7 +415,7 @@ class _Practice:
                 if step >= half:
                     actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
             self._advance(noise)
-            observations, _, _ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
+            observations, *_ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
             if step + 1 in (half, self._budget.lesson):
                 self._fit(seen[: step + 1].flatten(0, 1), wanted[: step + 1].flatten(0, 1))
 

@@ -83,7 +83,7 @@ PUSHED = {"push_speed": (0.9, 1.3), "push_interval": (0.5, 1.0)}
 SMALL = {
     "_REPLAYS": 64,
     "_REPLAY_STEPS": 40,
-    "_TRACKING_STEPS": 20,
+    "_WALKING_STEPS": 20,
     "_FIRST_STEPS": 120 * ENVS,
     "_ROUND_STEPS": 120 * ENVS,
     "_LESSON_STEPS": 60 * ENVS,
@@ -153,6 +153,24 @@ def test_after_the_replays_each_env_goes_on_with_its_own_episodes(small, monkeyp
     add_reflex(model, 1)
     for found in collected:
         assert len({state["simulation"].integration.tobytes() for state in found}) == ENVS
+
+
+@pytest.mark.parametrize(("tilted_until", "sign"), [(40, -1.0), (15, 0.0)])
+def test_a_robot_that_sits_down_is_worth_less_than_one_that_walks_on(small, monkeypatch, tilted_until, sign):
+    """Of the robots that repeat a state every second one is tilted until the end, or walks on after it was tilted."""
+    model = walking()
+    practice = reflex._Practice(model, 1, None, lambda: False)
+    practice._falls.append(model.env.task.get_state(0))
+    odd = np.arange(ENVS) % 2 == 1
+    steps = []
+    monkeypatch.setattr(Reflex, "disturbance", lambda self, task: 1.0 * odd * (len(steps) <= tilted_until))
+    monkeypatch.setattr(reflex, "_NOISE", 0.0)
+    usual = practice._step
+    monkeypatch.setattr(practice, "_step", lambda actions: steps.append(1) or usual(actions))
+    score, survived, *_ = practice._replay()
+    assert survived == 1.0
+    assert (np.sign(score[odd].round(6)) == sign).all()
+    np.testing.assert_allclose(score[odd], -score[~odd], atol=1e-6)
 
 
 def test_network_acts_itself_in_the_second_half_of_its_lesson(small, monkeypatch):
