@@ -131,7 +131,7 @@ class Reflex:
         return self.response(inputs, self.weights) * disturbance[:, None]
 
     def response(self, inputs: Floats, weights: Floats) -> Floats:
-        """What these weights would make of the inputs if the robots were fully disturbed (N, J)."""
+        """Actions of fully disturbed robots by a reflex with these weights (N, J)."""
         return np.einsum("njf,jf->nj", inputs, weights[self._row])
 
     def products(self, per_joint: Floats, inputs: Floats) -> Floats:
@@ -333,7 +333,7 @@ class _Practice:
         fisher[np.diag_indices(number)] *= 1.0 + _DAMPING
         # A weight whose input never differs from 0 has no gradient either.
         fisher[np.diag_indices(number)] += 1e-9 * max(1.0, float(fisher.trace()))
-        step = np.linalg.solve(fisher, gradient).reshape(self.reflex.weights.shape)
+        step = np.linalg.solve(fisher, gradient).reshape(len(self.reflex.weights), -1)
         change = self.reflex.response(np.concatenate(inputs), step)
         self.reflex.weights += step * (size / max(1e-9, float(np.sqrt(np.mean(change * change)))))
         return float(np.mean(survived))
@@ -377,7 +377,7 @@ class _Practice:
         return score - means[group], float(alive[falls].mean()), scores.reshape(n, -1), np.concatenate(disturbed)
 
     def _walking(self) -> Floats:
-        """How well each robot walks just now (N,), from 0 to 1: undisturbed, and following its command."""
+        """Quality of each robot's walk just now (N,), from 0 to 1: 1 if undisturbed and without a tracking error."""
         tracking = np.exp(-((self.task.tracking_error / _TRACKING_WIDTH) ** 2)).mean(axis=1)
         return (1.0 - self.reflex.disturbance(self.task)) * tracking
 

@@ -1,4 +1,4 @@
-"""What a trial of scripted gaits measures: the readings of robots from several starts."""
+"""Measurements in a trial of scripted gaits: the readings of robots from several starts."""
 
 import math
 from types import SimpleNamespace
