@@ -333,7 +333,7 @@ class _Practice:
         fisher[np.diag_indices(number)] *= 1.0 + _DAMPING
         # A weight whose input never differs from 0 has no gradient either.
         fisher[np.diag_indices(number)] += 1e-9 * max(1.0, float(fisher.trace()))
-        step = np.linalg.solve(fisher, gradient).reshape(len(self.reflex.weights), -1)
+        step = np.linalg.solve(fisher, gradient).astype(np.float64).reshape(self.reflex.weights.shape)
         change = self.reflex.response(np.concatenate(inputs), step)
         self.reflex.weights += step * (size / max(1e-9, float(np.sqrt(np.mean(change * change)))))
         return float(np.mean(survived))
