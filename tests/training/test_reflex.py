@@ -283,19 +283,23 @@ def test_reflex_saves_robots_that_are_pushed(monkeypatch):
     for name, value in sizes.items():
         monkeypatch.setattr(reflex, name, value)
     model = walking(num_envs=128, push_speed=(1.0, 1.2), push_interval=(1.0, 1.5))
-    before = falls(model)
+    falls, tilted = falls_and_tilt(model)
     add_reflex(model, 3)
-    assert falls(model) < 0.7 * before
+    falls_after, tilted_after = falls_and_tilt(model)
+    assert falls_after < 0.85 * falls
+    # Robots that sit down do not fall either: they would be tilted for 1.6 times as long.
+    assert tilted_after < 1.3 * tilted
 
 
-def falls(model, steps=400):
-    """Falls of the policy without noise."""
-    env = model.env
+def falls_and_tilt(model, steps=400):
+    """Falls of the policy without noise, and its share of time tilted by more than 0.3 rad."""
+    env, own = model.env, Reflex(MINI_QUADRUPED)
     env.seed(1000)
-    observations, number = env.reset(), 0
+    observations, number, tilted = env.reset(), 0, []
     for _ in range(steps):
         with torch.inference_mode():
             actions = model.mean_action(torch.from_numpy(observations)).numpy()
         observations, _, ended, infos = env.step(np.clip(actions, -1.0, 1.0))
         number += sum(not infos[env_id]["TimeLimit.truncated"] for env_id in np.flatnonzero(ended))
-    return number
+        tilted.append(np.hypot(*own._tilt_and_rate(env.task)[0]) > math.sin(0.3))
+    return number, np.mean(tilted)
