@@ -38,6 +38,7 @@ def test_setting_it_after_the_loop_has_ended_is_no_error():
     loop.close()
     set_elsewhere(event)
     event.set()
+    assert not event.is_set(), "nothing waits for it any more"
 
 
 def test_drawing_reaches_connected_browsers_through_such_events(show):
