@@ -159,42 +159,13 @@ Report = Callable[[float, list[ReflexRound]], None]
 
 def reflex_steps(rounds: int, num_envs: int) -> int:
     """Environment steps that learning a reflex takes."""
-    return num_envs * _Budget(num_envs).all_steps(rounds)
+    batches, first, each, lesson = _control_steps(num_envs)
+    return num_envs * (first + rounds * (batches * _REPLAY_STEPS + each) + lesson)
 
 
-@dataclass(frozen=True)
-class _Budget:
-    """Control steps of each part of the learning, rounded up to whole steps of all envs.
-
-    Args:
-        num_envs: number of envs.
-    """
-
-    num_envs: int
-
-    @property
-    def batches(self) -> int:
-        """Number of times that all envs replay, in a round."""
-        return math.ceil(_REPLAYS / self.num_envs)
-
-    @property
-    def first(self) -> int:
-        """Steps before the first round."""
-        return math.ceil(_FIRST_STEPS / self.num_envs)
-
-    @property
-    def each(self) -> int:
-        """Steps after each round."""
-        return math.ceil(_ROUND_STEPS / self.num_envs)
-
-    @property
-    def lesson(self) -> int:
-        """Steps of the lesson."""
-        return math.ceil(_LESSON_STEPS / self.num_envs)
-
-    def all_steps(self, rounds: int) -> int:
-        """Steps of all rounds, with those before and after."""
-        return self.first + rounds * (self.batches * _REPLAY_STEPS + self.each) + self.lesson
+def _control_steps(num_envs: int) -> tuple[int, ...]:
+    """Batches of replays in a round; control steps before the first round, after each round, and of the lesson."""
+    return tuple(math.ceil(steps / num_envs) for steps in (_REPLAYS, _FIRST_STEPS, _ROUND_STEPS, _LESSON_STEPS))
 
 
 def add_reflex(
@@ -236,16 +207,16 @@ class _Practice:
         """States before falls."""
         self._others: deque[dict[str, Any]] = deque(maxlen=_KEPT_STATES)
         """States at any time."""
-        self._budget = _Budget(self.num_envs)
-        self._steps, self._all_steps = 0, self._budget.all_steps(rounds)
+        self._batches, self._first, self._round, self._lesson = _control_steps(self.num_envs)
+        self._steps, self._all_steps = 0, reflex_steps(rounds, self.num_envs) // self.num_envs
 
     def run(self, rounds: int) -> list[ReflexRound]:
         """See `add_reflex`."""
         torch.set_num_threads(1)
-        self._collect(self._budget.first)
+        self._collect(self._first)
         for index in range(rounds if self._falls else 0):
             survived = self._improve(_STEP * min(1.0, max(_LAST_STEP, 1.3 - 0.15 * index)))
-            self._rounds.append(ReflexRound(survived, self._collect(self._budget.each)))
+            self._rounds.append(ReflexRound(survived, self._collect(self._round)))
         if self._rounds:
             teacher = copy.deepcopy(self._actor())
             try:
@@ -324,7 +295,7 @@ class _Practice:
         inputs: list[Floats] = []
         # Else all envs with the same state would go on with the same episodes.
         with self.own_states():
-            for _ in range(self._budget.batches):
+            for _ in range(self._batches):
                 score, share, scores, disturbed = self._replay()
                 survived.append(share)
                 inputs.append(disturbed)
@@ -400,13 +371,13 @@ class _Practice:
         observations = self._observe()
         policy = self._model.policy
         joints = self.task.control.robot.num_joints
-        seen = torch.empty((self._budget.lesson, self.num_envs, policy.actor_width))
-        wanted = torch.empty((self._budget.lesson, self.num_envs, joints))
+        seen = torch.empty((self._lesson, self.num_envs, policy.actor_width))
+        wanted = torch.empty((self._lesson, self.num_envs, joints))
         # Half of the robots are led astray, so that the network learns to return as well.
         astray = (np.arange(self.num_envs) % 2)[:, None]
         noise = self._random.standard_normal((self.num_envs, joints))
-        half = self._budget.lesson // 2
-        for step in range(self._budget.lesson):
+        half = self._lesson // 2
+        for step in range(self._lesson):
             seen[step] = policy.mlp_extractor.seen_by_actor(torch.from_numpy(observations))
             disturbance, inputs = self.reflex.disturbance(self.task), self.reflex.inputs(self.task)
             with torch.inference_mode():
@@ -416,7 +387,7 @@ class _Practice:
                     actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
             self._advance(noise)
             observations, *_ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
-            if step + 1 in (half, self._budget.lesson):
+            if step + 1 in (half, self._lesson):
                 self._fit(seen[: step + 1].flatten(0, 1), wanted[: step + 1].flatten(0, 1))
 
     def _actor(self) -> torch.nn.Sequential:
