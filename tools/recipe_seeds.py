@@ -7,8 +7,10 @@ tools/recipe_seeds.py --only curves --picture assets/pictures/recipes.svg flat r
 Runs are grouped by their recipe, and must not differ in anything but the seed. Each recipe gets a table for each
 measure, with a row for each seed and one of the medians. `errors`: signed errors of the mean velocities, 8 episodes of
 20 s per command. `falls`: 1000 episodes of 20 s with the preset `hard`, and the share of time in which a robot sits or
-leans, tilted by more than 0.3 rad. `terrain`: the suite's crossings. `envelope`: the largest mean forward velocity and
-yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of all runs.
+leans, tilted by more than 0.3 rad. `gait`: clearance and touchdowns per stride of the worst foot in the suite's steady
+walking, over the commands forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest
+mean forward velocity and yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of
+all runs.
 """
 
 import argparse
@@ -16,7 +18,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
@@ -31,6 +33,7 @@ from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
 from quadruped_env.evaluation.subject import Subject, find_subject
+from quadruped_env.evaluation.suite import gait as suite_gait
 from quadruped_env.evaluation.suite import terrains
 from quadruped_env.evaluation.suite.contender import Contender, mean_velocities
 from quadruped_env.evaluation.suite.definition import full_suite
@@ -74,6 +77,27 @@ def falls(contender: Contender, progress: Progress, episodes: int = 200) -> Row:
     return {name: 100.0 * share for name, share in shares.items()}
 
 
+def gait(contender: Contender, progress: Progress) -> Row:
+    """Least clearance (mm), most touchdowns per stride, and the electrical cost of transport at 0.4 m/s."""
+    commands = suite_gait.run(full_suite().gait, contender, progress)["commands"]
+    groups = {
+        "forwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] > 0.0],
+        "backwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] < 0.0],
+        "turning": [entry for entry in commands if entry["command"][1] != 0.0],
+    }
+    row = {f"clearance {name}, mm": 1e3 * float(np.min(_of_feet("clearance", group))) for name, group in groups.items()}
+    row |= {
+        f"touchdowns {name}": float(np.max(_of_feet("touchdowns_per_stride", group))) for name, group in groups.items()
+    }
+    costs = {tuple(entry["command"]): entry["electrical_cost_of_transport"] for entry in commands}
+    return {**row, "cost of transport": costs[0.4, 0.0] or math.nan}
+
+
+def _of_feet(measure: str, entries: Sequence[dict[str, Any]]) -> list[float]:
+    """Values of every foot at every command; NaN where a robot does not stride."""
+    return [math.nan if value is None else value for entry in entries for value in entry[measure]]
+
+
 def terrain(contender: Contender, progress: Progress) -> Row:
     """Height, depth (mm) or angle (degrees) of the highest level of each terrain that is passed; 0 for none."""
     part = full_suite().terrain
@@ -106,6 +130,7 @@ def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
 MEASURES: Final[dict[str, Callable[[Contender, Progress], Row]]] = {
     "errors": errors,
     "falls": falls,
+    "gait": gait,
     "terrain": terrain,
     "envelope": envelope,
 }

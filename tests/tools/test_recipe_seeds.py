@@ -60,6 +60,37 @@ def test_an_envelope_leaves_out_every_command_at_which_a_robot_falls(monkeypatch
     assert set(row.values()) == {0.0}
 
 
+def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
+    def entry(command, clearance, touchdowns, cost=None):
+        return {
+            "command": command,
+            "clearance": clearance,
+            "touchdowns_per_stride": touchdowns,
+            "electrical_cost_of_transport": cost,
+        }
+
+    commands = [
+        entry([0.4, 0.0], [0.012, 0.011], [1.0, 1.1], 0.6),
+        entry([0.5, 0.0], [0.009, 0.014], [1.2, 1.0], 0.7),
+        entry([-0.2, 0.0], [0.0, 0.013], [None, 1.0]),
+        entry([0.0, 0.5], [0.010, 0.020], [1.3, 1.4]),
+        entry([0.3, -0.5], [0.015, 0.011], [1.0, 1.0]),
+    ]
+    monkeypatch.setattr(recipe_seeds.suite_gait, "run", lambda part, contender, progress: {"commands": commands})
+    assert recipe_seeds.gait(None, say_nothing) == pytest.approx(
+        {
+            "clearance forwards, mm": 9.0,
+            "clearance backwards, mm": 0.0,
+            "clearance turning, mm": 10.0,
+            "touchdowns forwards": 1.2,
+            "touchdowns backwards": np.nan,
+            "touchdowns turning": 1.4,
+            "cost of transport": 0.6,
+        },
+        nan_ok=True,
+    )
+
+
 def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
     row = recipe_seeds.errors(Contender("tuned", CommandedGaitController(), TaskConfig()), say_nothing, episodes=2)
     assert len(row) == len(recipe_seeds.STRAIGHT_COMMANDS) + len(recipe_seeds.TURN_COMMANDS)
