@@ -38,7 +38,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             {"asymmetric_critic": True},
             task={"randomization": {"friction": [0.6, 1.0]}},
             # The gait has clean steps to keep. From scratch, weights this large would pay for marching.
-            on_gait={"reward": {"weights": {"gait_clock": 16.0, "contact_clock": 8.0}}},
+            on_gait={"reward": {"weights": {"gait_clock": 18.0, "contact_clock": 14.0}}},
         ),
         "robust": Recipe(
             "another robot in each episode, with sensor noise, latency and pushes",
