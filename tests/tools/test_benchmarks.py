@@ -14,6 +14,7 @@ from waiting import killed_on_failure, output_of
 from benchmarks import env_speed, measures, shipping, terrain_speed, throughput
 from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
 from benchmarks.shipping import acceptance
+from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.task import RandomizationConfig
@@ -54,6 +55,18 @@ def test_the_limit_ends_a_training_that_does_not_walk():
 
 
 @pytest.mark.slow
+def test_a_shipped_policys_command_names_no_directory_of_the_machine():
+    for command in (
+        "train.py --seed 0 -o /tmp/runs/x",
+        "train.py --output /tmp/x --seed 0",
+        "train.py --seed 0 --output=/x",
+    ):
+        assert shipping.without_output(command) == "train.py --seed 0"
+    for name in SHIPPED:
+        command = load_policy(name).card["command"]
+        assert shipping.without_output(command) == command
+
+
 def test_the_shipped_policy_is_accepted():
     found = acceptance(load_policy("flat"))
     assert found["accepted"]

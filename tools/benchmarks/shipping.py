@@ -1,6 +1,7 @@
 """Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
 
 import math
+import shlex
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -29,6 +30,7 @@ DISTURBED_COMMANDS: Final = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0
 DISTURBED_EPISODES: Final = 200
 TILTED: Final = 0.3
 """Tilt in rad of a robot that sits, leans or tumbles: gaits on level ground stay below it."""
+_OUTPUT: Final = ("-o", "--output")
 _SUMMARY: Final = (
     "fall_rate",
     "forward_velocity_error",
@@ -96,6 +98,17 @@ def disturbed(policy: Policy, episodes: int = DISTURBED_EPISODES, progress: Prog
     }
 
 
+def without_output(command: str) -> str:
+    """A command without the options `-o` and `--output`: a directory of this machine means nothing on another one."""
+    parts = shlex.split(command)
+    kept = [
+        part
+        for before, part in zip(["", *parts], parts, strict=False)
+        if before not in _OUTPUT and part not in _OUTPUT and not part.startswith("--output=")
+    ]
+    return shlex.join(kept)
+
+
 def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, dict[str, Any]]:
     """Copy a run's policy and learning curve into the package under a name, with its metrics on its card.
 
@@ -110,6 +123,7 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
     }
     card = {
         **policy.card,
+        "command": without_output(policy.card["command"]),
         "metrics": {motion: {m: v for m, v in values.items() if np.isfinite(v)} for motion, values in metrics.items()},
         "acceptance": acceptance(policy, part_of(progress, 0.4, 0.6)),
         "disturbed": disturbed(policy, progress=part_of(progress, 0.6, 1.0)),
