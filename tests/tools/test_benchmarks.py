@@ -54,7 +54,6 @@ def test_the_limit_ends_a_training_that_does_not_walk():
     assert learned.timesteps < 200_000
 
 
-@pytest.mark.slow
 def test_a_shipped_policys_command_names_no_directory_of_the_machine():
     for command in (
         "train.py --seed 0 -o /tmp/runs/x",
@@ -67,6 +66,7 @@ def test_a_shipped_policys_command_names_no_directory_of_the_machine():
         assert shipping.without_output(command) == command
 
 
+@pytest.mark.slow
 def test_the_shipped_policy_is_accepted():
     found = acceptance(load_policy("flat"))
     assert found["accepted"]
