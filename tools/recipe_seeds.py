@@ -90,7 +90,7 @@ def gait(contender: Contender, progress: Progress) -> Row:
         f"touchdowns {name}": float(np.max(_of_feet("touchdowns_per_stride", group))) for name, group in groups.items()
     }
     costs = {tuple(entry["command"]): entry["electrical_cost_of_transport"] for entry in commands}
-    return {**row, "cost of transport": costs[0.4, 0.0] or math.nan}
+    return {**row, "electrical cost of transport": costs[0.4, 0.0] or math.nan}
 
 
 def _of_feet(measure: str, entries: Sequence[dict[str, Any]]) -> list[float]:

@@ -57,6 +57,7 @@ def test_the_limit_ends_a_training_that_does_not_walk():
 def test_a_shipped_policys_command_names_no_directory_of_the_machine():
     for command in (
         "train.py --seed 0 -o /tmp/runs/x",
+        "train.py -o/tmp/x --seed 0",
         "train.py --output /tmp/x --seed 0",
         "train.py --seed 0 --output=/x",
     ):

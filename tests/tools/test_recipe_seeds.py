@@ -72,7 +72,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
     commands = [
         entry([0.4, 0.0], [0.012, 0.011], [1.0, 1.1], 0.6),
         entry([0.5, 0.0], [0.009, 0.014], [1.2, 1.0], 0.7),
-        entry([-0.2, 0.0], [0.0, 0.013], [None, 1.0]),
+        entry([-0.2, 0.0], [0.0, 0.013], [1.0, None]),
         entry([0.0, 0.5], [0.010, 0.020], [1.3, 1.4]),
         entry([0.3, -0.5], [0.015, 0.011], [1.0, 1.0]),
     ]
@@ -85,7 +85,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
             "touchdowns forwards": 1.2,
             "touchdowns backwards": np.nan,
             "touchdowns turning": 1.4,
-            "cost of transport": 0.6,
+            "electrical cost of transport": 0.6,
         },
         nan_ok=True,
     )

@@ -1,5 +1,6 @@
 """Makes the policy that the package ships: a trained run's, with a card that says how it was made and how it walks."""
 
+import argparse
 import math
 import shlex
 from dataclasses import replace
@@ -30,7 +31,6 @@ DISTURBED_COMMANDS: Final = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0
 DISTURBED_EPISODES: Final = 200
 TILTED: Final = 0.3
 """Tilt in rad of a robot that sits, leans or tumbles: gaits on level ground stay below it."""
-_OUTPUT: Final = ("-o", "--output")
 _SUMMARY: Final = (
     "fall_rate",
     "forward_velocity_error",
@@ -100,13 +100,9 @@ def disturbed(policy: Policy, episodes: int = DISTURBED_EPISODES, progress: Prog
 
 def without_output(command: str) -> str:
     """A command without the options `-o` and `--output`: a directory of this machine means nothing on another one."""
-    parts = shlex.split(command)
-    kept = [
-        part
-        for before, part in zip(["", *parts], parts, strict=False)
-        if before not in _OUTPUT and part not in _OUTPUT and not part.startswith("--output=")
-    ]
-    return shlex.join(kept)
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("-o", "--output")
+    return shlex.join(parser.parse_known_args(shlex.split(command))[1])
 
 
 def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, dict[str, Any]]:
