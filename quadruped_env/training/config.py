@@ -43,7 +43,7 @@ GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
     {"num_envs": 4096, "n_steps": 24, "batch_size": 24_576, "timesteps": 50_000_000}
 )
 """Defaults on a GPU, also in place of a recipe's: as many envs as keep it busy, and few steps of each (Rudin et al.
-2021). Not measured."""
+2021). Not tuned."""
 
 WARP_DEVICES: Final[Mapping[str, str]] = MappingProxyType({"warp-cpu": "cpu"})
 """Warp's names of devices, where they differ from those of the option."""

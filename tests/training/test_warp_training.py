@@ -1,4 +1,4 @@
-"""Training on MuJoCo Warp with rsl-rl, on Warp's CPU device, and its errors."""
+"""Training on MuJoCo Warp with rsl-rl, on a GPU or Warp's CPU device, and its errors."""
 
 import dataclasses
 import json
@@ -7,6 +7,7 @@ import shutil
 import numpy as np
 import pytest
 from trainings import learn, needs_warp, progress
+from warp_device import DEVICE, TRAINING_DEVICE
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
@@ -23,7 +24,7 @@ from quadruped_env.training.run import CONFIG_FILE, RESUME_FILE, RSL_FILE
 torch = pytest.importorskip("torch", reason="torch is not installed: pip install -e '.[gpu]'")
 pytest.importorskip("stable_baselines3", reason="Stable-Baselines3 is not installed: pip install -e '.[train]'")
 
-TINY = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "timesteps": 64, "hidden": (8,), "device": "warp-cpu"}
+TINY = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "timesteps": 64, "hidden": (8,), "device": TRAINING_DEVICE}
 COMMAND = (0.4, 0.0)
 """Forward velocity, m/s, and yaw rate, rad/s."""
 
@@ -100,11 +101,11 @@ def test_run_directory_is_that_of_a_training_on_the_cpu(tmp_path):
     policy = load_policy(directory)
     assert policy.card["timesteps"] == 64
     assert [int(row["timesteps"]) for row in progress(directory)][-1] == 64
-    assert json.loads((directory / CONFIG_FILE).read_text())["training"]["device"] == "warp-cpu"
+    assert json.loads((directory / CONFIG_FILE).read_text())["training"]["device"] == TRAINING_DEVICE
     assert (directory / RSL_FILE).is_file()
     assert not (directory / RESUME_FILE).exists()
     parent = Parent.load(directory)
-    with pytest.raises(QuadrupedError, match=r"--device: found cpu; .* was trained with warp-cpu"):
+    with pytest.raises(QuadrupedError, match=rf"--device: found cpu; .* was trained with {TRAINING_DEVICE}"):
         parent.resumed({"device": "cpu"})
     resumed = learn(tmp_path, parent.resumed({"timesteps": 32}), directory)
     assert load_policy(resumed).card["timesteps"] == 96
@@ -135,15 +136,15 @@ def test_policy_file_has_the_networks_mean_actions(tmp_path, symmetric):
     from quadruped_env.training.warp_env import OBSERVATION, WarpVecEnv
 
     config = TrainConfig(**{**TINY, "hidden": (16, 8)}, symmetric=symmetric, asymmetric_critic=True)
-    env = WarpVecEnv(TaskConfig(), 4, "cpu", 0, True)
+    env = WarpVecEnv(TaskConfig(), 4, DEVICE, 0, True)
     model = WarpModel(config, env)
     with torch.no_grad():
         for parameter in model.ppo.actor.mlp.parameters():
             parameter.add_(0.3 * torch.randn_like(parameter))
         seen = env.get_observations()
-        expected = model.ppo.actor(seen).numpy().clip(-1.0, 1.0)
+        expected = model.ppo.actor(seen).cpu().numpy().clip(-1.0, 1.0)
         values = model.ppo.critic(seen)
-    found = model.policy(env.task.config, {}).predict(seen[OBSERVATION].numpy())
+    found = model.policy(env.task.config, {}).predict(seen[OBSERVATION].cpu().numpy())
     np.testing.assert_allclose(found, expected, atol=1e-5)
     assert np.abs(expected).max() > 0.05
     assert values.shape == (4, 1)
@@ -156,7 +157,7 @@ def test_time_limit_adds_the_value_of_the_last_observation():
     from quadruped_env.training.warp_env import FINAL, TIME_OUTS, WarpVecEnv
 
     config = TrainConfig(**{**TINY, "n_steps": 3, "batch_size": 12})
-    env = WarpVecEnv(TaskConfig(), 4, "cpu", 0, False)
+    env = WarpVecEnv(TaskConfig(), 4, DEVICE, 0, False)
     env.task.max_episode_steps = 2
     model = WarpModel(config, env)
     ppo, observations = model.ppo, env.get_observations()
@@ -168,7 +169,7 @@ def test_time_limit_adds_the_value_of_the_last_observation():
             ppo.process_env_step(observations, rewards, done, extras)
             limit = step == 1
             assert extras[TIME_OUTS].tolist() == done.tolist() == [limit] * 4
-            value = config.gamma * ppo.critic(extras[FINAL]).squeeze(-1) if limit else torch.zeros(4)
+            value = config.gamma * ppo.critic(extras[FINAL]).squeeze(-1) if limit else torch.zeros_like(rewards)
             torch.testing.assert_close(ppo.storage.rewards[step, :, 0], rewards + value)
             if limit:
                 # The next episodes begin elsewhere, with other values.
@@ -193,12 +194,14 @@ def forward_velocity(task, policy):
 def test_policy_trained_on_warp_walks_in_mujoco_as_in_warp(tmp_path):
     from quadruped_env.simulation.warp import WarpSimulation
 
-    settings = with_recipe({"device": "warp-cpu", "timesteps": 81_920, "checkpoint_seconds": 1e9}, MINI_QUADRUPED, ())
+    settings = with_recipe(
+        {"device": TRAINING_DEVICE, "timesteps": 81_920, "checkpoint_seconds": 1e9}, MINI_QUADRUPED, ()
+    )
     directory = learn(tmp_path, TrainConfig(**settings))
     policy = load_policy(directory)
     config = dataclasses.replace(policy.config, randomization=TaskConfig().randomization)
     model = config.compiled_model()
-    there = forward_velocity(Task(WarpSimulation(model, 16, MINI_QUADRUPED, "cpu"), config), policy)
+    there = forward_velocity(Task(WarpSimulation(model, 16, MINI_QUADRUPED, DEVICE), config), policy)
     here = forward_velocity(Task(BatchSimulation(model, 16), config), policy)
     print(f"forward velocity: {there:.3f} m/s in Warp, {here:.3f} m/s in mujoco.batch; commanded {COMMAND[0]} m/s")
     assert here > 0.3

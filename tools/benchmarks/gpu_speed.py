@@ -13,7 +13,7 @@ from benchmarks.measures import Say
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.config import WARP_DEVICES, TrainConfig, defaults
+from quadruped_env.training.config import GPU_DEFAULTS, WARP_DEVICES, TrainConfig, defaults
 from quadruped_env.training.warp import WarpModel
 from quadruped_env.training.warp_env import WarpVecEnv
 
@@ -161,8 +161,9 @@ def walk(
 ) -> Walked:
     """Train until the policy walks, as `evaluate/learning_speed.py` defines it, or for `limit` s of learning.
 
-    Kernels are compiled before.
+    The budget, which the schedules follow, is that of a GPU's default training. Kernels are compiled before.
     """
+    settings = {"timesteps": GPU_DEFAULTS["timesteps"], **settings}
     warm_up = make(device, num_envs, steps, **settings)
     watch = Watch(1, limit, 0.0, say)
     watch.model = warm_up
