@@ -80,6 +80,21 @@ def contact_clock(context: TaskContext) -> Any:
     return quantities.clock_agreement(lift, context.control.leg_clock(), context.xp) * context.moving
 
 
+@reward(weight=0.0, pure=True)
+class touchdowns:  # noqa: N801
+    """Number of feet that touch down: those on the ground that were in the air a step ago."""
+
+    def __init__(self, context: TaskContext) -> None:
+        self._airborne = context.memory.zeros("airborne", context.robot.num_legs)
+
+    def __call__(self, context: TaskContext) -> Any:
+        """Values (N,)."""
+        contact = context.contact
+        landed = context.xp.dot(self._airborne, contact)
+        np.subtract(context.xp.one, contact, out=self._airborne)
+        return landed
+
+
 @reward(weight=-2.0, pure=True)
 def upright(context: TaskContext) -> Any:
     """Squared horizontal part of the base's up axis."""
@@ -221,6 +236,7 @@ REWARDS: Final = cast(
         progress,
         gait_clock,
         contact_clock,
+        touchdowns,
         upright,
         base_height,
         crouch,

@@ -15,6 +15,7 @@ REWARD_WEIGHTS: Final = {
     "turn_progress": 6.0,
     "gait_clock": 5.0,
     "contact_clock": 1.5,
+    "touchdowns": 0.0,
     "upright": -2.0,
     "base_height": -20.0,
     "crouch": 0.0,

@@ -125,6 +125,25 @@ def test_high_steps_begin_above_the_allowed_height(heights, expected):
     assert Terms(still_readings(foot_position=feet)).values()["high_steps"] == pytest.approx([expected], abs=1e-12)
 
 
+def test_touchdowns_count_each_foot_once_when_it_lands():
+    on_ground = [
+        [[1, 1, 1, 1], [0, 0, 0, 0]],
+        [[1, 0, 0, 1], [0, 0, 0, 0]],
+        [[1, 0, 1, 1], [1, 1, 1, 1]],
+        [[0, 1, 1, 0], [1, 1, 1, 1]],
+        [[1, 1, 1, 1], [1, 1, 1, 0]],
+    ]
+    landed = [[0, 0], [0, 0], [1, 4], [1, 0], [2, 0]]
+    readings = random_readings(np.random.default_rng(0), 2)
+    terms = Terms(readings)
+    for contact, expected in zip(on_ground, landed, strict=True):
+        readings.foot_force[:] = 10.0 * np.array(contact)
+        assert terms.values()["touchdowns"].tolist() == expected
+    terms.context.memory.clear(np.array([1]))
+    readings.foot_force[:] = 10.0
+    assert terms.values()["touchdowns"].tolist() == [0, 0]  # after a reset no foot was in the air
+
+
 @pytest.mark.parametrize(
     ("speeds", "expected"), [([4.0, -4.0, 0.0], 0.0), ([5.0, -4.5, 1.0], 1.25), ([6.0, 0, 0], 4.0)]
 )
@@ -171,6 +190,7 @@ def test_every_term_reads_the_quantity_of_its_name():
         "turn_progress": 0.5,
         "gait_clock": 0.0,  # feet half lifted, and the sines of the trot's phases are two of 0.5 and two of -0.5
         "contact_clock": -0.25,  # the fore left foot, in its swing, is on the ground; the others are in the air
+        "touchdowns": 0.0,  # no foot was in the air before
         "upright": 0.25,
         "base_height": 0.01,
         "crouch": 0.0004,

@@ -27,7 +27,7 @@ CLOCK_RATE = math.tau * CLOCK_FREQUENCY
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
-OFF_BY_DEFAULT = {"electrical_power": -0.003, "crouch": -300.0, "high_steps": -5000.0}
+OFF_BY_DEFAULT = {"electrical_power": -0.003, "crouch": -300.0, "high_steps": -5000.0, "touchdowns": -20.0}
 """Weights in these episodes of the terms that are off by default."""
 WEIGHTS = REWARD_WEIGHTS | OFF_BY_DEFAULT
 
@@ -46,6 +46,8 @@ class Memory:
     last_action: np.ndarray = field(default_factory=lambda: np.zeros(8))
     average: list[float] = field(default_factory=lambda: [0.0, 0.0])
     """Forward velocity and yaw rate over about a gait cycle."""
+    airborne: np.ndarray = field(default_factory=lambda: np.zeros(4, dtype=bool))
+    """Feet that were in the air after the step before."""
 
 
 def moves(command):
@@ -84,7 +86,7 @@ def kernel(error, std):
 
 
 def reward_terms(robot, action, memory, fallen):
-    """Unweighted terms after a step; `memory` has the action before, and phase and average of after the step."""
+    """Unweighted terms after a step; `memory` has the action and the feet before it, phase and average of after it."""
     forward, yaw_rate = memory.command
     top_speed = 5.0 - REWARD_PARAMETERS["joint_speed_margin"]
     moving, on_ground = moves(memory.command), robot.foot_force() > REWARD_PARAMETERS["contact_threshold"]
@@ -106,6 +108,7 @@ def reward_terms(robot, action, memory, fallen):
         "turn_progress": share(memory.average[1], yaw_rate, 0.2),
         "gait_clock": clock,
         "contact_clock": contact,
+        "touchdowns": (memory.airborne & on_ground).sum(),
         "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
         "base_height": max(0.0, REWARD_PARAMETERS["base_height"] - robot.position[2]) ** 2,
         "crouch": max(0.0, robot.position[2] - REWARD_PARAMETERS["crouch_height"]) ** 2,
@@ -269,6 +272,7 @@ def play(episode):
             )
         )
         memory.last_action = np.clip(action, -1.0, 1.0)
+        memory.airborne = robot.foot_force() <= REWARD_PARAMETERS["contact_threshold"]
         memory.command = info["command"]
         memory.phase = phase
         if terminated:

@@ -47,7 +47,10 @@ def test_recipes_are_what_their_names_say(asked):
     weights, default = flat.reward.weights, TaskConfig()
     clocks = {name: getattr(weights, name) for name in ("gait_clock", "contact_clock")}
     assert all(weight > 2.0 * getattr(default.reward.weights, name) for name, weight in clocks.items())
-    assert flat.reward == TaskConfig.from_dict({"reward": {"weights": clocks}}).reward, "and no other weight"
+    gait = {"weights": {**clocks, "touchdowns": weights.touchdowns}, "foot_lift": flat.reward.foot_lift}
+    assert weights.touchdowns < 0.0
+    assert flat.reward.foot_lift > default.reward.foot_lift
+    assert flat.reward == TaskConfig.from_dict({"reward": gait}).reward, "and nothing else"
     assert dataclasses.replace(flat, randomization=default.randomization, reward=default.reward) == default
     pushes = {"push_speed": (0.5, 1.0), "push_interval": (1.0, 2.0)}
     assert robust.randomization == RandomizationConfig(preset="hard", **pushes)
