@@ -226,9 +226,14 @@ def test_captured_rewards_equal_calls_of_the_terms(num_envs):
     rng = np.random.default_rng(num_envs)
     readings = random_readings(rng, num_envs)
     terms = Terms(readings)
+    memory = terms.context.memory
     for _ in range(4):
         overwrite(readings, random_readings(rng, num_envs))
-        found = terms.randomize(rng).function(terms.context)
+        terms.randomize(rng)
+        before = [memory.get_state(env_id) for env_id in range(num_envs)]
+        found = terms.function(terms.context)
+        for env_id, state in enumerate(before):
+            memory.set_state(env_id, state)  # so that the same step follows
         called = [np.atleast_2d(np.asarray(f(terms.context)).T) for _, f in terms.function._functions]
         assert_same_bits(found, np.concatenate(called) * terms.function._weights)
 

@@ -37,8 +37,8 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             "level ground of any friction, and an undisturbed robot",
             {"asymmetric_critic": True},
             task={"randomization": {"friction": [0.6, 1.0]}},
-            # The gait has clean steps to keep. From scratch, weights this large would pay for marching. Without a cost of
-            # touchdowns, feet that rise this high bounce at 0.5 m/s.
+            # The gait has clean steps to keep. From scratch, weights this large would pay for marching. Without a cost
+            # of touchdowns, feet that rise this high bounce at 0.5 m/s.
             on_gait={
                 "reward": {
                     "weights": {"gait_clock": 18.0, "contact_clock": 14.0, "touchdowns": -100.0},
