@@ -85,7 +85,7 @@ class touchdowns:  # noqa: N801
     """Number of feet that touch down: those on the ground that were in the air a step ago."""
 
     def __init__(self, context: TaskContext) -> None:
-        self._airborne = context.memory.zeros("airborne", context.robot.num_legs)
+        self._airborne = context.memory.zeros("touchdowns_airborne", context.robot.num_legs)
 
     def __call__(self, context: TaskContext) -> Any:
         """Values (N,)."""
