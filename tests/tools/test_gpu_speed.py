@@ -48,6 +48,28 @@ def test_goals_apply_to_the_best_number_of_envs():
     assert "| 8,192 | 1,200,000 | 390,000 | 4.00 | 2 |" in table([slow, fast])
 
 
+def test_training_to_walk_has_the_budget_of_a_gpu(monkeypatch):
+    from benchmarks import gpu_speed
+    from quadruped_env.training.config import GPU_DEFAULTS
+
+    budgets = []
+
+    class Untrained:
+        num_timesteps = 0
+
+        def learn(self, watcher):
+            pass
+
+    def make(device, num_envs, steps, timesteps, **settings):
+        budgets.append(timesteps)
+        return Untrained()
+
+    monkeypatch.setattr(gpu_speed, "make", make)
+    assert gpu_speed.walk("cuda", 4, 2, 1.0, 1.0).seconds is None
+    gpu_speed.walk("cuda", 4, 2, 1.0, 1.0, timesteps=100)
+    assert budgets == [GPU_DEFAULTS["timesteps"]] * 2 + [100] * 2
+
+
 def test_number_of_envs_below_one_is_an_error(tmp_path):
     done = run("--device", "warp-cpu", "--num-envs", 0, "-o", tmp_path / "x.json")
     assert done.returncode == 2
