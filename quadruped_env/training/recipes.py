@@ -72,8 +72,10 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             {"timesteps": 6_000_000, "asymmetric_critic": True},
             # To learn what the scripted gait does not do needs more noise than to keep what it does.
             {
+                # With 256 robots one of five seeds did not learn the steepest slopes: there are a hundred kinds of tiles.
+                "num_envs": 512,
                 "n_steps": 24,
-                "batch_size": 3072,
+                "batch_size": 6144,
                 "learning_rate": 2e-3,
                 "hidden": (128, 128),
                 "log_std_init": -1.0,
