@@ -72,7 +72,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             {"timesteps": 6_000_000, "asymmetric_critic": True},
             # To learn what the scripted gait does not do needs more noise than to keep what it does.
             {
-                # With 256 robots one of five seeds did not learn the steepest slopes: there are a hundred kinds of tiles.
+                # For a hundred tiles: with 256 robots one of five seeds did not learn the steepest slopes.
                 "num_envs": 512,
                 "n_steps": 24,
                 "batch_size": 6144,
