@@ -65,7 +65,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "ActorCriticPolicy",
             _ON_POLICY
             | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm"}
-            | {"clock_noise", "straight_steps", "reflex_rounds"},
+            | {"clock_noise", "straight_steps", "polish_generations", "reflex_rounds"},
         ),
         "a2c": Algorithm(
             "stable_baselines3.a2c",

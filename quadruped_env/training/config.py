@@ -36,7 +36,7 @@ On top of the scripted gait they learn a gait that is worse than the scripted on
 STRAIGHT_LEARNING_RATE: Final = 2.5
 """Factor of the learning rate while `straight_steps` last."""
 
-ON_CPU_ALONE: Final = ("clock_noise", "straight_steps", "reflex_rounds")
+ON_CPU_ALONE: Final = ("clock_noise", "straight_steps", "polish_generations", "reflex_rounds")
 """Fields of `TrainConfig` that PPO uses on the CPU alone; elsewhere they are 0."""
 
 GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
@@ -102,6 +102,9 @@ class TrainConfig:
     """Largest share of PPO's exploration noise that swings with the gait clock, for a policy that has no gait yet"""
     straight_steps: int = 0
     """Environment steps at the start of PPO with commands straight ahead only, and 2.5 times the learning rate"""
+    polish_generations: int = 0
+    """Generations of a search that polishes the gait of PPO's policy, after the budget; each takes 196,000 environment
+    steps (docs/training.md)"""
     reflex_rounds: int = 0
     """Rounds in which PPO learns a reflex from replays of falls, after the budget; each takes 720,000 environment steps
     (docs/training.md)"""
@@ -172,6 +175,7 @@ class TrainConfig:
             ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
             ("clock_noise", 0 <= self.clock_noise < 1, "0 to below 1"),
             ("straight_steps", self.straight_steps >= 0, "0 or more"),
+            ("polish_generations", self.polish_generations >= 0, "0 or more"),
             ("reflex_rounds", self.reflex_rounds >= 0, "0 or more"),
             ("learning_starts", self.learning_starts >= 0, "0 or more"),
             ("tau", 0 < self.tau <= 1, "more than 0, and at most 1"),

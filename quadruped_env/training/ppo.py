@@ -29,6 +29,7 @@ from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.distributed.group import ALONE, DifferentWeightsError, Group, RankLostError
+from quadruped_env.training.polish import Polished, polish, polish_steps
 from quadruped_env.training.reflex import ReflexRound, add_reflex, reflex_steps
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run, check_latest
@@ -93,7 +94,12 @@ def train(
         run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
     recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
     try:
-        record(run, model, recorder, lambda: learn(config, model, recorder, parent is None, recorder.note_reflex))
+        record(
+            run,
+            model,
+            recorder,
+            lambda: learn(config, model, recorder, parent is None, recorder.note_reflex, recorder.note_polish),
+        )
     finally:
         env.close()
     return run.directory, not recorder.stopped
@@ -104,8 +110,10 @@ def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, gro
     config, parent, env, model = prepare(config, resume, task_file, group)
     try:
         model.set_logger(Logger(None, []))
-        # Rank 0 learns the reflex alone.
-        learn(replace(config, reflex_rounds=0), model, StepStatistics(group), fresh=parent is None)
+        # Rank 0 polishes and learns the reflex alone.
+        learn(
+            replace(config, reflex_rounds=0, polish_generations=0), model, StepStatistics(group), fresh=parent is None
+        )
     finally:
         env.close()
 
@@ -190,8 +198,9 @@ def learn(
     statistics: StepStatistics,
     fresh: bool,
     note_reflex: Callable[[float, list[ReflexRound]], None] | None = None,
+    note_polish: Callable[[float, Polished | None], None] | None = None,
 ) -> None:
-    """Train a model until its budget is used and it has its reflex, or a signal stops it.
+    """Train a model until its budget is used, its gait is polished and it has its reflex, or a signal stops it.
 
     Args:
         config: settings of the training.
@@ -199,10 +208,13 @@ def learn(
         statistics: callback that knows when to stop.
         fresh: False if the training goes on from a run.
         note_reflex: called with the share of the reflex's learning that is done, and its rounds so far.
+        note_polish: called with the share of the search that is done, and in the end with what it is worth.
     """
     with stop_on_signal(statistics):
         timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
         model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
+        if config.polish_generations and not statistics.stopped:
+            polish(model, config.polish_generations, note_polish, lambda: statistics.stopped)
         if config.reflex_rounds and not statistics.stopped:
             add_reflex(model, config.reflex_rounds, note_reflex, lambda: statistics.stopped)
 
@@ -276,7 +288,9 @@ class Recorder(StepStatistics):
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
-        self._reflex_began: float | None = None
+        self._began: dict[str, float] = {}
+        """Part after the budget -> its first second"""
+        self._polished: Polished | None = None
         self._reflex: list[ReflexRound] = []
 
     @property
@@ -302,6 +316,10 @@ class Recorder(StepStatistics):
             disable=None,
             dynamic_ncols=True,
         )
+        if self._config.polish_generations:
+            steps = polish_steps(self._config.polish_generations)
+            text = f"then {steps:,} more steps to polish the gait (--polish-generations 0 leaves them out)"
+            self._bar.write(text, file=sys.stderr)
         if self._config.reflex_rounds:
             steps = reflex_steps(self._config.reflex_rounds, self.model.n_envs)
             text = f"then {steps:,} more steps for a reflex against falls (--reflex-rounds 0 leaves it out)"
@@ -385,21 +403,33 @@ class Recorder(StepStatistics):
 
     def note_reflex(self, share: float, rounds: list[ReflexRound]) -> None:
         """Show how much of the reflex is learned, as a line every ten seconds and after each round."""
-        self.elapsed = time.perf_counter() - self._start
-        if self._reflex_began is None:
-            self._reflex_began = self.elapsed
         text = f"reflex against falls: {share:.0%}"
-        if len(rounds) > len(self._reflex):
+        news = len(rounds) > len(self._reflex)
+        if news:
             self._reflex = list(rounds)
             text += (
                 f", round {len(rounds)}: {rounds[-1].survived:.0%} of the replayed falls survived, then "
                 f"{rounds[-1].fall_rate:.2f} falls in 20 s"
             )
-        elif self.elapsed < self._next_line:
+        self._note("reflex", share, text, news)
+
+    def note_polish(self, share: float, polished: Polished | None) -> None:
+        """Show how much of the polish is done, as a line every ten seconds, and at the end what it is worth."""
+        self._polished = polished
+        text = f"polish of the gait: {share:.0%}"
+        if polished is not None:
+            text += f", its cost falls from {polished.before:.1f} to {polished.after:.1f}"
+        self._note("polish", share, text, polished is not None)
+
+    def _note(self, part: str, share: float, text: str, news: bool) -> None:
+        """Show a line about a part after the budget, if there is news or the last line is ten seconds old."""
+        self.elapsed = time.perf_counter() - self._start
+        began = self._began.setdefault(part, self.elapsed)
+        if not news and self.elapsed < self._next_line:
             return
         self._next_line = self.elapsed + _LINE_INTERVAL
-        if share > 0.0:
-            text += f", {(self.elapsed - self._reflex_began) * (1.0 / share - 1.0):.0f} s left"
+        if 0.0 < share < 1.0:
+            text += f", {(self.elapsed - began) * (1.0 / share - 1.0):.0f} s left"
         self._bar.write(text, file=sys.stderr)
 
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
@@ -440,6 +470,7 @@ class Recorder(StepStatistics):
             "timesteps": int(model.num_timesteps),
             "seconds": round(self.seconds, 1),
             "budget_left": model.budget_left(),
+            **({"polish": asdict(self._polished)} if self._polished is not None else {}),
             **({"reflex": [asdict(result) for result in self._reflex]} if self._reflex else {}),
         }
 

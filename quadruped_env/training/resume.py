@@ -42,7 +42,7 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
-_ADDED: Final = frozenset({"ranks", "device", "clock_noise", "straight_steps", "reflex_rounds"})
+_ADDED: Final = frozenset({"ranks", "device", "clock_noise", "straight_steps", "polish_generations", "reflex_rounds"})
 """Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
 
 

@@ -8,17 +8,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import torch
-from networks import perturb
-from settings import settings
+from networks import assert_symmetric, perturb
 from trainings import SMALL as TRAINING
 from trainings import learn
+from walking_models import ENVS, changed_parts, parameters, states, walking
 
-from quadruped_env.control.symmetry import MirrorMap
-from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.policies import load_policy
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.training import TrainConfig, ppo, reflex
-from quadruped_env.training.models import make_model
 from quadruped_env.training.reflex import Reflex, add_reflex
 
 PAIRS, INPUTS = 4, 12
@@ -78,7 +75,6 @@ def test_products_are_the_derivative_of_the_actions_by_the_weights():
     np.testing.assert_allclose(products[:, 2, 7], after - before)
 
 
-ENVS = 16
 PUSHED = {"push_speed": (0.9, 1.3), "push_interval": (0.5, 1.0)}
 SMALL = {
     "_REPLAYS": 64,
@@ -95,28 +91,6 @@ SMALL = {
 def small(monkeypatch):
     for name, value in SMALL.items():
         monkeypatch.setattr(reflex, name, value)
-
-
-def walking(asymmetric_critic=False, num_envs=ENVS, **randomization):
-    """A model that walks about as its gait, in envs that have begun."""
-    config = settings(randomization=randomization)
-    env = make_sb3_vec_env(num_envs, seed=3, config=config, action_mode="residual", privileged=asymmetric_critic)
-    training = {"num_envs": num_envs, "batch_size": 64, "hidden": (16, 16), "asymmetric_critic": asymmetric_critic}
-    model = make_model(TrainConfig(**training), env)
-    env.reset()
-    return model
-
-
-def states(model):
-    return [model.env.task.get_state(env_id) for env_id in range(model.env.num_envs)]
-
-
-def parameters(model):
-    return {name: value.clone() for name, value in model.policy.state_dict().items()}
-
-
-def changed_parts(before, model):
-    return {name.split(".")[0] for name, value in parameters(model).items() if not torch.equal(value, before[name])}
 
 
 @pytest.mark.parametrize("asymmetric_critic", [False, True])
@@ -186,13 +160,7 @@ def test_policy_stays_symmetric(small):
     perturb(model)
     model.policy.project()
     add_reflex(model, 1)
-    seen = torch.randn(20, model.policy.actor_width)
-    mirror = MirrorMap.of(model.env.task.control.layout)
-    mirrored = seen[:, torch.tensor(mirror.observation_order.copy())] * torch.tensor(mirror.observation_sign)
-    with torch.inference_mode():
-        actions, of_mirrored = model.mean_action(seen).clone(), model.mean_action(mirrored)
-    assert actions.abs().max() > 1e-3
-    torch.testing.assert_close(of_mirrored, actions[:, torch.tensor(mirror.action_order.copy())])
+    assert_symmetric(model)
 
 
 def test_same_seed_gives_the_same_policy(small):

@@ -27,6 +27,7 @@ LIMITS = {
     "ent_coef": ((0.0, 1e300), (-0.001, math.inf)),
     "clock_noise": ((0.0, 0.999), (-0.001, 1.0, math.nan)),
     "straight_steps": ((0, 1), (-1,)),
+    "polish_generations": ((0, 1), (-1,)),
     "reflex_rounds": ((0, 1), (-1,)),
     "max_grad_norm": ((SMALLEST, math.inf), (0.0,)),
     "buffer_size": ((1,), (0,)),
@@ -49,7 +50,8 @@ def test_defaults():
     assert (config.asymmetric_critic, config.activation, config.task) == (False, "elu", {})
     assert (config.buffer_size, config.learning_starts, config.gradient_steps) == (500_000, 10_000, 16)
     assert (config.tau, config.action_noise) == (0.005, 0.1)
-    assert (config.clock_noise, config.straight_steps, config.reflex_rounds) == (0.0, 0, 0)
+    assert (config.clock_noise, config.straight_steps) == (0.0, 0)
+    assert (config.polish_generations, config.reflex_rounds) == (0, 0)
 
 
 def test_from_scratch_ppo_explores_more_and_learns_from_shorter_rollouts():

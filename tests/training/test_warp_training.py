@@ -36,6 +36,7 @@ COMMAND = (0.4, 0.0)
         ({"device": "cuda:x"}, r"--device: 'cuda:x' is unknown"),
         ({"device": "cuda", "clock_noise": 0.5}, r"--clock-noise: found 0.5 with --device cuda"),
         ({"device": "warp-cpu", "straight_steps": 1000}, r"--straight-steps: found 1000 with --device warp-cpu"),
+        ({"device": "cuda", "polish_generations": 5}, r"--polish-generations: found 5 with --device cuda"),
         ({"device": "cuda", "reflex_rounds": 6}, r"--reflex-rounds: found 6 with --device cuda"),
         ({"device": "cuda:1", "ranks": 2}, r"--device: found cuda:1 with --ranks 2, .*; choose --device cuda: rank i"),
         ({"device": "cuda", "num_envs": 64, "ranks": 65}, r"--ranks: found 65, more than the 64 envs"),

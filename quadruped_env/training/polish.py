@@ -1,0 +1,299 @@
+"""The polish of a gait: a direct search of the last layer of a policy's network.
+
+PPO earns a little by each step in time and on command. A foot that touches down twice in one stride of ten, or a robot
+that is 2 % too slow, costs it next to nothing, so what is left of these differs from seed to seed. Here a search by
+CMA-ES (Hansen 2016, https://arxiv.org/abs/1604.00772) charges them at once: each candidate changes the last layer along
+the principal directions of its inputs, walks on a few commands, and is measured as a gait is: touchdowns and clearance
+of the worst foot, mean velocities, power.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.simulation import BatchSimulation, flat
+from quadruped_env.task import Task
+from quadruped_env.task.quantities import electrical_power
+from quadruped_env.task.terrain_section import leg_scale
+from quadruped_env.training.strides import Strides
+
+Floats = NDArray[np.float64]
+
+_COMMANDS: Final = np.array(
+    [[1 / 3, 0.0], [1 / 2, 0.0], [2 / 3, 0.0], [5 / 6, 0.0], [-2 / 3, 0.0], [0.0, 5 / 8], [1 / 2, 5 / 8]]
+)
+"""Shares of the largest forward velocity (of the largest backwards where negative) and of the largest yaw rate."""
+_IMPORTANCE: Final = np.array([0.5, 1.0, 1.0, 1.5, 0.7, 0.5, 0.3])
+"""Weight of each command in a candidate's cost."""
+_TOUCHDOWNS: Final = np.array([1.02, 1.02, 1.02, 1.02, 1.02, 1.2, 1.2])
+"""Touchdowns of the worst foot in a stride, on each command, that cost nothing."""
+_CLEARANCE: Final = 0.011
+"""Clearance of the worst foot of the built-in robot from which on more is worth nothing, m."""
+_EACH_TOUCHDOWN, _EACH_METRE = 30.0, 1500.0
+"""Cost of another touchdown in every stride, and of a metre of clearance that is missing."""
+_VELOCITY_ERROR, _YAW_ERROR = 0.007, 0.025
+"""Errors of the mean forward velocity (m/s, of the built-in robot) and yaw rate (rad/s) that cost 1; the cost is
+quadratic."""
+_TRANSPORT: Final = 3.0
+"""Cost of an electrical cost of transport of 1."""
+_FALL: Final = 50.0
+"""Cost of a fall."""
+
+_DIRECTIONS: Final = 12
+"""Number of principal directions of the last layer's inputs; the bias is one more."""
+_CANDIDATES, _STARTS = 40, 2
+"""Candidates of a generation, and starts of each on every command."""
+_SIGMA: Final = 0.006
+"""First standard deviation of the change of an action, in shares of its range, along each direction."""
+_DIRECTION_STEPS, _DIRECTION_INTERVAL = 150, 10
+"""Control steps of the walk from which the directions come, and between its samples."""
+_WARM_UP_STEPS, _STEPS = 100, 350
+"""Control steps before the measurement, and in all."""
+_LAST_SEED: Final = 900_000
+"""The starts have seeds below, of those of trainings."""
+_GRAVITY: Final = 9.81
+
+
+class StoppedError(Exception):
+    """Raised within the search if the training is to end."""
+
+
+@dataclass(frozen=True)
+class Polished:
+    """Costs of the gait before and after the search, on the same starts, which the search has not seen."""
+
+    before: float
+    after: float
+
+
+Report = Callable[[float, Polished | None], None]
+"""Called with the fraction done, and in the end with what the search is worth."""
+
+
+def polish_steps(generations: int) -> int:
+    """Environment steps that the search takes, with the measurement before and after it."""
+    return ((generations + 1) * _STEPS + _DIRECTION_STEPS) * len(_COMMANDS) * _CANDIDATES * _STARTS
+
+
+def polish(
+    model: Any, generations: int, report: Report | None = None, stopped: Callable[[], bool] = lambda: False
+) -> Polished | None:
+    """Search for a better last layer of a PPO's policy.
+
+    The policy changes only if the layer that was found costs less on starts that the search has not seen. The model's
+    envs, critic and exploration stay as they are.
+
+    Args:
+        model: a `FastPPO`; its `num_timesteps` grows.
+        generations: of the search.
+        report: called after every step, and in the end with the result.
+        stopped: true if the training is to end; then the policy stays as it is.
+
+    Returns:
+        Costs before and after; None if the training ended before.
+
+    Raises:
+        MissingExtraError: if cmaes is not installed.
+    """
+    try:
+        from cmaes import CMA
+    except ImportError as error:  # pragma: no cover
+        raise MissingExtraError("polishing a gait", "train") from error
+    torch.set_num_threads(1)  # small batches, next to the physics
+    search = _Search(model, generations, report, stopped)
+    try:
+        search.learn_directions()
+        optimizer = CMA(mean=np.zeros(search.size), sigma=_SIGMA, population_size=_CANDIDATES, seed=model.seed)
+        for _ in range(generations):
+            candidates = np.array([optimizer.ask() for _ in range(_CANDIDATES)])
+            costs = search.costs(candidates)
+            optimizer.tell([(candidate, float(cost)) for candidate, cost in zip(candidates, costs, strict=True)])
+        half = _CANDIDATES // 2
+        both = search.costs(np.repeat([np.zeros(search.size), optimizer.mean], half, axis=0))
+    except StoppedError:
+        return None
+    before, after = float(both[:half].mean()), float(both[half:].mean())
+    if after < before:
+        search.take(optimizer.mean)
+    polished = Polished(before, min(before, after))
+    if report is not None:
+        report(1.0, polished)
+    return polished
+
+
+class _Search:
+    """Candidates for the last layer of a model's policy, and what they cost; see `polish`."""
+
+    def __init__(self, model: Any, generations: int, report: Report | None, stopped: Callable[[], bool]) -> None:
+        self._model, self._report, self._stopped = model, report, stopped
+        self._steps, self._all_steps = 0, (generations + 1) * _STEPS + _DIRECTION_STEPS
+        self._random = np.random.default_rng(model.seed)
+        # A gait's measures are those of an undisturbed robot on level ground.
+        config = model.env.task.config.on_terrain(flat).randomized("none")
+        self._robot = config.robot
+        self._scale = leg_scale(self._robot)
+        forward, turn = config.command.forward_velocity, config.command.yaw_rate
+        largest = np.where(_COMMANDS[:, 0] < 0.0, -forward[0], forward[1])
+        self._commands = _COMMANDS * np.stack([largest, np.full_like(largest, turn[1])], axis=1)
+        self._other_commands = [0.0] * (len(config.commands) - 2)
+        self._num_robots = len(_COMMANDS) * _CANDIDATES * _STARTS
+        self._task = Task(BatchSimulation(config.compiled_model(), self._num_robots, robot=self._robot), config)
+        layer = model.policy.action_net
+        self._layer = np.concatenate([layer.weight.numpy(force=True).T, layer.bias.numpy(force=True)[None]])
+        """Weights and biases (H + 1, J)."""
+        joints = np.arange(self._robot.num_joints)
+        counterpart = joints if model.policy.mirror is None else np.minimum(joints, self._robot.joint_mirror)
+        self._own, self._row = np.unique(counterpart, return_inverse=True)
+        self._mirrored = joints != counterpart
+        self._directions, self._mean = np.zeros((0, 0)), np.zeros(0)
+        self.size = 0
+        """Number of parameters of a candidate."""
+
+    def learn_directions(self) -> None:
+        """Find the principal directions of the last layer's inputs, on the policy's own walk."""
+        inputs = []
+        for step, seen in enumerate(self._walk(self._layer, _DIRECTION_STEPS)):
+            if step >= _WARM_UP_STEPS and step % _DIRECTION_INTERVAL == 0:
+                inputs.append(seen)
+        found = np.concatenate(inputs)
+        self._mean = found.mean(axis=0)
+        variances, directions = np.linalg.eigh(np.cov(found.T))
+        # A direction in which the inputs hardly differ would need huge weights.
+        kept = np.flatnonzero(variances > 1e-6 * variances[-1])[-_DIRECTIONS:]
+        self._directions = directions[:, kept] / np.sqrt(variances[kept])
+        self.size = (len(kept) + 1) * len(self._own)
+
+    def changed(self, candidates: Floats) -> Floats:
+        """Last layers (C, H + 1, J) of candidates (C, size).
+
+        A joint on the other side has the weights of its counterpart for the mirrored inputs, the other half of them.
+        """
+        along = candidates.reshape(len(candidates), -1, len(self._own))
+        weights = self._directions @ along[:, :-1]
+        bias = along[:, -1] - self._mean @ weights
+        of_joints, bias = weights[..., self._row], bias[..., self._row]
+        halves = np.roll(np.arange(len(self._mean)), len(self._mean) // 2)
+        of_joints[..., self._mirrored] = of_joints[:, halves][..., self._mirrored]
+        return self._layer + np.concatenate([of_joints, bias[:, None]], axis=1)
+
+    def costs(self, candidates: Floats) -> Floats:
+        """Cost of each candidate (C,), on new starts, the same for all."""
+        layers = np.tile(np.repeat(self.changed(candidates), _STARTS, axis=0), (len(_COMMANDS), 1, 1))
+        measures = _Measures(self._task)
+        for step, _ in enumerate(self._walk(layers, _STEPS)):
+            measures.add(count=step >= _WARM_UP_STEPS)
+        costs = self._cost_of(measures.means((len(_COMMANDS), len(candidates), _STARTS)))
+        return _IMPORTANCE @ np.where(np.isfinite(costs), costs, _FALL)
+
+    def _cost_of(self, means: "_Means") -> Floats:
+        """Cost of each candidate on each command (K, C)."""
+        touchdowns = np.maximum(means.touchdowns.max(axis=-1) - _TOUCHDOWNS[:, None], 0.0)
+        missing = np.maximum(_CLEARANCE - means.clearance.min(axis=-1) / self._scale, 0.0)
+        errors = (means.velocity - self._commands[:, None]) / [_VELOCITY_ERROR * np.sqrt(self._scale), _YAW_ERROR]
+        speed = np.abs(self._commands[:, :1])
+        moves = speed > 0.0
+        transport = means.power / (_GRAVITY * self._robot.total_mass * np.where(moves, speed, 1.0)) * moves
+        return (
+            _EACH_TOUCHDOWN * touchdowns
+            + _EACH_METRE * missing
+            + (errors**2).sum(axis=-1)
+            + _TRANSPORT * transport
+            + _FALL * means.fallen
+        )
+
+    def _walk(self, layers: Floats, steps: int) -> Iterator[Floats]:
+        """Walk with last layers (H + 1, J), or one for each robot (N, H + 1, J); their inputs (N, H) of each step."""
+        task, group = self._task, self._num_robots // len(_COMMANDS)
+        first = int(self._random.integers(_LAST_SEED))
+        seeds = np.tile(np.arange(first, first + _STARTS), group // _STARTS).tolist()
+        for index, command in enumerate(self._commands):
+            task.reset(np.arange(index * group, (index + 1) * group), seeds, [*command, *self._other_commands])
+        observations = task.observe()
+        extractor = self._model.policy.mlp_extractor
+        for _ in range(steps):
+            if self._stopped():
+                raise StoppedError
+            with torch.inference_mode():
+                seen = extractor.seen_by_actor(torch.from_numpy(observations))
+                inputs = extractor.policy_net(seen).numpy().astype(np.float64)
+            actions = (inputs[:, None] @ layers[..., :-1, :])[:, 0] + layers[..., -1, :]
+            # Of a robot whose simulation diverged, nothing is finite.
+            actions = np.nan_to_num(np.clip(actions, -1.0, 1.0))
+            observations = task.step(actions).observation
+            self._model.num_timesteps += self._num_robots
+            self._steps += 1
+            if self._report is not None:
+                self._report(self._steps / self._all_steps, None)
+            yield inputs
+
+    def take(self, candidate: Floats) -> None:
+        """Make a candidate's last layer the model's."""
+        policy, layer = self._model.policy, torch.from_numpy(self.changed(candidate[None])[0].astype(np.float32))
+        with torch.no_grad():
+            policy.action_net.weight.copy_(layer[:-1].T)
+            policy.action_net.bias.copy_(layer[-1])
+        policy.project()
+
+
+@dataclass(frozen=True)
+class _Means:
+    """Results of candidates on each command, means over their starts (K, C, ...)."""
+
+    touchdowns: Floats
+    """Per stride, of each foot (K, C, L)"""
+    clearance: Floats
+    """Largest height of each sole in a stride or swing, the least of them (K, C, L), m"""
+    velocity: Floats
+    """Forward, m/s, and yaw rate, rad/s (K, C, 2)"""
+    power: Floats
+    """Electrical (K, C), W"""
+    fallen: Floats
+    """Share of the starts that ended in a fall (K, C)"""
+
+
+class _Measures:
+    """Measures of the robots of a task while they walk."""
+
+    def __init__(self, task: Task) -> None:
+        self._task = task
+        num, legs = task.context.foot_contact.shape
+        self._strides = Strides(num)
+        self._stride, self._clock = np.zeros((num, legs)), task.control.leg_clock()
+        self._contact = task.context.foot_contact.copy()
+        self._velocity, self._power, self._fallen = np.zeros((num, 2)), np.zeros(num), np.zeros(num, dtype=np.bool_)
+        self._joule = task.config.motor.joule_coefficients(task.config.robot.joint_names)
+        self._counted = 0
+
+    def add(self, count: bool) -> None:
+        """Take the readings of one control step; unless they count, only falls and the strides' number."""
+        readings, context = self._task.simulation.readings, self._task.context
+        self._fallen |= context.fallen > 0.0
+        before, self._clock = self._clock, self._task.control.leg_clock()
+        self._stride = self._stride + ((self._clock > 0.0) & (before <= 0.0))  # a stride begins with the swing
+        contact_before, self._contact = self._contact, context.foot_contact.copy()
+        if count:
+            self._counted += 1
+            self._strides.add(self._stride, context.sole_height, self._contact, contact_before)
+            self._velocity += self._task.smooth_velocity
+            self._power += electrical_power(readings.joint_torque, readings.joint_velocity, self._joule)
+
+    def means(self, shape: tuple[int, int, int]) -> _Means:
+        """Means over the starts, the last axis of the robots' shape."""
+
+        def mean(values: Floats) -> Floats:
+            return values.reshape(*shape, *values.shape[1:]).mean(axis=2)
+
+        strides = self._strides
+        whole = np.maximum(strides.count, 1.0)
+        return _Means(
+            touchdowns=mean(strides.touchdowns / whole),
+            clearance=mean(np.where(strides.count > 0.0, strides.lowest_apex, 0.0)),
+            velocity=mean(self._velocity / self._counted),
+            power=mean(self._power / self._counted),
+            fallen=mean(self._fallen.astype(np.float64)),
+        )

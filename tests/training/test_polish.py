@@ -1,0 +1,202 @@
+"""The polish of a gait: what candidates change, what they cost, and what the search does to a policy."""
+
+import copy
+import signal
+
+import numpy as np
+import pytest
+import torch
+from networks import assert_symmetric, perturb
+from trainings import SMALL as TRAINING
+from trainings import learn
+from walking_models import changed_parts, parameters, states, walking
+
+from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig, polish, ppo
+from quadruped_env.training.polish import polish_steps
+
+SMALL = {"_CANDIDATES": 4, "_STARTS": 1, "_WARM_UP_STEPS": 20, "_STEPS": 60, "_DIRECTION_STEPS": 40}
+GOOD = {
+    "touchdowns": np.full((7, 1, 4), 1.0),
+    "clearance": np.full((7, 1, 4), 0.02),
+    "velocity": np.array([[0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [-0.2, 0], [0, 0.5], [0.3, 0.5]])[:, None],
+    "power": np.zeros((7, 1)),
+    "fallen": np.zeros((7, 1)),
+}
+"""Of a gait that costs nothing."""
+
+
+@pytest.fixture
+def small(monkeypatch):
+    for name, value in SMALL.items():
+        monkeypatch.setattr(polish, name, value)
+
+
+def search(model):
+    found = polish._Search(model, 1, None, lambda: False)
+    found.learn_directions()
+    return found
+
+
+def cost(model, **changes):
+    """Cost on each command of a gait that is good but for some (command, ...) of its means."""
+    means = copy.deepcopy(GOOD)
+    for name, (place, value) in changes.items():
+        means[name][place] = value
+    return polish._Search(model, 1, None, lambda: False)._cost_of(polish._Means(**means))[:, 0]
+
+
+@pytest.mark.parametrize(
+    ("changes", "command", "expected"),
+    [
+        ({}, 0, 0.0),
+        ({"touchdowns": ((3, 0, 2), 1.12)}, 3, 3.0),
+        ({"touchdowns": ((5, 0, 2), 1.2)}, 5, 0.0),
+        ({"touchdowns": ((5, 0, 2), 1.3)}, 5, 3.0),
+        ({"clearance": ((1, 0, 3), 0.010)}, 1, 1.5),
+        ({"velocity": ((4, 0, 0), -0.214)}, 4, 4.0),
+        ({"velocity": ((6, 0, 1), 0.525)}, 6, 1.0),
+        ({"fallen": ((2, 0), 0.5)}, 2, 25.0),
+    ],
+)
+def test_cost_is_that_of_the_worst_foot_and_of_the_errors(small, changes, command, expected):
+    costs = cost(walking(), **changes)
+    assert costs[command] == pytest.approx(expected, abs=1e-6)
+    assert np.delete(costs, command) == pytest.approx(np.zeros(6), abs=1e-6)
+
+
+def test_energy_costs_by_the_distance_that_the_command_asks_for(small):
+    model = walking()
+    weight = 9.81 * model.env.task.config.robot.total_mass
+    costs = cost(model, power=(slice(None), weight))  # W: a cost of transport of 1 / (m/s)
+    assert costs == pytest.approx([3 / 0.2, 3 / 0.3, 3 / 0.4, 3 / 0.5, 3 / 0.2, 0.0, 3 / 0.3])
+
+
+def test_a_candidate_changes_actions_by_its_size_along_directions_that_do_not_correlate(small, monkeypatch):
+    random = np.random.default_rng(0)
+    inputs = random.standard_normal((500, 16)) @ random.standard_normal((16, 16)) + 1.0
+    found = polish._Search(walking(), 1, None, lambda: False)
+    monkeypatch.setattr(found, "_walk", lambda layers, steps: [None] * 20 + [inputs])
+    found.learn_directions()
+    changes = found.changed(0.01 * np.eye(found.size)) - found._layer
+    actions = inputs @ changes[:, :-1] + changes[:, -1:]
+    # Of each candidate: one direction (the last is the bias), one joint of the left side.
+    own = len(found._own)
+    by_joint = actions[..., found._own].reshape(-1, own, len(inputs), own)
+    for joint in range(own):
+        moved = by_joint[:, joint]
+        assert not np.delete(moved, joint, axis=2).any()
+        *along, constant = moved[..., joint]
+        np.testing.assert_allclose(np.cov(along), 1e-4 * np.eye(12), atol=1e-9)
+        np.testing.assert_allclose(np.mean(along, axis=1), 0.0, atol=1e-9)
+        np.testing.assert_allclose(constant, 0.01)
+
+
+def test_a_policy_with_a_candidates_layer_does_what_the_candidate_did(small):
+    model = walking()
+    perturb(model)
+    found = search(model)
+    candidate = 0.1 * np.random.default_rng(0).standard_normal(found.size)
+    layer = found.changed(candidate[None])[0]
+    observations = found._task.observe()
+    with torch.inference_mode():
+        inputs = model.policy.mlp_extractor.policy_net(torch.from_numpy(observations)).numpy()
+    before = parameters(model)
+    found.take(candidate)
+    assert changed_parts(before, model) == {"action_net"}
+    with torch.inference_mode():
+        actions = model.mean_action(torch.from_numpy(observations)).numpy()
+    np.testing.assert_allclose(actions, inputs @ layer[:-1] + layer[-1], atol=1e-5)
+    assert_symmetric(model)
+
+
+@pytest.mark.parametrize("changes", [{"asymmetric_critic": True}, {"symmetric": False}])
+def test_search_changes_the_last_layer_alone(small, changes):
+    model = walking(**changes)
+    perturb(model, 0.05)
+    weights, envs, before = parameters(model), copy.deepcopy(states(model)), model.num_timesteps
+    seen = []
+    result = polish.polish(model, 2, lambda share, result: seen.append((share, result)))
+    assert result.after <= result.before
+    assert changed_parts(weights, model) == ({"action_net"} if result.after < result.before else set())
+    np.testing.assert_equal(states(model), envs)
+    assert model.num_timesteps - before == polish_steps(2)
+    shares = [share for share, _ in seen]
+    assert shares == sorted(shares)
+    assert 0.0 < shares[0] < 0.01
+    assert seen[-1] == (1.0, result)
+    assert {result for _, result in seen[:-1]} == {None}
+
+
+def test_what_is_worse_on_new_starts_is_not_taken(small, monkeypatch):
+    model = walking()
+    weights = parameters(model)
+
+    def worse(self, candidates):
+        same = np.array([np.array_equal(candidates[0], candidate) for candidate in candidates])
+        return np.where(same, 1.0, 2.0) if same.sum() > 1 else np.abs(candidates).sum(axis=1)
+
+    monkeypatch.setattr(polish._Search, "costs", worse)
+    result = polish.polish(model, 2)
+    assert (result.before, result.after) == (1.0, 1.0)
+    assert not changed_parts(weights, model)
+
+
+def test_same_seed_gives_the_same_policy(small):
+    found = []
+    for _ in range(2):
+        model = walking()
+        polish.polish(model, 1)
+        found.append(parameters(model))
+    assert all(torch.equal(value, found[1][name]) for name, value in found[0].items())
+
+
+@pytest.mark.parametrize("after", [0.0, 0.5, 0.95])
+def test_a_training_that_is_to_end_keeps_its_policy(small, after):
+    model = walking()
+    weights, shares = parameters(model), [0.0]
+    assert polish.polish(model, 2, lambda share, _: shares.append(share), lambda: shares[-1] >= after) is None
+    assert shares[-1] < after + 0.05
+    assert not changed_parts(weights, model)
+
+
+POLISHED = TRAINING | {"timesteps": 64, "polish_generations": 1}
+
+
+def test_training_ends_with_the_polish_and_says_so_on_the_card(small, tmp_path, capsys):
+    plain, polished = (
+        learn(tmp_path / name, TrainConfig(**POLISHED | changes))
+        for name, changes in (("plain", {"polish_generations": 0}), ("polished", {}))
+    )
+    result = load_policy(polished).card["polish"]
+    assert "polish" not in load_policy(plain).card
+    output = capsys.readouterr().err
+    assert f"its cost falls from {result['before']:.1f} to {result['after']:.1f}" in output
+    more = load_policy(polished).card["timesteps"] - load_policy(plain).card["timesteps"]
+    assert f"then {more:,} more steps to polish the gait" in output
+    assert more == polish_steps(1)
+
+
+def test_signal_during_the_polish_keeps_the_policy_of_ppo(small, tmp_path, monkeypatch):
+    plain = learn(tmp_path / "plain", TrainConfig(**POLISHED | {"polish_generations": 0}))
+    usual = ppo.Recorder.note_polish
+
+    def interrupt(self, share, polished):
+        usual(self, share, polished)
+        signal.raise_signal(signal.SIGINT)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(ppo.Recorder, "note_polish", interrupt)
+        run, finished = ppo.train(TrainConfig(**POLISHED), tmp_path / "stopped", "test")
+    assert not finished
+    assert (run / "policy.safetensors").read_bytes() == (plain / "policy.safetensors").read_bytes()
+
+
+@pytest.mark.slow
+def test_polish_takes_a_bias_out_of_a_gait():
+    """Of the scripted gait, whose knees are all bent by 0.06 rad more."""
+    model = walking()
+    with torch.no_grad():
+        model.policy.action_net.bias[1::2] += 0.1
+    result = polish.polish(model, 6)
+    assert result.after < 0.8 * result.before
