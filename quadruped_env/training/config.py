@@ -103,7 +103,7 @@ class TrainConfig:
     straight_steps: int = 0
     """Environment steps at the start of PPO with commands straight ahead only, and 2.5 times the learning rate"""
     polish_generations: int = 0
-    """Generations of a search that polishes the gait of PPO's policy, after the budget; each takes 196,000 environment
+    """Generations of a search that polishes the gait of PPO's policy, after the budget; each takes 294,000 environment
     steps (docs/training.md)"""
     reflex_rounds: int = 0
     """Rounds in which PPO learns a reflex from replays of falls, after the budget; each takes 720,000 environment steps

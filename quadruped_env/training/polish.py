@@ -34,7 +34,7 @@ _TOUCHDOWNS: Final = np.array([1.02, 1.02, 1.02, 1.02, 1.02, 1.2, 1.2])
 """Touchdowns of the worst foot in a stride, on each command, that cost nothing."""
 _CLEARANCE: Final = 0.011
 """Clearance of the worst foot of the built-in robot from which on more is worth nothing, m."""
-_EACH_TOUCHDOWN, _EACH_METRE = 30.0, 1500.0
+_EACH_TOUCHDOWN, _EACH_METRE = 60.0, 1500.0
 """Cost of another touchdown in every stride, and of a metre of clearance that is missing."""
 _VELOCITY_ERROR, _YAW_ERROR = 0.007, 0.025
 """Errors of the mean forward velocity (m/s, of the built-in robot) and yaw rate (rad/s) that cost 1; the cost is
@@ -46,7 +46,7 @@ _FALL: Final = 50.0
 
 _DIRECTIONS: Final = 12
 """Number of principal directions of the last layer's inputs; the bias is one more."""
-_CANDIDATES, _STARTS = 40, 2
+_CANDIDATES, _STARTS = 40, 3
 """Candidates of a generation, and starts of each on every command."""
 _SIGMA: Final = 0.006
 """First standard deviation of the change of an action, in shares of its range, along each direction."""
@@ -114,7 +114,7 @@ def polish(
             costs = search.costs(candidates)
             optimizer.tell([(candidate, float(cost)) for candidate, cost in zip(candidates, costs, strict=True)])
         half = _CANDIDATES // 2
-        both = search.costs(np.repeat([np.zeros(search.size), optimizer.mean], half, axis=0))
+        both = search.costs(np.repeat([np.zeros(search.size), optimizer.mean], half, axis=0), half)
     except StoppedError:
         return None
     before, after = float(both[:half].mean()), float(both[half:].mean())
@@ -181,11 +181,16 @@ class _Search:
         of_joints[..., self._mirrored] = of_joints[:, halves][..., self._mirrored]
         return self._layer + np.concatenate([of_joints, bias[:, None]], axis=1)
 
-    def costs(self, candidates: Floats) -> Floats:
-        """Cost of each candidate (C,), on new starts, the same for all."""
+    def costs(self, candidates: Floats, sets: int = 1) -> Floats:
+        """Cost of each candidate (C,), on new starts.
+
+        Args:
+            candidates: (C, size).
+            sets: number of sets of starts that the candidates take in turn; 1: all have the same.
+        """
         layers = np.tile(np.repeat(self.changed(candidates), _STARTS, axis=0), (len(_COMMANDS), 1, 1))
         measures = _Measures(self._task)
-        for step, _ in enumerate(self._walk(layers, _STEPS)):
+        for step, _ in enumerate(self._walk(layers, _STEPS, sets)):
             measures.add(count=step >= _WARM_UP_STEPS)
         costs = self._cost_of(measures.means((len(_COMMANDS), len(candidates), _STARTS)))
         return _IMPORTANCE @ np.where(np.isfinite(costs), costs, _FALL)
@@ -206,11 +211,13 @@ class _Search:
             + _FALL * means.fallen
         )
 
-    def _walk(self, layers: Floats, steps: int) -> Iterator[Floats]:
-        """Walk with last layers (H + 1, J), or one for each robot (N, H + 1, J); their inputs (N, H) of each step."""
+    def _walk(self, layers: Floats, steps: int, sets: int = 1) -> Iterator[Floats]:
+        """Walk with last layers (H + 1, J), or one for each robot (N, H + 1, J); their inputs (N, H) of each step.
+
+        For `sets`, see `costs`.
+        """
         task, group = self._task, self._num_robots // len(_COMMANDS)
-        first = int(self._random.integers(_LAST_SEED))
-        seeds = np.tile(np.arange(first, first + _STARTS), group // _STARTS).tolist()
+        seeds = (int(self._random.integers(_LAST_SEED)) + np.arange(group) % (sets * _STARTS)).tolist()
         for index, command in enumerate(self._commands):
             task.reset(np.arange(index * group, (index + 1) * group), seeds, [*command, *self._other_commands])
         observations = task.observe()

@@ -50,9 +50,9 @@ def cost(model, **changes):
     ("changes", "command", "expected"),
     [
         ({}, 0, 0.0),
-        ({"touchdowns": ((3, 0, 2), 1.12)}, 3, 3.0),
+        ({"touchdowns": ((3, 0, 2), 1.12)}, 3, 6.0),
         ({"touchdowns": ((5, 0, 2), 1.2)}, 5, 0.0),
-        ({"touchdowns": ((5, 0, 2), 1.3)}, 5, 3.0),
+        ({"touchdowns": ((5, 0, 2), 1.3)}, 5, 6.0),
         ({"clearance": ((1, 0, 3), 0.010)}, 1, 1.5),
         ({"velocity": ((4, 0, 0), -0.214)}, 4, 4.0),
         ({"velocity": ((6, 0, 1), 0.525)}, 6, 1.0),
@@ -128,11 +128,24 @@ def test_search_changes_the_last_layer_alone(small, changes):
     assert {result for _, result in seen[:-1]} == {None}
 
 
+def test_all_candidates_have_the_same_starts_and_those_of_the_end_many(small, monkeypatch):
+    found, seeds = search(walking()), []
+    monkeypatch.setattr(found._task, "reset", lambda envs, own, command: seeds.append(own))
+    monkeypatch.setattr(polish, "_STARTS", 1)
+    for sets, number in ((1, 1), (2, 2)):
+        next(found._walk(found._layer, 1, sets))
+        first, *others = seeds
+        assert all(own == first for own in others), "on all commands"
+        assert first == [first[0], first[number - 1]] * 2
+        assert len(set(first)) == number
+        seeds.clear()
+
+
 def test_what_is_worse_on_new_starts_is_not_taken(small, monkeypatch):
     model = walking()
     weights = parameters(model)
 
-    def worse(self, candidates):
+    def worse(self, candidates, sets=1):
         same = np.array([np.array_equal(candidates[0], candidate) for candidate in candidates])
         return np.where(same, 1.0, 2.0) if same.sum() > 1 else np.abs(candidates).sum(axis=1)
 
