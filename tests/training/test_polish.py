@@ -206,10 +206,12 @@ def test_signal_during_the_polish_keeps_the_policy_of_ppo(small, tmp_path, monke
 
 
 @pytest.mark.slow
-def test_polish_takes_a_bias_out_of_a_gait():
-    """Of the scripted gait, whose knees are all bent by 0.06 rad more."""
+def test_polish_takes_a_bias_out_of_a_gait(monkeypatch):
+    """Of the scripted gait, whose knees are all bent a little further."""
+    for name, value in {"_CANDIDATES": 16, "_STARTS": 1}.items():
+        monkeypatch.setattr(polish, name, value)
     model = walking()
     with torch.no_grad():
         model.policy.action_net.bias[1::2] += 0.1
     result = polish.polish(model, 6)
-    assert result.after < 0.8 * result.before
+    assert result.after < 0.3 * result.before
