@@ -72,6 +72,26 @@ def test_energy_costs_by_the_distance_that_the_command_asks_for(small):
     assert costs == pytest.approx([3 / 0.2, 3 / 0.3, 3 / 0.4, 3 / 0.5, 3 / 0.2, 0.0, 3 / 0.3])
 
 
+def test_measures_of_the_scripted_gait(monkeypatch):
+    """It follows its commands, and each foot lifts by a centimetre once in a stride."""
+    for name, value in (SMALL | {"_DIRECTION_STEPS": 110, "_WARM_UP_STEPS": 100, "_STEPS": 200}).items():
+        monkeypatch.setattr(polish, name, value)
+    model, means = walking(), []
+    with torch.no_grad():
+        for parameter in model.policy.action_net.parameters():
+            parameter.zero_()
+    found = search(model)
+    usual = found._cost_of
+    monkeypatch.setattr(found, "_cost_of", lambda own: means.append(own) or usual(own))
+    found.costs(np.zeros((4, found.size)))
+    straight = slice(0, 5)
+    assert not means[0].fallen.any()
+    np.testing.assert_allclose(means[0].velocity[straight, 0], found._commands[straight], atol=0.05)
+    assert ((means[0].touchdowns[straight] >= 0.9) & (means[0].touchdowns[straight] < 1.6)).all()
+    assert ((means[0].clearance[straight] > 0.005) & (means[0].clearance[straight] < 0.03)).all()
+    assert ((means[0].power[straight] > 3.0) & (means[0].power[straight] < 15.0)).all()
+
+
 def test_a_candidate_changes_actions_by_its_size_along_directions_that_do_not_correlate(small, monkeypatch):
     random = np.random.default_rng(0)
     inputs = random.standard_normal((500, 16)) @ random.standard_normal((16, 16)) + 1.0
