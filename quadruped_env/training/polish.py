@@ -1,7 +1,7 @@
 """The polish of a gait: a direct search of the last layer of a policy's network.
 
 PPO earns a little by each step in time and on command. A foot that touches down twice in one stride of ten, or a robot
-that is 2 % too slow, costs it next to nothing, so what is left of these differs from seed to seed. Here a search by
+that is 2 % too slow, costs it next to nothing, so how much of this remains differs from seed to seed. Here a search by
 CMA-ES (Hansen 2016, https://arxiv.org/abs/1604.00772) charges them at once: each candidate changes the last layer along
 the principal directions of its inputs, walks on a few commands, and is measured as a gait is: touchdowns and clearance
 of the worst foot, mean velocities, power.
@@ -20,6 +20,7 @@ from quadruped_env.simulation import BatchSimulation, flat
 from quadruped_env.task import Task
 from quadruped_env.task.quantities import electrical_power
 from quadruped_env.task.terrain_section import leg_scale
+from quadruped_env.training.reflex import StoppedError
 from quadruped_env.training.strides import Strides
 
 Floats = NDArray[np.float64]
@@ -55,12 +56,8 @@ _DIRECTION_STEPS, _DIRECTION_INTERVAL = 150, 10
 _WARM_UP_STEPS, _STEPS = 100, 350
 """Control steps before the measurement, and in all."""
 _LAST_SEED: Final = 900_000
-"""The starts have seeds below, of those of trainings."""
+"""Bound of the starts' seeds, which are below those of evaluations."""
 _GRAVITY: Final = 9.81
-
-
-class StoppedError(Exception):
-    """Raised within the search if the training is to end."""
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ _LESSON_BATCH, _LESSON_RATE = 4096, 1e-3
 
 
 class StoppedError(Exception):
-    """Raised within the learning of a reflex if the training is to end."""
+    """Raised in the parts after PPO's budget if the training is to end."""
 
 
 class Reflex:

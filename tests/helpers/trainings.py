@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import signal
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -43,6 +44,23 @@ def learn(runs, config, resume=None):
     from quadruped_env.training.distributed.launch import launch
 
     return launch(Job(config, runs, "train", resume))[0]
+
+
+def learn_until(monkeypatch, note, runs, config):
+    """Run directory of a training that Ctrl-C ends in the part that calls this method of its recorder."""
+    from quadruped_env.training import ppo
+
+    usual = getattr(ppo.Recorder, note)
+
+    def interrupt(self, share, results):
+        usual(self, share, results)
+        signal.raise_signal(signal.SIGINT)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(ppo.Recorder, note, interrupt)
+        run, finished = ppo.train(config, runs, "test")
+    assert not finished
+    return run
 
 
 def train(runs, *arguments):

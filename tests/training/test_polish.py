@@ -1,18 +1,17 @@
 """The polish of a gait: what candidates change, what they cost, and what the search does to a policy."""
 
 import copy
-import signal
 
 import numpy as np
 import pytest
 import torch
 from networks import assert_symmetric, perturb
 from trainings import SMALL as TRAINING
-from trainings import learn
+from trainings import learn, learn_until
 from walking_models import changed_parts, parameters, states, walking
 
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig, polish, ppo
+from quadruped_env.training import TrainConfig, polish
 from quadruped_env.training.polish import polish_steps
 
 SMALL = {"_CANDIDATES": 4, "_STARTS": 1, "_WARM_UP_STEPS": 20, "_STEPS": 60, "_DIRECTION_STEPS": 40}
@@ -212,16 +211,7 @@ def test_training_ends_with_the_polish_and_says_so_on_the_card(small, tmp_path, 
 
 def test_signal_during_the_polish_keeps_the_policy_of_ppo(small, tmp_path, monkeypatch):
     plain = learn(tmp_path / "plain", TrainConfig(**POLISHED | {"polish_generations": 0}))
-    usual = ppo.Recorder.note_polish
-
-    def interrupt(self, share, polished):
-        usual(self, share, polished)
-        signal.raise_signal(signal.SIGINT)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(ppo.Recorder, "note_polish", interrupt)
-        run, finished = ppo.train(TrainConfig(**POLISHED), tmp_path / "stopped", "test")
-    assert not finished
+    run = learn_until(monkeypatch, "note_polish", tmp_path / "stopped", TrainConfig(**POLISHED))
     assert (run / "policy.safetensors").read_bytes() == (plain / "policy.safetensors").read_bytes()
 
 

@@ -2,7 +2,6 @@
 
 import copy
 import math
-import signal
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,12 +9,12 @@ import pytest
 import torch
 from networks import assert_symmetric, perturb
 from trainings import SMALL as TRAINING
-from trainings import learn
+from trainings import learn, learn_until
 from walking_models import ENVS, changed_parts, parameters, states, walking
 
 from quadruped_env.policies import load_policy
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.training import TrainConfig, ppo, reflex
+from quadruped_env.training import TrainConfig, reflex
 from quadruped_env.training.reflex import Reflex, add_reflex
 
 PAIRS, INPUTS = 4, 12
@@ -231,16 +230,7 @@ def test_training_ends_with_the_reflex_and_says_so_on_the_card(small, tmp_path, 
 
 def test_signal_during_the_reflex_keeps_the_policy_of_ppo(small, tmp_path, monkeypatch):
     plain = learn(tmp_path / "plain", TrainConfig(**PUSHED_TRAINING | {"reflex_rounds": 0}))
-    usual = ppo.Recorder.note_reflex
-
-    def interrupt(self, share, rounds):
-        usual(self, share, rounds)
-        signal.raise_signal(signal.SIGINT)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(ppo.Recorder, "note_reflex", interrupt)
-        run, finished = ppo.train(TrainConfig(**PUSHED_TRAINING), tmp_path / "stopped", "test")
-    assert not finished
+    run = learn_until(monkeypatch, "note_reflex", tmp_path / "stopped", TrainConfig(**PUSHED_TRAINING))
     assert (run / "policy.safetensors").read_bytes() == (plain / "policy.safetensors").read_bytes()
 
 
