@@ -8,7 +8,7 @@ of the worst foot, mean velocities, power.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.simulation import BatchSimulation, flat
-from quadruped_env.task import Task
+from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import electrical_power
 from quadruped_env.task.terrain_section import leg_scale
 from quadruped_env.training.reflex import StoppedError
@@ -40,6 +40,9 @@ _EACH_TOUCHDOWN, _EACH_METRE = 50.0, 2500.0
 _VELOCITY_ERROR, _YAW_ERROR = 0.007, 0.025
 """Errors of the mean forward velocity (m/s, of the built-in robot) and yaw rate (rad/s) that cost 1; the cost is
 quadratic."""
+_STIFF_FREE, _STIFF_VELOCITY = 0.02, 0.005
+"""Share of the commanded forward velocity by which stiff contacts may change it at no cost, and the share beyond that
+which costs 1; the cost is quadratic."""
 _TRANSPORT: Final = 3.0
 """Cost of an electrical cost of transport of 1."""
 _FALL: Final = 50.0
@@ -48,7 +51,11 @@ _FALL: Final = 50.0
 _DIRECTIONS: Final = 12
 """Number of principal directions of the last layer's inputs; the bias is one more."""
 _CANDIDATES, _STARTS = 40, 3
-"""Candidates of a generation, and starts of each on every command."""
+"""Candidates of a generation, and starts of each on every command. From the first one each walks with stiff contacts,
+too."""
+_STIFFNESS: Final = 2
+"""Physics steps in one of the task's, and the time constant of its contacts over that of stiff ones. What these change
+is about half of what the stiff contacts of another engine do."""
 _SIGMA: Final = 0.006
 """First standard deviation of the change of an action, in shares of its range, along each direction."""
 _DIRECTION_STEPS, _DIRECTION_INTERVAL = 150, 10
@@ -74,7 +81,7 @@ Report = Callable[[float, Polished | None], None]
 
 def polish_steps(generations: int) -> int:
     """Environment steps that the search takes, with the measurement before and after it."""
-    return ((generations + 1) * _STEPS + _DIRECTION_STEPS) * len(_COMMANDS) * _CANDIDATES * _STARTS
+    return ((generations + 1) * _STEPS * (_STARTS + 1) + _DIRECTION_STEPS * _STARTS) * len(_COMMANDS) * _CANDIDATES
 
 
 def polish(
@@ -128,7 +135,7 @@ class _Search:
 
     def __init__(self, model: Any, generations: int, report: Report | None, stopped: Callable[[], bool]) -> None:
         self._model, self._report, self._stopped = model, report, stopped
-        self._steps, self._all_steps = 0, (generations + 1) * _STEPS + _DIRECTION_STEPS
+        self._steps, self._all_steps = 0, polish_steps(generations)
         self._random = np.random.default_rng(model.seed)
         # A gait's measures are those of an undisturbed robot on level ground.
         config = model.env.task.config.on_terrain(flat).randomized("none")
@@ -138,8 +145,7 @@ class _Search:
         largest = np.where(_COMMANDS[:, 0] < 0.0, -forward[0], forward[1])
         self._commands = _COMMANDS * np.stack([largest, np.full_like(largest, turn[1])], axis=1)
         self._other_commands = [0.0] * (len(config.commands) - 2)
-        self._num_robots = len(_COMMANDS) * _CANDIDATES * _STARTS
-        self._task = Task(BatchSimulation(config.compiled_model(), self._num_robots, robot=self._robot), config)
+        self._robots, self._stiff_robots = _Robots(config, _STARTS), _Robots(config, 1, _STIFFNESS)
         layer = model.policy.action_net
         self._layer = np.concatenate([layer.weight.numpy(force=True).T, layer.bias.numpy(force=True)[None]])
         """Weights and biases (H + 1, J)."""
@@ -154,7 +160,7 @@ class _Search:
     def learn_directions(self) -> None:
         """Find the principal directions of the last layer's inputs, on the policy's own walk."""
         inputs = []
-        for step, seen in enumerate(self._walk(self._layer, _DIRECTION_STEPS)):
+        for step, seen in enumerate(self._walk(self._robots, self._layer, _DIRECTION_STEPS, self._seed())):
             if step >= _WARM_UP_STEPS and step % _DIRECTION_INTERVAL == 0:
                 inputs.append(seen)
         found = np.concatenate(inputs)
@@ -185,12 +191,20 @@ class _Search:
             candidates: (C, size).
             sets: number of sets of starts that the candidates take in turn; 1: all have the same.
         """
-        layers = np.tile(np.repeat(self.changed(candidates), _STARTS, axis=0), (len(_COMMANDS), 1, 1))
-        measures = _Measures(self._task)
-        for step, _ in enumerate(self._walk(layers, _STEPS, sets)):
-            measures.add(count=step >= _WARM_UP_STEPS)
-        costs = self._cost_of(measures.means((len(_COMMANDS), len(candidates), _STARTS)))
+        layers, seed = self.changed(candidates), self._seed()
+        own, stiff = (self._measured(robots, layers, seed, sets) for robots in (self._robots, self._stiff_robots))
+        costs = self._cost_of(own.means(stiff))
         return _IMPORTANCE @ np.where(np.isfinite(costs), costs, _FALL)
+
+    def _seed(self) -> int:
+        return int(self._random.integers(_LAST_SEED))
+
+    def _measured(self, robots: "_Robots", layers: Floats, seed: int, sets: int) -> "_Measures":
+        measures = _Measures(robots)
+        of_robots = np.tile(np.repeat(layers, robots.starts, axis=0), (len(_COMMANDS), 1, 1))
+        for step, _ in enumerate(self._walk(robots, of_robots, _STEPS, seed, sets)):
+            measures.add(count=step >= _WARM_UP_STEPS)
+        return measures
 
     def _cost_of(self, means: "_Means") -> Floats:
         """Cost of each candidate on each command (K, C)."""
@@ -199,22 +213,26 @@ class _Search:
         errors = (means.velocity - self._commands[:, None]) / [_VELOCITY_ERROR * np.sqrt(self._scale), _YAW_ERROR]
         speed = np.abs(self._commands[:, :1])
         moves = speed > 0.0
-        transport = means.power / (_GRAVITY * self._robot.total_mass * np.where(moves, speed, 1.0)) * moves
+        speed = np.where(moves, speed, 1.0)
+        transport = means.power / (_GRAVITY * self._robot.total_mass * speed) * moves
+        stiff = np.maximum(np.abs(means.stiffened) / speed - _STIFF_FREE, 0.0) * moves
         return (
             _EACH_TOUCHDOWN * touchdowns
             + _EACH_METRE * missing
             + (errors**2).sum(axis=-1)
+            + (stiff / _STIFF_VELOCITY) ** 2
             + _TRANSPORT * transport
             + _FALL * means.fallen
         )
 
-    def _walk(self, layers: Floats, steps: int, sets: int = 1) -> Iterator[Floats]:
+    def _walk(self, robots: "_Robots", layers: Floats, steps: int, seed: int, sets: int = 1) -> Iterator[Floats]:
         """Walk with last layers (H + 1, J), or one for each robot (N, H + 1, J); their inputs (N, H) of each step.
 
-        For `sets`, see `costs`.
+        The seed is that of the first start. For `sets`, see `costs`.
         """
-        task, group = self._task, self._num_robots // len(_COMMANDS)
-        seeds = (int(self._random.integers(_LAST_SEED)) + np.arange(group) % (sets * _STARTS)).tolist()
+        task, group = robots.task, robots.number // len(_COMMANDS)
+        candidate, start = np.divmod(np.arange(group), robots.starts)
+        seeds = (seed + candidate % sets * _STARTS + start).tolist()
         for index, command in enumerate(self._commands):
             task.reset(np.arange(index * group, (index + 1) * group), seeds, [*command, *self._other_commands])
         observations = task.observe()
@@ -229,8 +247,8 @@ class _Search:
             # Of a robot whose simulation diverged, nothing is finite.
             actions = np.nan_to_num(np.clip(actions, -1.0, 1.0))
             observations = task.step(actions).observation
-            self._model.num_timesteps += self._num_robots
-            self._steps += 1
+            self._model.num_timesteps += robots.number
+            self._steps += robots.number
             if self._report is not None:
                 self._report(self._steps / self._all_steps, None)
             yield inputs
@@ -244,6 +262,23 @@ class _Search:
         policy.project()
 
 
+class _Robots:
+    """All candidates on each command, from a number of starts each (K, C, S)."""
+
+    def __init__(self, config: TaskConfig, starts: int, stiffness: int = 1) -> None:
+        self.starts = starts
+        self.number = len(_COMMANDS) * _CANDIDATES * starts
+        # No contact's time constant can be shorter than two physics steps.
+        config = replace(
+            config,
+            physics_timestep=config.physics_timestep / stiffness,
+            decimation=config.decimation * stiffness,
+        )
+        model = config.compiled_model()
+        model.geom_solref[:, 0] /= stiffness
+        self.task = Task(BatchSimulation(model, self.number, robot=config.robot), config)
+
+
 @dataclass(frozen=True)
 class _Means:
     """Results of candidates on each command, means over their starts (K, C, ...)."""
@@ -254,6 +289,8 @@ class _Means:
     """Largest height of each sole in a stride or swing, the least of them (K, C, L), m"""
     velocity: Floats
     """Forward, m/s, and yaw rate, rad/s (K, C, 2)"""
+    stiffened: Floats
+    """Forward velocity from the first start in stiff contacts, minus that in the robot's own (K, C), m/s"""
     power: Floats
     """Electrical (K, C), W"""
     fallen: Floats
@@ -261,9 +298,10 @@ class _Means:
 
 
 class _Measures:
-    """Measures of the robots of a task while they walk."""
+    """Measures of robots while they walk."""
 
-    def __init__(self, task: Task) -> None:
+    def __init__(self, robots: _Robots) -> None:
+        self._robots, task = robots, robots.task
         self._task = task
         num, legs = task.context.foot_contact.shape
         self._strides = Strides(num)
@@ -286,18 +324,25 @@ class _Measures:
             self._velocity += self._task.smooth_velocity
             self._power += electrical_power(readings.joint_torque, readings.joint_velocity, self._joule)
 
-    def means(self, shape: tuple[int, int, int]) -> _Means:
-        """Means over the starts, the last axis of the robots' shape."""
+    def velocity(self) -> Floats:
+        """Mean of each robot, forward, m/s, and yaw rate, rad/s (K, C, S, 2)."""
+        return self._by_start(self._velocity / self._counted)
 
-        def mean(values: Floats) -> Floats:
-            return values.reshape(*shape, *values.shape[1:]).mean(axis=2)
-
-        strides = self._strides
+    def means(self, stiff: "_Measures") -> _Means:
+        """Means over the starts, and what changes in stiff contacts from the first one."""
+        strides, velocity = self._strides, self.velocity()
         whole = np.maximum(strides.count, 1.0)
         return _Means(
-            touchdowns=mean(strides.touchdowns / whole),
-            clearance=mean(np.where(strides.count > 0.0, strides.lowest_apex, 0.0)),
-            velocity=mean(self._velocity / self._counted),
-            power=mean(self._power / self._counted),
-            fallen=mean(self._fallen.astype(np.float64)),
+            touchdowns=self._mean(strides.touchdowns / whole),
+            clearance=self._mean(np.where(strides.count > 0.0, strides.lowest_apex, 0.0)),
+            velocity=velocity.mean(axis=2),
+            stiffened=(stiff.velocity() - velocity)[:, :, 0, 0],
+            power=self._mean(self._power / self._counted),
+            fallen=self._mean(self._fallen.astype(np.float64)),
         )
+
+    def _by_start(self, values: Floats) -> Floats:
+        return values.reshape(len(_COMMANDS), -1, self._robots.starts, *values.shape[1:])
+
+    def _mean(self, values: Floats) -> Floats:
+        return self._by_start(values).mean(axis=2)

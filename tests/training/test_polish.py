@@ -19,6 +19,7 @@ GOOD = {
     "touchdowns": np.full((7, 1, 4), 1.0),
     "clearance": np.full((7, 1, 4), 0.02),
     "velocity": np.array([[0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [-0.2, 0], [0, 0.5], [0.3, 0.5]])[:, None],
+    "stiffened": np.zeros((7, 1)),
     "power": np.zeros((7, 1)),
     "fallen": np.zeros((7, 1)),
 }
@@ -55,6 +56,10 @@ def cost(model, **changes):
         ({"clearance": ((1, 0, 3), 0.010)}, 1, 2.5),
         ({"velocity": ((4, 0, 0), -0.214)}, 4, 4.0),
         ({"velocity": ((6, 0, 1), 0.525)}, 6, 1.0),
+        ({"stiffened": ((4, 0), 0.006)}, 4, 4.0),
+        ({"stiffened": ((3, 0), -0.015)}, 3, 4.0),
+        ({"stiffened": ((3, 0), -0.01)}, 3, 0.0),
+        ({"stiffened": ((5, 0), 0.02)}, 5, 0.0),
         ({"fallen": ((2, 0), 0.5)}, 2, 25.0),
     ],
 )
@@ -95,7 +100,7 @@ def test_a_candidate_changes_actions_by_its_size_along_directions_that_do_not_co
     random = np.random.default_rng(0)
     inputs = random.standard_normal((500, 16)) @ random.standard_normal((16, 16)) + 1.0
     found = polish._Search(walking(), 1, None, lambda: False)
-    monkeypatch.setattr(found, "_walk", lambda layers, steps: [None] * 20 + [inputs])
+    monkeypatch.setattr(found, "_walk", lambda *_: [None] * 20 + [inputs])
     found.learn_directions()
     changes = found.changed(0.01 * np.eye(found.size)) - found._layer
     actions = inputs @ changes[:, :-1] + changes[:, -1:]
@@ -117,7 +122,7 @@ def test_a_policy_with_a_candidates_layer_does_what_the_candidate_did(small):
     found = search(model)
     candidate = 0.1 * np.random.default_rng(0).standard_normal(found.size)
     layer = found.changed(candidate[None])[0]
-    observations = found._task.observe()
+    observations = found._robots.task.observe()
     with torch.inference_mode():
         inputs = model.policy.mlp_extractor.policy_net(torch.from_numpy(observations)).numpy()
     before = parameters(model)
@@ -148,16 +153,36 @@ def test_search_changes_the_last_layer_alone(small, changes):
 
 
 def test_all_candidates_have_the_same_starts_and_those_of_the_end_many(small, monkeypatch):
+    monkeypatch.setattr(polish, "_STARTS", 2)
     found, seeds = search(walking()), []
-    monkeypatch.setattr(found._task, "reset", lambda envs, own, command: seeds.append(own))
-    monkeypatch.setattr(polish, "_STARTS", 1)
-    for sets, number in ((1, 1), (2, 2)):
-        next(found._walk(found._layer, 1, sets))
-        first, *others = seeds
-        assert all(own == first for own in others), "on all commands"
-        assert first == [first[0], first[number - 1]] * 2
-        assert len(set(first)) == number
-        seeds.clear()
+    for robots in (found._robots, found._stiff_robots):
+        next(found._walk(robots, found._layer, 1, 0))
+        monkeypatch.setattr(robots.task, "reset", lambda envs, own, command: seeds.append(own))
+    for sets in (1, 2):
+        for robots, expected in (
+            (found._robots, [0, 1, *((2, 3) if sets == 2 else (0, 1))] * 2),
+            (found._stiff_robots, [0, 2 if sets == 2 else 0] * 2),
+        ):
+            next(found._walk(robots, found._layer, 1, 70, sets))
+            assert seeds == [[70 + start for start in expected]] * 7, "on all commands"
+            seeds.clear()
+
+
+def test_stiff_contacts_are_those_of_half_the_time_and_change_the_motion(small):
+    found = search(walking())
+    own, stiff = (robots.task for robots in (found._robots, found._stiff_robots))
+    for task, time_constant, timestep in ((own, 0.01, 0.005), (stiff, 0.005, 0.0025)):
+        model = task.simulation.model
+        assert (model.geom_solref[model.geom_contype > 0, 0] == time_constant).all()
+        assert model.opt.timestep == timestep
+        assert task.config.control_timestep == 0.02
+    layers = np.tile(found._layer, (4, 1, 1))
+    measures = [found._measured(robots, layers, 5, 1) for robots in (found._robots, found._stiff_robots)]
+    means = measures[0].means(measures[1])
+    first, last = (measure.velocity()[:, :, 0, 0] for measure in measures)
+    np.testing.assert_array_equal(means.stiffened, last - first)
+    changes = np.abs(means.stiffened)
+    assert ((changes > 0.0) & (changes < 0.3)).all()
 
 
 def test_what_is_worse_on_new_starts_is_not_taken(small, monkeypatch):
