@@ -37,12 +37,13 @@ _CLEARANCE: Final = 0.011
 """Clearance of the worst foot of the built-in robot from which on more is worth nothing, m."""
 _EACH_TOUCHDOWN, _EACH_METRE = 50.0, 2500.0
 """Cost of another touchdown in every stride, and of a metre of clearance that is missing."""
-_VELOCITY_ERROR, _YAW_ERROR = 0.007, 0.025
+_VELOCITY_ERROR, _YAW_ERROR = 0.007, 0.02
 """Errors of the mean forward velocity (m/s, of the built-in robot) and yaw rate (rad/s) that cost 1; the cost is
 quadratic."""
-_STIFF_FREE, _STIFF_VELOCITY = 0.02, 0.005
+_STIFF_FREE, _STIFF_VELOCITY = 0.025, 0.003
 """Share of the commanded forward velocity by which stiff contacts may change it at no cost, and the share beyond that
-which costs 1; the cost is quadratic."""
+which costs 1; the cost is quadratic. Straight ahead and backwards only: on a curve it differs by as much from start to
+start."""
 _TRANSPORT: Final = 3.0
 """Cost of an electrical cost of transport of 1."""
 _FALL: Final = 50.0
@@ -215,7 +216,7 @@ class _Search:
         moves = speed > 0.0
         speed = np.where(moves, speed, 1.0)
         transport = means.power / (_GRAVITY * self._robot.total_mass * speed) * moves
-        stiff = np.maximum(np.abs(means.stiffened) / speed - _STIFF_FREE, 0.0) * moves
+        stiff = np.maximum(np.abs(means.stiffened) / speed - _STIFF_FREE, 0.0) * (self._commands[:, 1:] == 0.0)
         return (
             _EACH_TOUCHDOWN * touchdowns
             + _EACH_METRE * missing
