@@ -57,7 +57,7 @@ too."""
 _STIFFNESS: Final = 2
 """Physics steps in one of the task's, and the time constant of its contacts over that of stiff ones. What these change
 is about half of what the stiff contacts of another engine do."""
-_SIGMA: Final = 0.006
+_SIGMA: Final = 0.004
 """First standard deviation of the change of an action, in shares of its range, along each direction."""
 _DIRECTION_STEPS, _DIRECTION_INTERVAL = 150, 10
 """Control steps of the walk from which the directions come, and between its samples."""
