@@ -35,9 +35,9 @@ _TOUCHDOWNS: Final = np.array([1.02, 1.02, 1.02, 1.02, 1.02, 1.2, 1.2])
 """Touchdowns of the worst foot in a stride, on each command, that cost nothing."""
 _CLEARANCE: Final = 0.011
 """Clearance of the worst foot of the built-in robot from which on more is worth nothing, m."""
-_EACH_TOUCHDOWN, _EACH_METRE = 50.0, 2500.0
+_EACH_TOUCHDOWN, _EACH_METRE = 80.0, 3000.0
 """Cost of another touchdown in every stride, and of a metre of clearance that is missing."""
-_VELOCITY_ERROR, _YAW_ERROR = 0.007, 0.02
+_VELOCITY_ERROR, _YAW_ERROR = 0.009, 0.02
 """Errors of the mean forward velocity (m/s, of the built-in robot) and yaw rate (rad/s) that cost 1; the cost is
 quadratic."""
 _STIFF_FREE, _STIFF_VELOCITY = 0.025, 0.003
