@@ -2,7 +2,10 @@
 
 tools/suite_references.py
 tools/suite_references.py --only rough              the other rows stay as they are
-tools/suite_references.py --policy robust=runs/<name>
+tools/suite_references.py --only flat --result results/<name>/suite.json    of `evaluate/policy.py flat --suite`
+tools/suite_references.py --policy mine=runs/<name>
+
+The results of a shipped policy also go onto its card.
 """
 
 import argparse
@@ -14,14 +17,15 @@ from typing import Any
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
+from benchmarks.shipping import note_suite, without_suite
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.suite.contender import reference_contenders
-from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.definition import Suite, full_suite, quick_suite
 from quadruped_env.evaluation.suite.references import REFERENCE_FILE, read_references, reference_row, score_table
-from quadruped_env.evaluation.suite.suite import check_comparable, run_suite
+from quadruped_env.evaluation.suite.suite import check_comparable, read_results, run_suite
 from quadruped_env.files import write_json
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.program import run_program
@@ -44,6 +48,15 @@ def main() -> int:
         metavar="NAME",
         help="measure these rows, and keep the others that the file has",
     )
+    parser.add_argument(
+        "--result",
+        type=Path,
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="FILE",
+        help="results of shipped policies that an evaluation wrote, in place of running the suite",
+    )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")
     arguments = parser.parse_args()
@@ -61,6 +74,24 @@ def named_policies(entries: list[str]) -> dict[str, Policy]:
     return policies
 
 
+def finished_results(files: list[Path], suite: Suite) -> dict[str, Mapping[str, Any]]:
+    """Results of shipped policies from `suite.json` of their evaluations, by name.
+
+    Raises:
+        QuadrupedError: if a file is damaged, of another suite, or of a policy that is not the shipped one.
+    """
+    found = {}
+    for path in files:
+        result = read_results(path)
+        if result["suite"] != suite.identity:
+            raise QuadrupedError(f"{path}: expected the suite {suite.identity}; found {result['suite']}")
+        name = result["name"]
+        if name not in SHIPPED or result.get("policy", {}).get("card") != without_suite(load_policy(name).card):
+            raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found those of {name!r}")
+        found[name] = result
+    return found
+
+
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print the scores."""
     suite = quick_suite() if arguments.quick else full_suite()
@@ -70,12 +101,18 @@ def run(arguments: argparse.Namespace) -> int:
     if not set(wanted) <= set(names):
         raise QuadrupedError(f"--only: expected some of {', '.join(names)}; found {', '.join(wanted)}")
     rows = {row["name"]: row for row in read_references(arguments.output)} if arguments.only else {}
+    known = finished_results(arguments.result, suite)
     origin = {"versions": versions(), "commit": git_commit()}
+    cards = {}
     for contender in contenders:
         if contender.name in wanted:
-            row = reference_row(run_suite(contender, suite, ProgressLine(contender.name)))
-            rows[contender.name] = {**row, "origin": origin}
+            result = known.get(contender.name) or run_suite(contender, suite, ProgressLine(contender.name))
+            rows[contender.name] = {**reference_row(result), "origin": origin}
+            cards[contender.name] = result
     check_comparable(rows)
+    if arguments.output == REFERENCE_FILE:
+        for name in set(cards) & set(SHIPPED) - {entry.partition("=")[0] for entry in arguments.policy}:
+            note_suite(name, cards[name])
     ordered: list[Mapping[str, Any]] = [rows[name] for name in names if name in rows]
     write_json(arguments.output, {"rows": ordered})
     print(f"{score_table(ordered)}\nwritten: {arguments.output}")

@@ -150,6 +150,11 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
         parts.append(f"{verdict['headline']}\n\n{findings}")
     elif verdict:
         parts.append(_verbatim(str(verdict)))
+    # The verdict of an evaluation has them already.
+    suite = evaluation.get("suite") or {}
+    if "findings" in suite:
+        findings = "\n".join(_item(f"{topic}: {words}") for topic, words in suite["findings"].items())
+        parts.append(f"In the suite {suite['suite']['name']} {suite['suite']['version']}:\n\n{findings}")
     by_motion = evaluation.get("by_motion") or evaluation.get("metrics")
     if by_motion:
         parts.append(_metrics_table(by_motion))

@@ -20,7 +20,7 @@ GRAPH_FILE: Final = "policy.onnx"
 FORMAT: Final = "mini-quadruped policy"
 FORMAT_VERSION: Final = 1
 
-RESULTS: Final = ("metrics", "acceptance", "disturbed", "verdict")
+RESULTS: Final = ("metrics", "acceptance", "disturbed", "suite", "verdict")
 """Fields of a shipped policy's card that are results, not training."""
 
 _FIRST_INPUTS: Final = {LAST_ACTION: 0.0, HISTORY: "NaN"}

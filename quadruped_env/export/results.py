@@ -46,6 +46,7 @@ def _summary(document: Any, subject: Subject, path: Path) -> dict[str, Any] | No
             "command_line": document["command_line"],
             "format_version": document["format_version"],
             "verdict": document["verdict"],
+            "suite": document["suite"],
             "commands": document["commands"],
             "seeds": document["seeds"],
             "seconds": document["seconds"],

@@ -254,6 +254,19 @@ def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_
     assert f"{error:.3g}" in (tmp_path / "export" / "README.md").read_text()
 
 
+def test_suite_on_the_card_of_a_policy_is_in_the_manifest_and_on_the_page(run, tmp_path):
+    suite = {
+        "suite": {"name": "mq-eval", "version": 1},
+        "findings": {"Terrain": "highest level passed, of 10: wave 3."},
+    }
+    other = run.policy.with_card({**run.policy.card, "suite": suite})
+    export = export_policy(Subject(run.name, other, run.directory, run.output), tmp_path / "export")
+    assert export.manifest["evaluation"]["suite"] == suite
+    assert "suite" not in export.manifest["training"]
+    page = (tmp_path / "export" / "README.md").read_text()
+    assert "In the suite mq-eval 1:\n\n- Terrain: highest level passed: wave 3." in page
+
+
 def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path):
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
     write_report(run, comparison, "python evaluate/policy.py", with_video=False)

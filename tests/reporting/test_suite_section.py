@@ -119,6 +119,16 @@ def test_findings_name_the_worst_of_everything(suite_result):
         "clean: the lowest foot clears the ground by 9 mm (0.3 m/s), and a foot touches down up to 1.2 times per "
         "stride (0.5 rad/s); some joint is at its speed limit 50 % of the time (0.5 rad/s)."
     )
+    numbers = result["commands"]
+    numbers.update(forward_velocity=[-0.2, 0.0, 0.3, 0.6], yaw_rate=[-0.5, 0.0, 0.4], met={"mean": 0.694})
+    numbers["fall_share"] = [[0.0] * 3] * 4
+    for name in ("forward_velocity_error", "yaw_rate_error"):
+        numbers[name]["signed"] = [[0.0] * 3 for _ in range(4)]
+    numbers["forward_velocity_error"]["signed"][3][1] = -0.06
+    assert dict(suite_findings(result))["Envelope"] == (
+        "it meets 69 % of all commands; of those in one direction alone, all up to 0.3 m/s forwards, 0.2 m/s "
+        "backwards, 0.4 rad/s in place."
+    )
     result["gait"]["commands"][0]["clearance"][1] = 0.002
     assert dict(suite_findings(result))["Gait"].startswith("not clean: the lowest foot clears the ground by 2 mm")
     halves = [{"mean": mean, "low": mean, "high": mean, "censored": False} for mean in (1.1, 0.75, 1.2, 0.8)]

@@ -1,6 +1,7 @@
 """The program that writes the suite's reference rows."""
 
 import argparse
+import json
 import sys
 
 import numpy as np
@@ -8,11 +9,15 @@ import pytest
 from comparisons import random_policy
 
 import suite_references
+from benchmarks import shipping
 from quadruped_env import QuadrupedError
 from quadruped_env.control.policy import SHIPPED
+from quadruped_env.evaluation.suite.contender import Contender
 from quadruped_env.evaluation.suite.definition import quick_suite
+from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.suite.references import read_references
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
+from quadruped_env.policies import load_policy
 
 
 def result_of(contender, suite, progress):
@@ -33,7 +38,7 @@ def result_of(contender, suite, progress):
 
 def asked(directory, **options):
     return argparse.Namespace(
-        **{"policy": [], "only": None, "quick": True, "output": directory / "references.json", **options}
+        **{"policy": [], "only": None, "result": [], "quick": True, "output": directory / "references.json", **options}
     )
 
 
@@ -92,3 +97,56 @@ def test_a_row_that_does_not_exist_is_refused(tmp_path):
 def test_a_policy_needs_a_name_and_a_run(entry):
     with pytest.raises(QuadrupedError, match=r"--policy: expected NAME=RUN; found"):
         suite_references.named_policies([entry])
+
+
+@pytest.fixture
+def shipped(tmp_path, monkeypatch):
+    """A policy that ships as `flat`, in a directory of its own, and the file of the reference rows."""
+    directory, output = tmp_path / "flat", tmp_path / "references.json"
+    random_policy("position").with_card({"seed": 3}).save(directory)
+    for module in (suite_references, shipping):
+        monkeypatch.setattr(module, "load_policy", lambda name: load_policy(directory if name == "flat" else name))
+    monkeypatch.setattr(shipping, "shipped_directory", lambda name: tmp_path / name)
+    monkeypatch.setattr(suite_references, "REFERENCE_FILE", output)
+    return directory
+
+
+def finished(directory, **changes):
+    """`suite.json` of an evaluation of the shipped policy `flat`."""
+    policy = load_policy(directory)
+    result = run_suite(Contender.of_policy(policy, "flat"), quick_suite())
+    path = directory.parent / "suite.json"
+    path.write_text(json.dumps({**result, "policy": {"name": "flat", "card": policy.card}, **changes}))
+    return path
+
+
+def test_finished_results_give_the_row_and_go_onto_the_card(shipped, monkeypatch):
+    path = finished(shipped)
+    monkeypatch.setattr(suite_references, "run_suite", lambda *_: pytest.fail("the suite ran again"))
+    for _ in range(2):  # the results are still those of the policy when they are on its card
+        assert suite_references.run(asked(shipped.parent, only=["flat"], result=[path])) == 0
+    (row,) = read_references(shipped.parent / "references.json")
+    result = json.loads(path.read_text())
+    card = load_policy(shipped).card
+    assert card["seed"] == 3
+    assert card["suite"]["score"] == row["score"] == result["score"]
+    assert card["suite"]["terrain"] == row["terrain"]
+    assert card["suite"]["findings"] == dict(suite_findings(result))
+    assert set(card["suite"]["envelope"]) == {"forwards", "backwards", "left", "right"}
+    np.testing.assert_array_equal(load_policy(shipped).weights[0], random_policy("position").weights[0])
+
+
+def test_finished_results_of_another_policy_or_suite_are_refused(shipped):
+    path = finished(shipped, policy={"name": "flat", "card": {"seed": 4}})
+    with pytest.raises(QuadrupedError, match=r"suite\.json: expected results of a shipped policy, as it is now; found"):
+        suite_references.run(asked(shipped.parent, only=["flat"], result=[path]))
+    path = finished(shipped)
+    with pytest.raises(QuadrupedError, match=r"suite\.json: expected the suite .*'quick': False"):
+        suite_references.run(asked(shipped.parent, only=["flat"], result=[path], quick=False))
+    assert "suite" not in load_policy(shipped).card
+
+
+def test_rows_in_another_file_leave_the_cards_alone(shipped, tmp_path, monkeypatch):
+    monkeypatch.setattr(suite_references, "run_suite", result_of)
+    suite_references.run(asked(tmp_path, only=["flat"], output=tmp_path / "other.json"))
+    assert "suite" not in load_policy(shipped).card

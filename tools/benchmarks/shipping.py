@@ -3,6 +3,7 @@
 import argparse
 import math
 import shlex
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -13,10 +14,14 @@ from quadruped_env.control.policy import finished_directory, shipped_directory
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
+from quadruped_env.evaluation.suite.command_map import envelope
+from quadruped_env.evaluation.suite.findings import suite_findings
+from quadruped_env.evaluation.suite.references import reference_row
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.files import write_whole
 from quadruped_env.policies import Policy, PolicyController, load_policy
 from quadruped_env.progress import Progress, part_of
+from quadruped_env.reporting.pages.page import without_nan
 from quadruped_env.rotations import up_in_body
 from quadruped_env.training.run import PROGRESS_FILE
 
@@ -103,6 +108,24 @@ def without_output(command: str) -> str:
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("-o", "--output")
     return shlex.join(parser.parse_known_args(shlex.split(command))[1])
+
+
+def without_suite(card: dict[str, Any]) -> dict[str, Any]:
+    """A card as it is before the suite has run, in JSON's values."""
+    return without_nan({name: value for name, value in card.items() if name != "suite"})
+
+
+def note_suite(name: str, result: Mapping[str, Any]) -> None:
+    """Put the suite's results on the card of a shipped policy: the main measures, and what they mean in words."""
+    policy = load_policy(name)
+    row = {field: value for field, value in reference_row(result).items() if field not in ("name", "conditions")}
+    suite = {
+        **row,
+        "envelope": envelope(result["commands"], result["definition"]["commands"]["tolerance"]),
+        "findings": dict(suite_findings(result)),
+    }
+    files = policy.with_card({**policy.card, "suite": suite}).files()
+    write_whole({shipped_directory(name) / file: content for file, content in files.items()})
 
 
 def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, dict[str, Any]]:

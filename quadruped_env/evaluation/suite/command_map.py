@@ -1,5 +1,6 @@
 """The map of achieved over commanded velocities on the whole rectangle of commands, with its dead zones."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -78,6 +79,38 @@ def dead_zones(part: CommandMap, achieved: Floats) -> dict[str, float | None]:
             dead = size[~(sign * reached[side] >= part.dead_share * size)]
             zones[name] = float(dead.max()) if len(dead) else 0.0
     return zones
+
+
+def envelope(result: Mapping[str, Any], tolerance: Sequence[float]) -> dict[str, float | None]:
+    """Largest command of each direction, with the other velocity 0, up to which every one is met.
+
+    Args:
+        result: the map, as `run` returns it.
+        tolerance: largest errors of the mean velocities, m/s and rad/s.
+
+    Returns:
+        Forwards and backwards in m/s, left and right in rad/s: 0 if not even the smallest command is met, None if the
+        map has none.
+    """
+    forward, turning = np.array(result["forward_velocity"]), np.array(result["yaw_rate"])
+    met = np.array(result["fall_share"]) == 0.0
+    for name, largest in zip(("forward_velocity_error", "yaw_rate_error"), tolerance, strict=True):
+        # As in `summary`, an unknown velocity does not meet its command.
+        met &= np.abs(np.array(result[name]["signed"], dtype=np.float64)) <= largest
+    found: dict[str, float | None] = {}
+    for names, commands, along in (
+        (("forwards", "backwards"), forward, met[:, turning == 0.0]),
+        (("left", "right"), turning, met[forward == 0.0].T),
+    ):
+        for name, sign in zip(names, (1.0, -1.0), strict=True):
+            side = sign * commands > 0.0
+            if not side.any() or not along.shape[1]:
+                found[name] = None
+                continue
+            size, kept = sign * commands[side], along[side, 0]
+            missed = size[~kept].min(initial=np.inf)
+            found[name] = float(size[size < missed].max(initial=0.0))
+    return found
 
 
 def score(result: dict[str, Any]) -> float:

@@ -1,7 +1,9 @@
-"""The suite's results in words: gait and robustness."""
+"""The suite's results in words: envelope, gait and robustness."""
 
 from collections.abc import Mapping
 from typing import Any, Final
+
+from quadruped_env.evaluation.suite.command_map import envelope
 
 CLEAN_CLEARANCE: Final = 0.008
 """Clearance of the lowest foot from which the verdict calls a gait clean, m."""
@@ -25,6 +27,7 @@ _SIDES: Final = {
 def suite_findings(result: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Pairs of topic and sentence."""
     return [
+        ("Envelope", _envelope(result)),
         ("Gait", _gait(result["gait"])),
         ("Robustness", _robustness(result)),
         ("Terrain", _terrain(result)),
@@ -35,6 +38,18 @@ def suite_findings(result: Mapping[str, Any]) -> list[tuple[str, str]]:
 def direction_in_words(degrees: float) -> str:
     """Direction of a push in words."""
     return _SIDES.get(round(degrees), f"at {degrees:g} degrees")
+
+
+def _envelope(result: Mapping[str, Any]) -> str:
+    commands = result["commands"]
+    largest = envelope(commands, result["definition"]["commands"]["tolerance"])
+    turns = [size for side in ("left", "right") if (size := largest[side]) is not None]
+    reached = [
+        *(f"{largest[way]:g} m/s {way}" for way in ("forwards", "backwards") if largest[way] is not None),
+        *([f"{min(turns):g} rad/s in place"] if turns else []),
+    ]
+    share = f"it meets {100.0 * commands['met']['mean']:.0f} % of all commands"
+    return f"{share}; of those in one direction alone, all up to {', '.join(reached)}." if reached else f"{share}."
 
 
 def _gait(gait: Mapping[str, Any]) -> str:

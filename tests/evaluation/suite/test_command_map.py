@@ -86,3 +86,32 @@ def test_dead_zone_of_a_direction_without_commands_is_unknown():
     off_axis = replace(PART, forward_velocity=(0.1, 0.3), yaw_rate=(-0.5, 0.5))
     achieved = np.array(off_axis.commands).reshape(2, 2, 2)
     assert set(command_map.dead_zones(off_axis, achieved).values()) == {None}
+
+
+def mapped(achieved, fallen=NO_FALLS):
+    """The map as `run` returns it."""
+    return {
+        "forward_velocity": list(PART.forward_velocity),
+        "yaw_rate": list(PART.yaw_rate),
+        "fall_share": fallen.mean(axis=-1).tolist(),
+        **command_map.summary(PART, achieved, fallen),
+    }
+
+
+def test_envelope_ends_before_the_first_command_on_the_axis_that_is_missed():
+    achieved, fallen = exact(), NO_FALLS.copy()
+    whole = {"forwards": 0.4, "backwards": 0.2, "left": 0.5, "right": 0.5}
+    assert command_map.envelope(mapped(achieved), PART.tolerance) == whole
+    achieved[4, 1, :, 0] += 0.06  # 0.2 m/s is missed, and 0.4 m/s beyond it is met
+    achieved[0, 1, :, 1] += 0.11  # 0.2 m/s backwards turns
+    fallen[2, 0, 1] = True
+    achieved[2, 2, :, 1] = np.nan
+    achieved[3, 2, :, 0] = 0.0  # a curve is not on the axis
+    found = command_map.envelope(mapped(achieved, fallen), PART.tolerance)
+    assert found == {"forwards": 0.1, "backwards": 0.1, "left": 0.0, "right": 0.0}
+
+
+def test_envelope_of_a_direction_without_commands_is_unknown():
+    result = mapped(exact())
+    result["forward_velocity"], result["yaw_rate"] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], [-0.5, 0.2, 0.5]
+    assert set(command_map.envelope(result, PART.tolerance).values()) == {None}
