@@ -264,7 +264,7 @@ def test_suite_on_the_card_of_a_policy_is_in_the_manifest_and_on_the_page(run, t
     assert export.manifest["evaluation"]["suite"] == suite
     assert "suite" not in export.manifest["training"]
     page = (tmp_path / "export" / "README.md").read_text()
-    assert "In the suite mq-eval 1:\n\n- Terrain: highest level passed: wave 3." in page
+    assert "In the suite mq-eval 1:\n\n- Terrain: highest level passed, of 10: wave 3." in page
 
 
 def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path):
