@@ -121,13 +121,18 @@ def test_findings_name_the_worst_of_everything(suite_result):
     )
     numbers = result["commands"]
     numbers.update(forward_velocity=[-0.2, 0.0, 0.3, 0.6], yaw_rate=[-0.5, 0.0, 0.4], met={"mean": 0.694})
-    numbers["fall_share"] = [[0.0] * 3] * 4
+    numbers["fall_share"] = [[0.0] * 3 for _ in range(4)]
     for name in ("forward_velocity_error", "yaw_rate_error"):
         numbers[name]["signed"] = [[0.0] * 3 for _ in range(4)]
     numbers["forward_velocity_error"]["signed"][3][1] = -0.06
     assert dict(suite_findings(result))["Envelope"] == (
         "it meets 69 % of all commands; of those in one direction alone, all up to 0.3 m/s forwards, 0.2 m/s "
         "backwards, 0.4 rad/s in place."
+    )
+    numbers["fall_share"][1][0] = 0.25
+    assert dict(suite_findings(result))["Envelope"] == (
+        "it meets 69 % of all commands; of those in one direction alone, all up to 0.3 m/s forwards, 0.2 m/s "
+        "backwards; it misses the smallest one in place."
     )
     result["gait"]["commands"][0]["clearance"][1] = 0.002
     assert dict(suite_findings(result))["Gait"].startswith("not clean: the lowest foot clears the ground by 2 mm")

@@ -43,13 +43,21 @@ def direction_in_words(degrees: float) -> str:
 def _envelope(result: Mapping[str, Any]) -> str:
     commands = result["commands"]
     largest = envelope(commands, result["definition"]["commands"]["tolerance"])
-    turns = [size for side in ("left", "right") if (size := largest[side]) is not None]
-    reached = [
-        *(f"{largest[way]:g} m/s {way}" for way in ("forwards", "backwards") if largest[way] is not None),
-        *([f"{min(turns):g} rad/s in place"] if turns else []),
-    ]
+    in_place = [size for side in ("left", "right") if (size := largest[side]) is not None]
+    sizes = {
+        "m/s forwards": largest["forwards"],
+        "m/s backwards": largest["backwards"],
+        "rad/s in place": min(in_place, default=None),
+    }
     share = f"it meets {100.0 * commands['met']['mean']:.0f} % of all commands"
-    return f"{share}; of those in one direction alone, all up to {', '.join(reached)}." if reached else f"{share}."
+    met = [f"{size:g} {way}" for way, size in sizes.items() if size]
+    missed = [way.split(" ", 1)[1] for way, size in sizes.items() if size == 0.0]
+    return (
+        share
+        + (f"; of those in one direction alone, all up to {', '.join(met)}" if met else "")
+        + (f"; it misses the smallest one {' and '.join(missed)}" if missed else "")
+        + "."
+    )
 
 
 def _gait(gait: Mapping[str, Any]) -> str:
