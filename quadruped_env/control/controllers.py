@@ -136,4 +136,4 @@ class PolicyController:
             self.policy.check_control(control.config)
             self.policy.check_observations(control.layout)
             self._checked = control.config
-        return control.joint_target(self.policy.predict(observation).astype(np.float64))
+        return control.joint_target(self.policy.predict(observation))

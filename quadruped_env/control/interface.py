@@ -155,9 +155,10 @@ class ControlInterface:
         self.previous_action[:] = self.action
         self.action.fill(0.0)
 
-    def joint_target(self, action: Floats) -> Floats:
+    def joint_target(self, action: NDArray[np.floating[Any]]) -> Floats:
         """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
-        np.minimum(action, _ONE, out=self.action)
+        # Converted before the ufunc: one that converts its input itself takes longer than both.
+        np.minimum(action.astype(np.float64), _ONE, out=self.action)
         np.maximum(self.action, _MINUS_ONE, out=self.action)
         target = self.action * self._scale
         return self.within_limits(np.add(target, self.nominal(), target))

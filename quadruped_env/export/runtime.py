@@ -105,7 +105,7 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
     control.advance()
     found: dict[str, NDArray[Any]] = {
         ACTION: action,
-        JOINT_TARGET: control.joint_target(action.astype(np.float64)),
+        JOINT_TARGET: control.joint_target(action),
         NEXT_GAIT_PHASE: control.phase[:, None],
         NEXT_HISTORY: observation[:, : interface.history_width],
     }
