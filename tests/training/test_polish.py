@@ -169,7 +169,8 @@ def test_all_candidates_have_the_same_starts_and_those_of_the_end_many(small, mo
             seeds.clear()
 
 
-def test_stiff_contacts_are_those_of_half_the_time_and_change_the_motion(small):
+def test_stiff_contacts_have_half_the_time_constant_and_are_compared_with_the_first_start(small, monkeypatch):
+    monkeypatch.setattr(polish, "_STARTS", 2)
     found = search(walking())
     own, stiff = (robots.task for robots in (found._robots, found._stiff_robots))
     for task, time_constant, timestep in ((own, 0.01, 0.005), (stiff, 0.005, 0.0025)):
