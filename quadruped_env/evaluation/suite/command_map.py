@@ -1,6 +1,6 @@
 """The map of achieved over commanded velocities on the whole rectangle of commands, with its dead zones."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -63,22 +63,27 @@ def dead_zones(part: CommandMap, achieved: Floats) -> dict[str, float | None]:
         achieved: mean velocities (V, W, 2), m/s and rad/s; NaN if unknown, which counts as not reached.
     """
     forward, turning = np.array(part.forward_velocity), np.array(part.yaw_rate)
-    along = achieved[:, np.flatnonzero(turning == 0.0), 0][:, :1]
-    across = achieved[np.flatnonzero(forward == 0.0), :, 1][:1]
     zones: dict[str, float | None] = {}
-    for names, commands, reached in (
-        (("forwards", "backwards"), forward, along.ravel()),
-        (("left", "right"), turning, across.ravel()),
+    for name, sign, size, reached in _half_axes(forward, turning, achieved[..., 0], achieved[..., 1]):
+        dead = size[~(sign * reached >= part.dead_share * size)]
+        zones[name] = float(dead.max(initial=0.0)) if len(size) else None
+    return zones
+
+
+def _half_axes(
+    forward: Floats, turning: Floats, of_forward: NDArray[Any], of_turning: NDArray[Any]
+) -> Iterator[tuple[str, float, Floats, NDArray[Any]]]:
+    """Name and sign of each direction, sizes of its commands with the other velocity 0, and the values (V, W) there.
+
+    Sizes and values are empty if the map has no command on the half axis.
+    """
+    for names, commands, on_axis in (
+        (("forwards", "backwards"), forward, of_forward[:, turning == 0.0]),
+        (("left", "right"), turning, of_turning[forward == 0.0].T),
     ):
         for name, sign in zip(names, (1.0, -1.0), strict=True):
-            side = (sign * commands > 0.0) if len(reached) else np.zeros(len(commands), dtype=np.bool_)
-            if not side.any():
-                zones[name] = None
-                continue
-            size = sign * commands[side]
-            dead = size[~(sign * reached[side] >= part.dead_share * size)]
-            zones[name] = float(dead.max()) if len(dead) else 0.0
-    return zones
+            side = sign * commands > 0.0 if on_axis.shape[1] else np.zeros(len(commands), dtype=np.bool_)
+            yield name, sign, sign * commands[side], on_axis[side, :1].ravel()
 
 
 def envelope(result: Mapping[str, Any], tolerance: Sequence[float]) -> dict[str, float | None]:
@@ -98,18 +103,9 @@ def envelope(result: Mapping[str, Any], tolerance: Sequence[float]) -> dict[str,
         # As in `summary`, an unknown velocity does not meet its command.
         met &= np.abs(np.array(result[name]["signed"], dtype=np.float64)) <= largest
     found: dict[str, float | None] = {}
-    for names, commands, along in (
-        (("forwards", "backwards"), forward, met[:, turning == 0.0]),
-        (("left", "right"), turning, met[forward == 0.0].T),
-    ):
-        for name, sign in zip(names, (1.0, -1.0), strict=True):
-            side = sign * commands > 0.0
-            if not side.any() or not along.shape[1]:
-                found[name] = None
-                continue
-            size, kept = sign * commands[side], along[side, 0]
-            missed = size[~kept].min(initial=np.inf)
-            found[name] = float(size[size < missed].max(initial=0.0))
+    for name, _, size, kept in _half_axes(forward, turning, met, met):
+        missed = size[~kept].min(initial=np.inf)
+        found[name] = float(size[size < missed].max(initial=0.0)) if len(size) else None
     return found
 
 
