@@ -103,16 +103,16 @@ def run(arguments: argparse.Namespace) -> int:
     rows = {row["name"]: row for row in read_references(arguments.output)} if arguments.only else {}
     known = finished_results(arguments.result, suite)
     origin = {"versions": versions(), "commit": git_commit()}
-    cards = {}
+    results = {}
     for contender in contenders:
         if contender.name in wanted:
             result = known.get(contender.name) or run_suite(contender, suite, ProgressLine(contender.name))
             rows[contender.name] = {**reference_row(result), "origin": origin}
-            cards[contender.name] = result
+            results[contender.name] = result
     check_comparable(rows)
     if arguments.output == REFERENCE_FILE:
-        for name in set(cards) & set(SHIPPED) - {entry.partition("=")[0] for entry in arguments.policy}:
-            note_suite(name, cards[name])
+        for name in set(results) & set(SHIPPED) - {entry.partition("=")[0] for entry in arguments.policy}:
+            note_suite(name, results[name])
     ordered: list[Mapping[str, Any]] = [rows[name] for name in names if name in rows]
     write_json(arguments.output, {"rows": ordered})
     print(f"{score_table(ordered)}\nwritten: {arguments.output}")

@@ -146,19 +146,21 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
     verdict = evaluation.get("verdict")
     parts = []
     if isinstance(verdict, Mapping):
-        findings = "\n".join(_item(f"{topic}: {words}") for topic, words in verdict["findings"].items())
-        parts.append(f"{verdict['headline']}\n\n{findings}")
+        parts.append(f"{verdict['headline']}\n\n{_findings(verdict)}")
     elif verdict:
         parts.append(_verbatim(str(verdict)))
     # The verdict of an evaluation has them already.
     suite = evaluation.get("suite") or {}
     if "findings" in suite:
-        findings = "\n".join(_item(f"{topic}: {words}") for topic, words in suite["findings"].items())
-        parts.append(f"In the suite {suite['suite']['name']} {suite['suite']['version']}:\n\n{findings}")
+        parts.append(f"In the suite {suite['suite']['name']} {suite['suite']['version']}:\n\n{_findings(suite)}")
     by_motion = evaluation.get("by_motion") or evaluation.get("metrics")
     if by_motion:
         parts.append(_metrics_table(by_motion))
     return "\n\n".join(parts)
+
+
+def _findings(results: Mapping[str, Any]) -> str:
+    return "\n".join(_item(f"{topic}: {words}") for topic, words in results["findings"].items())
 
 
 def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
