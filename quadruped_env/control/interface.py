@@ -157,7 +157,7 @@ class ControlInterface:
 
     def joint_target(self, action: NDArray[np.floating[Any]]) -> Floats:
         """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
-        # Converted before the ufunc: one that converts its input itself takes longer than both.
+        # A ufunc that converts its input takes longer than a conversion and the ufunc one after the other.
         np.minimum(action.astype(np.float64), _ONE, out=self.action)
         np.maximum(self.action, _MINUS_ONE, out=self.action)
         target = self.action * self._scale
