@@ -74,11 +74,17 @@ def named_policies(entries: list[str]) -> dict[str, Policy]:
     return policies
 
 
-def finished_results(files: list[Path], suite: Suite) -> dict[str, Mapping[str, Any]]:
+def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[str, Mapping[str, Any]]:
     """Results of shipped policies from `suite.json` of their evaluations, by name.
 
+    Args:
+        files: the files.
+        suite: suite that they must be of.
+        wanted: shipped policies whose rows are measured.
+
     Raises:
-        QuadrupedError: if a file is damaged, of another suite, or of a policy that is not the shipped one.
+        QuadrupedError: if a file is damaged, of another suite, of a policy that is not the shipped one, or of one
+            whose row is not measured.
     """
     found = {}
     for path in files:
@@ -88,6 +94,11 @@ def finished_results(files: list[Path], suite: Suite) -> dict[str, Mapping[str, 
         name = result["name"]
         if name not in SHIPPED or result.get("policy", {}).get("card") != without_suite(load_policy(name).card):
             raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found those of {name!r}")
+        if name not in wanted:
+            raise QuadrupedError(
+                f"{path}: the row {name!r} is not measured from the shipped policy; add it to --only, or leave out "
+                f"--policy {name}=..."
+            )
         found[name] = result
     return found
 
@@ -101,7 +112,8 @@ def run(arguments: argparse.Namespace) -> int:
     if not set(wanted) <= set(names):
         raise QuadrupedError(f"--only: expected some of {', '.join(names)}; found {', '.join(wanted)}")
     rows = {row["name"]: row for row in read_references(arguments.output)} if arguments.only else {}
-    known = finished_results(arguments.result, suite)
+    shipped = set(wanted) & set(SHIPPED) - {entry.partition("=")[0] for entry in arguments.policy}
+    known = finished_results(arguments.result, suite, shipped)
     origin = {"versions": versions(), "commit": git_commit()}
     results = {}
     for contender in contenders:
@@ -111,7 +123,7 @@ def run(arguments: argparse.Namespace) -> int:
             results[contender.name] = result
     check_comparable(rows)
     if arguments.output == REFERENCE_FILE:
-        for name in set(results) & set(SHIPPED) - {entry.partition("=")[0] for entry in arguments.policy}:
+        for name in shipped:
             note_suite(name, results[name])
     ordered: list[Mapping[str, Any]] = [rows[name] for name in names if name in rows]
     write_json(arguments.output, {"rows": ordered})

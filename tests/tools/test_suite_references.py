@@ -146,6 +146,18 @@ def test_finished_results_of_another_policy_or_suite_are_refused(shipped):
     assert "suite" not in load_policy(shipped).card
 
 
+@pytest.mark.parametrize("elsewhere", [{"only": ["standing"]}, {"only": ["flat"], "policy": ["flat=RUN"]}])
+def test_finished_results_that_no_row_would_hold_are_refused(shipped, tmp_path, elsewhere):
+    random_policy("position").save(tmp_path / "run")
+    path = finished(shipped)
+    policy = [entry.replace("RUN", str(tmp_path / "run")) for entry in elsewhere.get("policy", [])]
+    with pytest.raises(
+        QuadrupedError, match=r"suite\.json: the row 'flat' is not measured from the shipped policy; add"
+    ):
+        suite_references.run(asked(tmp_path, **{**elsewhere, "policy": policy}, result=[path]))
+    assert not (tmp_path / "references.json").exists()
+
+
 def test_rows_in_another_file_leave_the_cards_alone(shipped, tmp_path, monkeypatch):
     monkeypatch.setattr(suite_references, "run_suite", result_of)
     suite_references.run(asked(tmp_path, only=["flat"], output=tmp_path / "other.json"))
