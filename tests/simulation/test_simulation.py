@@ -1,5 +1,6 @@
 """The two simulation drivers: identical bits, independent envs, resets, pushes and divergence."""
 
+import contextlib
 from dataclasses import fields
 
 import mujoco
@@ -50,7 +51,8 @@ def test_both_drivers_give_the_same_bits_at_any_number_of_threads():
         np.testing.assert_array_equal(eventful_run(driver), expected, err_msg=driver)
 
 
-def test_one_control_step_is_as_many_physics_steps_of_mujoco(model):
+@pytest.mark.parametrize("substeps", [1, 2, 3, SUBSTEPS])
+def test_one_control_step_is_as_many_physics_steps_of_mujoco(model, substeps):
     qpos, qvel = draw_starts(np.random.default_rng(0), 1)
     simulation = SingleSimulation(model)
     simulation.reset(np.array([0]), qpos, qvel)
@@ -60,11 +62,30 @@ def test_one_control_step_is_as_many_physics_steps_of_mujoco(model):
     rng = np.random.default_rng(1)
     for _ in range(50):
         target = draw_targets(rng)[:1]
-        simulation.step(target, SUBSTEPS)
+        simulation.step(target, substeps)
         data.ctrl = target[0]
-        mujoco.mj_step(model, data, SUBSTEPS)
+        mujoco.mj_step(model, data, substeps)
         np.testing.assert_array_equal(simulation.data.qpos, data.qpos)
         np.testing.assert_array_equal(simulation.data.qvel, data.qvel)
+        mujoco.mj_step1(model, data)  # positions and velocities at the new state; forces stay the last substep's
+        np.testing.assert_array_equal(simulation.sensordata[0], data.sensordata)
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, mujoco.FatalError])
+def test_the_sensors_go_on_after_a_step_that_was_broken_off(model, monkeypatch, error):
+    simulation = SingleSimulation(model)
+    simulation.reset(np.array([0]), *draw_starts(np.random.default_rng(0), 1))
+    flags = model.opt.disableflags
+
+    def break_off(*_):
+        raise error
+
+    with monkeypatch.context() as patched:
+        patched.setattr(mujoco, "mj_step", break_off)
+        with contextlib.suppress(KeyboardInterrupt):
+            simulation.step(STANCE[None], SUBSTEPS)
+    assert simulation.diverged()[0] == (error is mujoco.FatalError)
+    assert model.opt.disableflags == flags
 
 
 def test_positions_and_velocities_are_current_after_a_step(driver):
