@@ -20,7 +20,8 @@ from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
 from quadruped_env.training.actor_critic import symmetrized
 from quadruped_env.training.config import WARP_DEVICES, TrainConfig, on_gpu
 from quadruped_env.training.distributed.group import ALONE, Group
-from quadruped_env.training.ppo import Recorder, record, stop_on_signal
+from quadruped_env.training.ppo import stop_on_signal
+from quadruped_env.training.recorder import Recorder, record
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import RSL_FILE, Run, check_latest
 from quadruped_env.training.statistics import StepStatistics

@@ -206,7 +206,7 @@ def test_graph_of_a_training_is_torchs_policy(symmetric):
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.ppo import export_policy, make_model
+    from quadruped_env.training.models import export_policy, make_model
 
     torch.manual_seed(0)
     config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)

@@ -49,15 +49,16 @@ def learn(runs, config, resume=None):
 def learn_until(monkeypatch, note, runs, config):
     """Run directory of a training that Ctrl-C ends in the part that calls this method of its recorder."""
     from quadruped_env.training import ppo
+    from quadruped_env.training.recorder import Recorder
 
-    usual = getattr(ppo.Recorder, note)
+    usual = getattr(Recorder, note)
 
     def interrupt(self, share, results):
         usual(self, share, results)
         signal.raise_signal(signal.SIGINT)
 
     with monkeypatch.context() as patch:
-        patch.setattr(ppo.Recorder, note, interrupt)
+        patch.setattr(Recorder, note, interrupt)
         run, finished = ppo.train(config, runs, "test")
     assert not finished
     return run

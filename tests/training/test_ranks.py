@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import torch
 from rank_threads import on_ranks
+from stable_baselines3.common.logger import configure
 from trainings import SMALL, STEPS, learn
 
 from quadruped_env import QuadrupedError
@@ -36,7 +37,7 @@ def collected(config):
     """A plain model after a rollout."""
     model = make_model(config, make_sb3_vec_env(config.num_envs, seed=config.seed))
     _, callback = model._setup_learn(STEPS)
-    model.set_logger(ppo.configure(None, []))
+    model.set_logger(configure(None, []))
     model.collect_rollouts(model.env, callback, model.rollout_buffer, model.n_steps)
     return model
 
@@ -45,7 +46,7 @@ def share_of(model, config, group):
     """A rank's model with the weights of a plain model, and its share of that one's rollout."""
     own = ppo.prepare(config, None, None, group)[3]
     own._setup_learn(STEPS)
-    own.set_logger(ppo.configure(None, []))
+    own.set_logger(configure(None, []))
     unflatten(weights(model), own.policy.parameters())
     envs = slice(group.rank * own.n_envs, (group.rank + 1) * own.n_envs)
     for name in BUFFERS:
@@ -184,7 +185,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 
     def run(group):
         _, _, _, model = ppo.prepare(config, None, None, group)
-        model.set_logger(ppo.configure(None, []))
+        model.set_logger(configure(None, []))
         # Rank 1 alone is asked to stop.
         found = Recorded(group, 3 if group.rank else 99)
         ppo.learn(config, model, found, fresh=True)

@@ -90,7 +90,7 @@ def test_a_training_on_a_full_disk_ends_with_one_clear_error_and_keeps_its_check
 def test_a_training_whose_curves_cannot_be_written_ends_with_one_clear_error(tmp_path, monkeypatch, capfd):
     from tensorboard.summary.writer.record_writer import RecordWriter
 
-    from quadruped_env.training import ppo
+    from quadruped_env.training import ppo, recorder
 
     written = []
 
@@ -100,7 +100,7 @@ def test_a_training_whose_curves_cannot_be_written_ends_with_one_clear_error(tmp
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(RecordWriter, "write", fail)
-    monkeypatch.setattr(ppo, "_LOG_INTERVAL", 0.0)
+    monkeypatch.setattr(recorder, "_LOG_INTERVAL", 0.0)
     config = TrainConfig(timesteps=10**9, num_envs=4, n_steps=8, batch_size=16, hidden=(8,))
     with pytest.raises(QuadrupedError, match=r"-ppo: cannot be written \(No space left on device\); make room"):
         ppo.train(config, tmp_path, "train")

@@ -16,7 +16,7 @@ from trainings import progress
 
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig, models, ppo
+from quadruped_env.training import TrainConfig, models, ppo, recorder
 from quadruped_env.training.resume import Parent
 
 ENVS, N_STEPS, ROLLOUTS = 8, 8, 12
@@ -56,7 +56,7 @@ class Watched:
         self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
         self.exploration, self.learning_rates = [], []
         self.model, self.closed = None, 0
-        for module in (models, ppo):
+        for module in (models, recorder):
             monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
         monkeypatch.setattr(ppo, "make_sb3_vec_env", self._make_env)
         monkeypatch.setattr(ppo, "make_model", self._make_model(models.make_model))

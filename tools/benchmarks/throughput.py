@@ -60,9 +60,9 @@ import json, os, sys
 from pathlib import Path
 import psutil
 from quadruped_env.training import TrainConfig
-from quadruped_env.training import ppo
+from quadruped_env.training import ppo, recorder
 process, seen = psutil.Process(), []
-class Watched(ppo.Recorder):
+class Watched(recorder.Recorder):
     def _on_rollout_end(self):
         super()._on_rollout_end()
         seen.append((self.num_timesteps, process.memory_info().rss))
