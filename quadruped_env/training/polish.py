@@ -53,7 +53,7 @@ _DIRECTIONS: Final = 12
 """Number of principal directions of the last layer's inputs; the bias is one more."""
 _CANDIDATES, _STARTS = 40, 3
 """Candidates of a generation, and starts of each on every command. From the first one each walks with stiff contacts,
-too."""
+too, straight ahead and backwards."""
 _STIFFNESS: Final = 2
 """Physics steps in one of the task's, and the time constant of its contacts over that of stiff ones. What these change
 is about half of what the stiff contacts of another engine do."""
@@ -82,7 +82,13 @@ Report = Callable[[float, Polished | None], None]
 
 def polish_steps(generations: int) -> int:
     """Environment steps that the search takes, with the measurement before and after it."""
-    return ((generations + 1) * _STEPS * (_STARTS + 1) + _DIRECTION_STEPS * _STARTS) * len(_COMMANDS) * _CANDIDATES
+    walks, stiff_walks = len(_COMMANDS) * _STARTS, int(_straight(_COMMANDS).sum())
+    return ((generations + 1) * _STEPS * (walks + stiff_walks) + _DIRECTION_STEPS * walks) * _CANDIDATES
+
+
+def _straight(commands: Floats) -> NDArray[np.bool_]:
+    """Mask (K,) of the commands (K, 2) without a turn."""
+    return commands[:, 1] == 0.0
 
 
 def polish(
@@ -146,7 +152,8 @@ class _Search:
         largest = np.where(_COMMANDS[:, 0] < 0.0, -forward[0], forward[1])
         self._commands = _COMMANDS * np.stack([largest, np.full_like(largest, turn[1])], axis=1)
         self._other_commands = [0.0] * (len(config.commands) - 2)
-        self._robots, self._stiff_robots = _Robots(config, _STARTS), _Robots(config, 1, _STIFFNESS)
+        self._robots = _Robots(config, self._commands, _STARTS)
+        self._stiff_robots = _Robots(config, self._commands[_straight(self._commands)], 1, _STIFFNESS)
         layer = model.policy.action_net
         self._layer = np.concatenate([layer.weight.numpy(force=True).T, layer.bias.numpy(force=True)[None]])
         """Weights and biases (H + 1, J)."""
@@ -202,7 +209,7 @@ class _Search:
 
     def _measured(self, robots: "_Robots", layers: Floats, seed: int, sets: int) -> "_Measures":
         measures = _Measures(robots)
-        of_robots = np.tile(np.repeat(layers, robots.starts, axis=0), (len(_COMMANDS), 1, 1))
+        of_robots = np.tile(np.repeat(layers, robots.starts, axis=0), (len(robots.commands), 1, 1))
         for step, _ in enumerate(self._walk(robots, of_robots, _STEPS, seed, sets)):
             measures.add(count=step >= _WARM_UP_STEPS)
         return measures
@@ -216,7 +223,8 @@ class _Search:
         moves = speed > 0.0
         speed = np.where(moves, speed, 1.0)
         transport = means.power / (_GRAVITY * self._robot.total_mass * speed) * moves
-        stiff = np.maximum(np.abs(means.stiffened) / speed - _STIFF_FREE, 0.0) * (self._commands[:, 1:] == 0.0)
+        stiff, straight = np.zeros_like(transport), _straight(self._commands)
+        stiff[straight] = np.maximum(np.abs(means.stiffened) / speed[straight] - _STIFF_FREE, 0.0)
         return (
             _EACH_TOUCHDOWN * touchdowns
             + _EACH_METRE * missing
@@ -231,10 +239,10 @@ class _Search:
 
         The seed is that of the first start. For `sets`, see `costs`.
         """
-        task, group = robots.task, robots.number // len(_COMMANDS)
+        task, group = robots.task, robots.number // len(robots.commands)
         candidate, start = np.divmod(np.arange(group), robots.starts)
         seeds = (seed + candidate % sets * _STARTS + start).tolist()
-        for index, command in enumerate(self._commands):
+        for index, command in enumerate(robots.commands):
             task.reset(np.arange(index * group, (index + 1) * group), seeds, [*command, *self._other_commands])
         observations = task.observe()
         extractor = self._model.policy.mlp_extractor
@@ -264,11 +272,11 @@ class _Search:
 
 
 class _Robots:
-    """All candidates on each command, from a number of starts each (K, C, S)."""
+    """All candidates on each command (K, 2), from a number of starts each (K, C, S)."""
 
-    def __init__(self, config: TaskConfig, starts: int, stiffness: int = 1) -> None:
-        self.starts = starts
-        self.number = len(_COMMANDS) * _CANDIDATES * starts
+    def __init__(self, config: TaskConfig, commands: Floats, starts: int, stiffness: int = 1) -> None:
+        self.commands, self.starts = commands, starts
+        self.number = len(commands) * _CANDIDATES * starts
         # No contact's time constant can be shorter than two physics steps.
         config = replace(
             config,
@@ -291,7 +299,8 @@ class _Means:
     velocity: Floats
     """Forward, m/s, and yaw rate, rad/s (K, C, 2)"""
     stiffened: Floats
-    """Forward velocity from the first start in stiff contacts, minus that in the robot's own (K, C), m/s"""
+    """Forward velocity from the first start in stiff contacts, minus that in the robot's own, on the commands without a
+    turn (K', C), m/s"""
     power: Floats
     """Electrical (K, C), W"""
     fallen: Floats
@@ -337,13 +346,13 @@ class _Measures:
             touchdowns=self._mean(strides.touchdowns / whole),
             clearance=self._mean(np.where(strides.count > 0.0, strides.lowest_apex, 0.0)),
             velocity=velocity.mean(axis=2),
-            stiffened=(stiff.velocity() - velocity)[:, :, 0, 0],
+            stiffened=(stiff.velocity() - velocity[_straight(self._robots.commands)])[:, :, 0, 0],
             power=self._mean(self._power / self._counted),
             fallen=self._mean(self._fallen.astype(np.float64)),
         )
 
     def _by_start(self, values: Floats) -> Floats:
-        return values.reshape(len(_COMMANDS), -1, self._robots.starts, *values.shape[1:])
+        return values.reshape(len(self._robots.commands), -1, self._robots.starts, *values.shape[1:])
 
     def _mean(self, values: Floats) -> Floats:
         return self._by_start(values).mean(axis=2)

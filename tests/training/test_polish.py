@@ -19,7 +19,7 @@ GOOD = {
     "touchdowns": np.full((7, 1, 4), 1.0),
     "clearance": np.full((7, 1, 4), 0.02),
     "velocity": np.array([[0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [-0.2, 0], [0, 0.5], [0.3, 0.5]])[:, None],
-    "stiffened": np.zeros((7, 1)),
+    "stiffened": np.zeros((5, 1)),
     "power": np.zeros((7, 1)),
     "fallen": np.zeros((7, 1)),
 }
@@ -59,8 +59,6 @@ def cost(model, **changes):
         ({"stiffened": ((4, 0), 0.0062)}, 4, 4.0),
         ({"stiffened": ((3, 0), -0.0155)}, 3, 4.0),
         ({"stiffened": ((3, 0), -0.012)}, 3, 0.0),
-        ({"stiffened": ((6, 0), 0.02)}, 6, 0.0),
-        ({"stiffened": ((5, 0), 0.02)}, 5, 0.0),
         ({"fallen": ((2, 0), 0.5)}, 2, 25.0),
     ],
 )
@@ -160,12 +158,12 @@ def test_all_candidates_have_the_same_starts_and_those_of_the_end_many(small, mo
         next(found._walk(robots, found._layer, 1, 0))
         monkeypatch.setattr(robots.task, "reset", lambda envs, own, command: seeds.append(own))
     for sets in (1, 2):
-        for robots, expected in (
-            (found._robots, [0, 1, *((2, 3) if sets == 2 else (0, 1))] * 2),
-            (found._stiff_robots, [0, 2 if sets == 2 else 0] * 2),
+        for robots, expected, commands in (
+            (found._robots, [0, 1, *((2, 3) if sets == 2 else (0, 1))] * 2, 7),
+            (found._stiff_robots, [0, 2 if sets == 2 else 0] * 2, 5),
         ):
             next(found._walk(robots, found._layer, 1, 70, sets))
-            assert seeds == [[70 + start for start in expected]] * 7, "on all commands"
+            assert seeds == [[70 + start for start in expected]] * commands, "on all commands"
             seeds.clear()
 
 
@@ -182,7 +180,7 @@ def test_stiff_contacts_have_half_the_time_constant_and_are_compared_with_the_fi
     measures = [found._measured(robots, layers, 5, 1) for robots in (found._robots, found._stiff_robots)]
     means = measures[0].means(measures[1])
     first, last = (measure.velocity()[:, :, 0, 0] for measure in measures)
-    np.testing.assert_array_equal(means.stiffened, last - first)
+    np.testing.assert_array_equal(means.stiffened, last - first[:5], "of the commands without a turn")
     changes = np.abs(means.stiffened)
     assert ((changes > 0.0) & (changes < 0.3)).all()
 
