@@ -1,9 +1,9 @@
 """Search how little electrical energy a scripted gait can walk with.
 
-Each row is a search at one frequency of the gait clock, from the gait `tuned`, with wishes of one kind: `energy` is a
-gait that keeps the speed and its feet, and costs as little as possible; `steps` also wants feet that clear the ground
-in every stride and touch it once. The table shows the electrical cost of transport (energy over weight and distance)
-and what the steps look like; docs/gaits.md holds it.
+Each row is a search at one frequency of the gait clock, from the gait `tuned`, with one of two scores: `energy` rewards
+a gait that keeps its speed, does not fall and costs as little as possible; `steps` also rewards feet that clear the
+ground in every stride and touch it once. The table shows the electrical cost of transport (energy over weight and
+distance) and what the steps look like; docs/gaits.md holds it.
 
 Takes three minutes per row on two idle cores.
 """
@@ -56,8 +56,8 @@ def energy(got: Achieved, speed: float, yaw_rate: NDArray[np.float64]) -> NDArra
 
 def steps(got: Achieved, speed: float, yaw_rate: NDArray[np.float64]) -> NDArray[np.float64]:
     """Scores (N,) of gaits whose steps matter as in the search of `tuned`, next to the energy: see `Judge`."""
-    wishes = STYLES["tuned"].straight.steps._replace(electrical_cost=0.0)
-    score: NDArray[np.float64] = wishes.judge(got, speed, yaw_rate) - 40.0 * transport(got)
+    clean = STYLES["tuned"].straight.steps._replace(electrical_cost=0.0)
+    score: NDArray[np.float64] = clean.judge(got, speed, yaw_rate) - 40.0 * transport(got)
     return score
 
 
@@ -89,7 +89,7 @@ def main() -> int:
 
 def run(arguments: argparse.Namespace) -> int:
     """Do the searches, print the table, and write the legs' columns."""
-    print("| wishes | Hz | forward m/s | electrical cost of transport | least lift mm | touchdown error | fell |")
+    print("| score | Hz | forward m/s | electrical cost of transport | least lift mm | touchdown error | fell |")
     print("|---|---|---|---|---|---|---|")
     results = []
     for name, judge in JUDGES.items():
@@ -98,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
             print(_row(name, frequency, found.achieved), flush=True)
             results.append(
                 {
-                    "wishes": name,
+                    "score": name,
                     "frequency": frequency,
                     "electrical_cost_of_transport": float(transport(found.achieved)[0]),
                     "legs": found.candidate[0].tolist(),

@@ -64,7 +64,7 @@ def test_study_saves_energy_and_writes_what_it_found(tmp_path, capsys):
     arguments = argparse.Namespace(speed=0.4, frequencies=[3.4], generations=3, output=output)
     assert energy_study.run(arguments) == 0
     results = json.loads(output.read_text())["results"]
-    assert [result["wishes"] for result in results] == ["energy", "steps"]
+    assert [result["score"] for result in results] == ["energy", "steps"]
     printed = capsys.readouterr().out.splitlines()
     for line, result in zip(printed[2:4], results, strict=True):
         assert f"{result['electrical_cost_of_transport']:.2f}" in line
