@@ -1,8 +1,10 @@
 """Damaged policies: refused with the file, the field and the fix, and never loaded with other numbers."""
 
+import errno
 import json
 import os
 from hashlib import sha256
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -169,6 +171,19 @@ def test_a_damaged_policy_never_loads_with_other_weights_or_settings(run_directo
         assert loaded.activation == policy.activation
         for one, other in zip(loaded.weights + loaded.biases, policy.weights + policy.biases, strict=True):
             np.testing.assert_array_equal(one, other)
+
+
+def test_weights_on_a_disk_that_fails_are_refused(run_directory, monkeypatch):
+    read = Path.read_bytes
+
+    def fail(path):
+        if path.name == TENSORS_FILE:
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        return read(path)
+
+    monkeypatch.setattr(Path, "read_bytes", fail)
+    with pytest.raises(QuadrupedError, match=r"policy\.safetensors: cannot be read \(Input/output error\)"):
+        load_policy(run_directory)
 
 
 def test_weights_that_are_a_device_are_refused(run_directory):

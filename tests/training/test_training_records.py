@@ -347,6 +347,11 @@ def test_checkpoints_are_saved_at_their_times_with_their_step_counts(run):
         assert [float(row["timesteps"]) for row in progress(path)][-1] <= steps
 
 
+def test_a_checkpoint_that_is_due_at_the_end_of_a_rollout_is_saved_then(watched, tmp_path):
+    run = watched().train(tmp_path, config(checkpoint_seconds=3.0))
+    assert sorted(path.name for path in (run.directory / "checkpoints").iterdir()) == ["00003s", "00006s"]
+
+
 def test_card_of_a_finished_run_has_its_steps_seconds_and_no_budget_left(run):
     card = load_policy(run.directory).card
     assert (card["timesteps"], card["seconds"], card["budget_left"]) == (ROLLOUTS * SAMPLES, 6.0, 0.0)
