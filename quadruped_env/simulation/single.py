@@ -18,7 +18,12 @@ _NO_SENSORS = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 
 
 class SingleSimulation:
-    """`Simulation` with one env."""
+    """`Simulation` with one env.
+
+    Args:
+        model: model of the robot on its ground, for this simulation alone: steps and randomizations write to it.
+        robot: robot that the model describes.
+    """
 
     num_envs = 1
     xp = NUMPY
