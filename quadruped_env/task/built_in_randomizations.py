@@ -88,6 +88,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         0.1,
         "rad",
         "joints",
+        pure=True,
         description="offset of each joint from the stance at the start",
         source="part of the task",
     ),
@@ -97,6 +98,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         0.5,
         "rad/s",
         "joints",
+        pure=True,
         description="velocity of each joint at the start",
         source="part of the task",
     ),
@@ -106,6 +108,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         0.2,
         "m/s, rad/s",
         6,
+        pure=True,
         description="linear and angular velocity of the base along and about each axis at the start",
         source="part of the task",
     ),
@@ -115,11 +118,18 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         0.05,
         "rad",
         2,
+        pure=True,
         description="roll and pitch of the base at the start",
         source="part of the task",
     ),
     Randomization(
-        "start_heading", _heading, math.pi, "rad", description="heading at the start", source="part of the task"
+        "start_heading",
+        _heading,
+        math.pi,
+        "rad",
+        pure=True,
+        description="heading at the start",
+        source="part of the task",
     ),
     # MuJoCo uses the larger friction of the two geoms in contact, so all geoms are set.
     Randomization(

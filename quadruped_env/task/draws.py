@@ -65,7 +65,8 @@ class Draws:
         self._memory = EpisodeMemory(num_envs, xp)
         self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
         self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
-        self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
+        self.episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
+        """Key of each env's episode (N,), from which all its numbers follow."""
 
     def set_key(self, env_id: int, generator: np.random.Generator) -> None:
         """Set an env's key from a generator, and restart its episode count at 0."""
@@ -75,7 +76,11 @@ class Draws:
     def begin_episode(self, env_ids: NDArray[np.intp]) -> None:
         """Begin new episodes in some envs (R,)."""
         self._episode[env_ids] += np.uint64(1)
-        self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
+        self.episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
+
+    def next_episode_key(self) -> Keys:
+        """Key of the episode after the present one in each env (N,)."""
+        return _mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN)
 
     def uniform(self, purposes: Purposes, env_ids: Any, step: NDArray[np.int64]) -> Floats:
         """Numbers in [0, 1) for some envs at a step of their episodes.
@@ -88,10 +93,7 @@ class Draws:
         Returns:
             Numbers (R, number of columns).
         """
-        at_step = _mix(self._episode_key[env_ids] + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN)
-        mixed = _mix(at_step[:, None] ^ purposes.constants)
-        # A double from the top 53 bits, as in NumPy's generators.
-        return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
+        return uniform(purposes, self.episode_key[env_ids], step)
 
     def get_state(self, env_id: int) -> dict[str, Any]:
         """State from which the future draws of an env follow."""
@@ -100,6 +102,14 @@ class Draws:
     def set_state(self, env_id: int, state: dict[str, Any]) -> None:
         """Restore a state from `get_state`."""
         self._memory.set_state(env_id, state)
+
+
+def uniform(purposes: Purposes, episode_key: Keys, step: NDArray[np.int64]) -> Floats:
+    """Numbers in [0, 1) at a step (R,) of the episodes with these keys (R,): (R, number of columns)."""
+    at_step = _mix(episode_key + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN)
+    mixed = _mix(at_step[:, None] ^ purposes.constants)
+    # A double from the top 53 bits, as in NumPy's generators.
+    return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
 
 
 def _mix(z: Keys) -> Keys:

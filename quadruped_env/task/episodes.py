@@ -1,54 +1,37 @@
-"""Random quantities of episodes: initial states, model parameters, commands, pushes and sensor noise."""
+"""Random quantities of episodes: their starts, model parameters, commands, pushes and sensor noise."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env import rotations
 from quadruped_env.arrays import frozen
 from quadruped_env.control.config import Range
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.memory import EpisodeMemory
-from quadruped_env.simulation import Simulation, highest_ground
+from quadruped_env.simulation import Simulation, Tiles
 from quadruped_env.task.commands import CommandSampler
 from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.draws import Draws, Purposes
 from quadruped_env.task.event import Event
 from quadruped_env.task.model_fields import ModelField, Payload, check_physical
-from quadruped_env.task.randomization import Randomization, SensorError, between, bound, ends_of, is_active
+from quadruped_env.task.randomization import Active, Randomization, SensorError, between, ends_of, is_active
 from quadruped_env.task.sensors import Quantity, Sensors
+from quadruped_env.task.starts import Starts
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
 
-_START_CLEARANCE: Final = 0.01
-"""Height of the stance above the ground below it at the start, so that randomized legs do not penetrate it, m."""
-
 _NO_STATE: Final = np.zeros((0, 0))
-
-
-@dataclass(frozen=True, slots=True)
-class _Active:
-    """A randomization whose setting is not zero or None."""
-
-    randomization: Randomization
-    apply: Any
-    setting: Any
-    columns: slice
-
-    def carry_out(self, event: Event, draws: Floats) -> None:
-        self.apply(event, self.randomization.values(draws[:, self.columns], self.setting))
 
 
 @dataclass(frozen=True, slots=True)
 class _Recurring:
     """A randomization that repeats within an episode."""
 
-    active: _Active
+    active: Active
     purposes: Purposes
     interval: Range
     duration: Range | None
@@ -59,7 +42,7 @@ class _Recurring:
 
     @property
     def name(self) -> str:
-        return self.active.randomization.name
+        return self.active.name
 
 
 class Randomizer:
@@ -77,21 +60,12 @@ class Randomizer:
         self._xp = simulation.xp
         self._config = config
         robot = control.robot
-        self.commands = CommandSampler(config.definition.commands, config.command)
-        """Samples the commands."""
+        self._commands = CommandSampler(config.definition.commands, config.command)
         active = [r for r in config.definition.randomizations if is_active(config.randomization[r.name])]
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
         self.sensors = _sensors(simulation, config, active)
         """Errors of the sensors; None if they have none."""
         self._check(starting)
-        starts = Purposes({r.name: r.draws(robot) for r in starting})
-        self._at_start = (
-            starts + Purposes({"phase": 1, **{f"{r.name}/interval": 1 for r in recurring}}) + self.commands.purposes
-        )
-        self._command_columns = slice(
-            self._at_start.slices["command/kind"].start, self._at_start.slices["command/interval"].stop
-        )
-        self._starts = [self._bound(r, starts) for r in starting]
         self._recurring: list[_Recurring] = []
         self.memory = EpisodeMemory(control.num_envs, simulation.xp)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
@@ -103,9 +77,17 @@ class Randomizer:
             assert r.interval is not None
             interval = config.randomization[r.interval[0]]
             duration = None if r.duration is None else config.randomization[r.duration[0]]
-            self._recurring.append(_Recurring(self._bound(r, purposes), purposes, interval, duration, due, until))
-        names = {"start_joint_position", "start_tilt"}
-        self._clearance = _START_CLEARANCE if any(r.name in names for r in active) else 0.0
+            self._recurring.append(_Recurring(self._bound(r), purposes, interval, duration, due, until))
+        self.starts = Starts(
+            simulation,
+            draws,
+            self._commands,
+            [self._bound(r) for r in starting],
+            {entry.name: entry.interval for entry in self._recurring},
+            self.sensors,
+            at_origin=not isinstance(config.ground, Tiles),
+        )
+        """Draws the starts."""
         amplitudes, layout = config.randomization.noise_amplitude, control.layout
         amplitude = np.zeros(layout.width)
         for name, columns in layout.slices.items():
@@ -117,13 +99,8 @@ class Randomizer:
         self._noise.constants = frozen(self._noise.constants[self._noisy])
         self._noise_values = self._xp.zeros((control.num_envs, layout.width))
 
-    def _bound(self, randomization: Randomization, purposes: Purposes) -> _Active:
-        return _Active(
-            randomization,
-            bound(randomization, self._simulation),
-            self._config.randomization[randomization.name],
-            purposes.slices[randomization.name],
-        )
+    def _bound(self, randomization: Randomization) -> Active:
+        return Active.of(randomization, self._config.randomization[randomization.name], self._simulation)
 
     def _check(self, starting: list[Randomization]) -> None:
         """Check that the ranges of the model's fields leave a model that is physically possible."""
@@ -144,48 +121,30 @@ class Randomizer:
             place: position (R, 2) of each start, m; None: the origin.
             command: commands (R, C); None: random.
         """
-        draws = self._draws.uniform(self._at_start, env_ids, self._xp.zeros(len(env_ids), np.int64))
-        control, robot = self._control, self._control.robot
-        event = Event(
-            self._simulation,
-            robot,
-            env_ids,
-            qpos=self._xp.zeros((len(env_ids), robot.num_positions)),
-            qvel=self._xp.zeros((len(env_ids), robot.num_velocities)),
-            tilt=self._xp.zeros((len(env_ids), 3)),
-            sensors=self.sensors,
-        )
-        self._simulation.restore_model_fields(env_ids)
-        if self.sensors is not None:
-            self.sensors.memory.clear(env_ids)
-        event.qpos[:, 2] = robot.stance_height + self._clearance
-        event.qpos[:, 7:] = robot.stance
-        if place is not None:
-            event.qpos[:, :2] = place
-        for start in self._starts:
-            start.carry_out(event, draws)
-        event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])
-        event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
-        if self.sensors is not None:
-            self.sensors.before_start(env_ids)
-        self._simulation.reset(env_ids, event.qpos, event.qvel)
-        if self.sensors is not None:
-            self.sensors.after_start(env_ids)
+        simulation, sensors = self._simulation, self.sensors
+        simulation.restore_model_fields(env_ids)
+        if sensors is not None:
+            sensors.memory.clear(env_ids)
+        start = self.starts.of(env_ids, place)
+        if sensors is not None:
+            sensors.before_start(env_ids)
+        simulation.reset(env_ids, start.qpos, start.qvel)
+        if sensors is not None:
+            sensors.after_start(env_ids)
         self.memory.clear(env_ids)
-        for entry in self._recurring:
-            column = self._at_start.slices[f"{entry.name}/interval"].start
-            entry.due[env_ids] = self._in_steps(between(entry.interval, draws[:, column]))
-        sampled, seconds = self.commands.sample(draws[:, self._command_columns])
-        self.command_due[env_ids] = self._in_steps(seconds)
+        waits = self._in_steps(start.waits)
+        for i, entry in enumerate(self._recurring):
+            entry.due[env_ids] = waits[:, i]
+        self.command_due[env_ids] = waits[:, -1]
         if command is None:
-            command = sampled
-        control.reset(env_ids, math.tau * draws[:, self._at_start.slices["phase"].start], command)
+            command = start.command
+        self._control.reset(env_ids, start.phase, command)
         return command
 
     def next_command(self, env_ids: EnvIds) -> Floats:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""
         steps = self._control.steps[env_ids]
-        command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
+        command, seconds = self._commands.sample(self._draws.uniform(self._commands.purposes, env_ids, steps))
         self.command_due[env_ids] = steps + self._in_steps(seconds)
         return command
 
@@ -209,7 +168,7 @@ class Randomizer:
                 if entry.duration is not None:
                     seconds = between(entry.duration, draws[:, columns[f"{entry.name}/duration"].start])
                     until[env_ids] = steps[env_ids] + self._in_steps(seconds)
-                active.carry_out(self._event(env_ids), draws)
+                active.carry_out(self._event(env_ids), draws[:, columns[entry.name]])
 
     def _event(self, env_ids: EnvIds) -> Event:
         """Some envs (R,) within their episodes."""

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Any, Final, Literal, get_args
+from typing import Any, Final, Literal, Self, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,6 +84,9 @@ class Randomization:
     """For a randomization that repeats within an episode: the config's field for the interval in s, and its default."""
     duration: tuple[str, Range] | None = None
     """For one that lasts: the config's field for the duration in s, and its default. At its end, zeros are applied."""
+    pure: bool = False
+    """True if `apply` is a function that changes nothing but the event's `qpos`, `qvel` and `tilt`, and depends on
+    nothing but them and the values. The starts of several envs are then drawn ahead."""
     description: str = ""
     """Meaning of the values, for the docs."""
     source: str = ""
@@ -105,6 +108,12 @@ class Randomization:
         if self.duration is not None and self.interval is None:
             raise QuadrupedError(
                 f"randomization {self.name}: a duration needs an interval, after which the next one begins; found none"
+            )
+        is_function = not isinstance(self.apply, tuple) and not hasattr(self.apply, "bind")
+        if self.pure and (self.interval is not None or not is_function):
+            raise QuadrupedError(
+                f"randomization {self.name}: pure needs a function that applies at the start; found "
+                f"{'an interval' if is_function else short(self.apply)}"
             )
         setting = self.default
         if setting is None:
@@ -163,6 +172,29 @@ def between(bounds: Range, draw: Floats) -> Floats:
     """Uniform draws in [0, 1), scaled to [low, high)."""
     low, high = bounds
     return low + (high - low) * draw
+
+
+@dataclass(frozen=True, slots=True)
+class Active:
+    """A randomization that its setting enables, in a simulation."""
+
+    randomization: Randomization
+    apply: Callable[[Event, Floats], None]
+    setting: Range | float
+
+    @classmethod
+    def of(cls, randomization: Randomization, setting: Range | float, simulation: Simulation) -> Self:
+        """A randomization with a setting, in a simulation."""
+        return cls(randomization, bound(randomization, simulation), setting)
+
+    @property
+    def name(self) -> str:
+        """Name of the randomization."""
+        return self.randomization.name
+
+    def carry_out(self, event: Event, draws: Floats) -> None:
+        """Apply values for uniform draws (R, draws) in [0, 1)."""
+        self.apply(event, self.randomization.values(draws, self.setting))
 
 
 def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:
