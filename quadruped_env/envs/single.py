@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.envs import arguments, spaces
+from quadruped_env.envs.info import Info
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.envs.specification import with_tables
 from quadruped_env.errors import QuadrupedError
@@ -134,6 +135,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         model = task_config.compiled_model()
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
+        self._info = Info(self.task)
         self.action_space = spaces.action_space(self.task.control.robot)
         self.observation_space = spaces.observation_space(self.task.control.layout)
         self._renderer: SceneRenderer | None = None
@@ -185,8 +187,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         return transition.observation[0], float(transition.reward[0]), terminated, False, info
 
     def _readings(self) -> dict[str, NDArray[Any]]:
-        state = spaces.state(self.task)
-        return spaces.readings(self.task, {name: values[0].copy() for name, values in state.items()})
+        return self._info.readings({name: values[0].copy() for name, values in self._info.state().items()})
 
     def render(self) -> NDArray[np.uint8] | None:
         """Image (height, width, 3) in `rgb_array` mode; updates the window in `human` mode."""

@@ -1,4 +1,4 @@
-"""Spaces, metadata, specification and contents of `info`, shared by the single and the vector environment."""
+"""Spaces, metadata and specification, shared by the single and the vector environment."""
 
 import copy
 import os
@@ -13,7 +13,7 @@ from quadruped_env._plain import plain
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.envs.arguments import RENDER_MODES
 from quadruped_env.robot import QuadrupedDesign, Robot
-from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition
+from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 
 
 def action_space(robot: Robot) -> gymnasium.Space[NDArray[np.float32]]:
@@ -66,42 +66,3 @@ def _plain_argument(value: Any) -> Any:
     if isinstance(value, Robot):
         return value.to_dict()
     return os.fspath(value) if isinstance(value, os.PathLike) else plain(value)
-
-
-def state(task: Task) -> dict[str, NDArray[Any]]:
-    """The live arrays (N, ...) that `readings` describes."""
-    tiles = task.tiles
-    return {
-        **({} if tiles is None else {"terrain_kind": tiles.kind, "terrain_level": tiles.level}),
-        "command": task.command,
-        "sensordata": task.simulation.sensordata,
-    }
-
-
-def readings(task: Task, state: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-    """Entries of `info` that describe the state of the robots, as views where possible.
-
-    Args:
-        task: the task.
-        state: copies of the arrays of `state(task)`, of all envs, with entries (N, ...), or of one.
-    """
-    # One copy, with a view per reading, is cheaper than a copy per reading.
-    columns, entries = task.simulation.sensor_columns, dict(state)
-    values = entries.pop("sensordata")
-    foot_force = values[..., columns["foot_force"]]
-    return {
-        **entries,
-        "base_position": values[..., columns["base_position"]],
-        "base_linear_velocity": values[..., columns["linear_velocity_b"]],
-        "base_angular_velocity": values[..., columns["angular_velocity_b"]],
-        "joint_position": values[..., columns["joint_position"]],
-        "joint_velocity": values[..., columns["joint_velocity"]],
-        "joint_torque": values[..., columns["joint_torque"]],
-        "foot_force": foot_force,
-        "foot_contact": foot_force > task.context.contact_threshold,
-    }
-
-
-def step_results(task: Task, diverged: NDArray[np.bool_], terms: NDArray[np.float64]) -> dict[str, NDArray[Any]]:
-    """Entries of `info` that only a step has, (N,) each: `diverged`, and the weighted reward terms (N, T)."""
-    return {"diverged": diverged, **dict(zip(task.reward_keys, terms.T, strict=True))}

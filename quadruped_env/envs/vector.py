@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env._plain import whole_number
 from quadruped_env.envs import arguments, spaces
+from quadruped_env.envs.info import Info
 from quadruped_env.envs.member import MemberEnv
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.errors import QuadrupedError
@@ -76,6 +77,7 @@ class MiniQuadrupedVectorEnv(
         model = task_config.compiled_model()
         self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
+        self._info = Info(self.task)
         self.single_action_space = spaces.action_space(self.task.control.robot)
         self.single_observation_space = spaces.observation_space(self.task.control.layout)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
@@ -107,8 +109,8 @@ class MiniQuadrupedVectorEnv(
             mask = np.ones(self.num_envs, dtype=np.bool_)
         env_ids = np.flatnonzero(mask)
         self.task.reset(env_ids, [seeds[env_id] for env_id in env_ids], command)
-        state = {name: _only(values, env_ids) for name, values in spaces.state(self.task).items()}
-        return self.task.observe(), _with_mask(spaces.readings(self.task, state), mask)
+        state = {name: _only(values, env_ids) for name, values in self._info.state().items()}
+        return self.task.observe(), _with_mask(self._info.readings(state), mask)
 
     def step(
         self, actions: NDArray[np.float32]
@@ -127,7 +129,7 @@ class MiniQuadrupedVectorEnv(
             observation, info = self._reset_finished(transition)
         else:
             observation, info = transition.observation, _with_mask(self._readings(), self._everywhere())
-            results = spaces.step_results(self.task, transition.diverged, transition.terms)
+            results = self._info.step_results(transition.diverged, transition.terms)
             if restart is None:
                 info |= _with_mask(results, self._everywhere())
             elif not restart.all():
@@ -138,28 +140,25 @@ class MiniQuadrupedVectorEnv(
         return np.ones(self.num_envs, dtype=np.bool_)
 
     def _readings(self) -> dict[str, NDArray[Any]]:
-        return spaces.readings(self.task, {name: values.copy() for name, values in spaces.state(self.task).items()})
+        return self._info.readings({name: values.copy() for name, values in self._info.state().items()})
 
     def _reset_finished(self, transition: Transition) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Reset the finished envs. Their last observation and info go to `final_obs` and `final_info`."""
         task, done = self.task, self.task.finished.copy()
         env_ids = np.flatnonzero(done)
-        final_obs = np.full(self.num_envs, None, dtype=object)
+        final_obs = np.empty(self.num_envs, dtype=object)  # full of None
         for env_id in env_ids:
             final_obs[env_id] = transition.observation[env_id]
         # Masked as whole arrays, before they are divided into entries: masking every entry takes several times longer.
-        state, diverged, terms = spaces.state(task), transition.diverged, transition.terms
-        values = {name: array.copy() for name, array in state.items()}
-        final = spaces.readings(task, {name: _only(array, env_ids) for name, array in values.items()})
-        final |= spaces.step_results(task, _only(diverged, env_ids), _only(terms, env_ids))
+        diverged, terms = transition.diverged, transition.terms
+        final = self._info.readings({name: _only(values, env_ids) for name, values in self._info.state().items()})
+        final |= self._info.step_results(_only(diverged, env_ids), _only(terms, env_ids))
         task.reset(env_ids)
         # The info of a finished env is that of its reset, as in SyncVectorEnv.
-        for name, array in values.items():
-            array[env_ids] = state[name][env_ids]
         diverged[env_ids], terms[env_ids] = False, 0.0
-        info = _with_mask(spaces.readings(task, values), self._everywhere())
+        info = _with_mask(self._readings(), self._everywhere())
         if not done.all():
-            info |= _with_mask(spaces.step_results(task, diverged, terms), ~done)
+            info |= _with_mask(self._info.step_results(diverged, terms), ~done)
         info["final_obs"], info["_final_obs"] = final_obs, done
         info["final_info"], info["_final_info"] = _with_mask(final, done), done
         return task.observe(), info
