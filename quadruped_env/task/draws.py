@@ -65,8 +65,7 @@ class Draws:
         self._memory = EpisodeMemory(num_envs, xp)
         self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
         self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
-        self.episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
-        """Key of each env's episode (N,), from which all its numbers follow."""
+        self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
 
     def set_key(self, env_id: int, generator: np.random.Generator) -> None:
         """Set an env's key from a generator, and restart its episode count at 0."""
@@ -76,11 +75,20 @@ class Draws:
     def begin_episode(self, env_ids: NDArray[np.intp]) -> None:
         """Begin new episodes in some envs (R,)."""
         self._episode[env_ids] += np.uint64(1)
-        self.episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
+        self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
 
-    def next_episode_key(self) -> Keys:
-        """Key of the episode after the present one in each env (N,)."""
-        return _mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN)
+    def key(self, env_ids: Any, step: NDArray[np.int64]) -> Keys:
+        """Keys (R,) from which all numbers of some envs at a step of their episodes follow.
+
+        Args:
+            env_ids: indices (R,), or a slice.
+            step: control step of each of these envs (R,).
+        """
+        return _at_step(self._episode_key[env_ids], step)
+
+    def key_of_next_start(self) -> Keys:
+        """Key of each env at the start of the episode after the present one, (N,)."""
+        return _at_step(_mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN), np.zeros_like(self._key))
 
     def uniform(self, purposes: Purposes, env_ids: Any, step: NDArray[np.int64]) -> Floats:
         """Numbers in [0, 1) for some envs at a step of their episodes.
@@ -93,7 +101,7 @@ class Draws:
         Returns:
             Numbers (R, number of columns).
         """
-        return uniform(purposes, self.episode_key[env_ids], step)
+        return uniform(purposes, self.key(env_ids, step))
 
     def get_state(self, env_id: int) -> dict[str, Any]:
         """State from which the future draws of an env follow."""
@@ -104,12 +112,15 @@ class Draws:
         self._memory.set_state(env_id, state)
 
 
-def uniform(purposes: Purposes, episode_key: Keys, step: NDArray[np.int64]) -> Floats:
-    """Numbers in [0, 1) at a step (R,) of the episodes with these keys (R,): (R, number of columns)."""
-    at_step = _mix(episode_key + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN)
-    mixed = _mix(at_step[:, None] ^ purposes.constants)
+def uniform(purposes: Purposes, keys: Keys) -> Floats:
+    """Numbers in [0, 1) that follow from keys (R,): (R, number of columns)."""
+    mixed = _mix(_mix(keys)[:, None] ^ purposes.constants)
     # A double from the top 53 bits, as in NumPy's generators.
     return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
+
+
+def _at_step(episode_key: Keys, step: NDArray[Any]) -> Keys:
+    return episode_key + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN
 
 
 def _mix(z: Keys) -> Keys:

@@ -174,6 +174,11 @@ def between(bounds: Range, draw: Floats) -> Floats:
     return low + (high - low) * draw
 
 
+def in_steps(seconds: Floats, timestep: float) -> NDArray[np.int64]:
+    """Times in s as numbers of control steps, at least one."""
+    return np.maximum(np.rint(seconds / timestep), 1.0).astype(np.int64)
+
+
 @dataclass(frozen=True, slots=True)
 class Active:
     """A randomization that its setting enables, in a simulation."""
@@ -192,9 +197,9 @@ class Active:
         """Name of the randomization."""
         return self.randomization.name
 
-    def carry_out(self, event: Event, draws: Floats) -> None:
-        """Apply values for uniform draws (R, draws) in [0, 1)."""
-        self.apply(event, self.randomization.values(draws, self.setting))
+    def values(self, draws: Floats) -> Floats:
+        """Values (R, width) for uniform draws (R, draws) in [0, 1)."""
+        return self.randomization.values(draws, self.setting)
 
 
 def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:

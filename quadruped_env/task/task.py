@@ -134,11 +134,11 @@ class Task:
     @property
     def straight_only(self) -> bool:
         """True if random commands are straight ahead only, from the next one on: the first stage of a training."""
-        return self._randomizer.starts.straight_only
+        return self._randomizer.straight_only
 
     @straight_only.setter
     def straight_only(self, straight_only: bool) -> None:
-        self._randomizer.starts.straight_only = straight_only
+        self._randomizer.straight_only = straight_only
 
     @property
     def smooth_velocity(self) -> Floats:
