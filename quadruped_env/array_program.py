@@ -78,15 +78,13 @@ class Operation:
     @cached_property
     def expression(self) -> str | None:
         """Python's expression for one element of the result, if Python computes it in less time."""
+        if self.reduces:
+            return None  # NumPy adds in an order of its own.
         inputs, result = self.arrays
         if max(x.size for x in (*inputs, result)) > _FEW or any(x.squeeze().ndim > 1 for x in (*inputs, result)):
             return None
         types = {x.dtype for x in inputs}
         numbers, truths = types == {np.dtype(np.float64)}, types == {np.dtype(np.bool_)}
-        if self.reduces:
-            # Not a sum: NumPy adds in an order of its own.
-            whole = truths and self.ufunc is np.logical_or and result.size == 1
-            return " or ".join(["{}"] * inputs[0].size) if whole else None
         if self.ufunc is None:
             to_number = result.dtype == np.float64
             return "{}" if numbers and to_number else "1.0 if {} else 0.0" if truths and to_number else None
@@ -140,8 +138,6 @@ class _Code:
         """Let Python carry out an operation, by an expression for each element of the result."""
         inputs, result = operation.arrays
         operands = [self._load(x.squeeze()) for x in inputs]
-        if operation.reduces:
-            operands = [[name] for name in operands[0]]
         variables = []
         for i in range(result.size):
             values = (names[i if len(names) > 1 else 0] for names in operands)

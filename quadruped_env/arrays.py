@@ -83,6 +83,9 @@ class Namespace(Protocol):
 _SHORT: Final = 4
 """Length of vectors up to which NumPy adds products of elements in less time than it calls a dot product per env."""
 
+_FEW: Final = 8
+"""Number of truth values per env up to which NumPy takes less time for `or` after `or` than for a reduction."""
+
 
 class NumPyArrays:
     """NumPy's functions, called directly."""
@@ -132,7 +135,9 @@ class NumPyArrays:
     @staticmethod
     def any(x: Any, /) -> Any:
         """See `Namespace`."""
-        return np.logical_or.reduce(x, -1)
+        if not 0 < x.shape[-1] <= _FEW:
+            return np.logical_or.reduce(x, -1)
+        return functools.reduce(np.logical_or, (x[..., i] for i in range(x.shape[-1])))
 
     @staticmethod
     def dot(x: Any, y: Any, /) -> Any:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
+from quadruped_env.array_memory import with_shared_memory
 from quadruped_env.array_program import Operation, program
 
 Key = tuple[Any, ...]
@@ -42,7 +43,7 @@ class Capture:
         if self._program is not None:
             self._program()
         elif self._repeated:
-            self._program = program(self._operations, self._kept)
+            self._program = program(with_shared_memory(self._operations, self._kept), self._kept)
             self._program()
         else:
             # To write the program takes longer than to do without it once, and many an env is reset and never steps.

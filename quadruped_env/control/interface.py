@@ -122,7 +122,7 @@ class ControlInterface:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
         self.commands[env_ids, : command.shape[1]] = command
         velocity = command[:, :VELOCITY]
-        self.moving[env_ids] = np.logical_or.reduce(np.abs(velocity) > MOVING_THRESHOLD, -1)
+        self.moving[env_ids] = self._xp.any(np.abs(velocity) > MOVING_THRESHOLD)
         self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:
             self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity, self._xp)

@@ -79,7 +79,7 @@ class BatchSimulation:
             history = self._history[env_ids]
             fill_command_history(self.model, history, qpos[:, 7:])
             self._history[env_ids] = history
-        if not all(np.abs(start).max(initial=0.0) <= mujoco.mjMAXVAL for start in (qpos, qvel)):
+        if not all(np.count_nonzero(np.abs(start) <= mujoco.mjMAXVAL) == start.size for start in (qpos, qvel)):
             self.batch.forward(env_ids, stage=SETTLED)  # reports and replaces a bad start; the next line does not
         self.batch.forward(env_ids)
 
