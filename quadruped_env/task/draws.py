@@ -86,9 +86,13 @@ class Draws:
         """
         return _at_step(self._episode_key[env_ids], step)
 
+    def key_at_start(self, env_ids: NDArray[np.intp]) -> Keys:
+        """Keys (R,) from which all numbers at the start of some envs' episodes follow."""
+        return self._episode_key[env_ids] + _GOLDEN
+
     def key_of_next_start(self) -> Keys:
-        """Key of each env at the start of the episode after the present one, (N,)."""
-        return _at_step(_mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN), np.zeros_like(self._key))
+        """The same for the episode after the present one in each env, (N,)."""
+        return _mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN) + _GOLDEN
 
     def uniform(self, purposes: Purposes, env_ids: Any, step: NDArray[np.int64]) -> Floats:
         """Numbers in [0, 1) for some envs at a step of their episodes.

@@ -88,7 +88,7 @@ class Starts:
             env_ids: indices of the envs.
             place: position (R, 2) of each start, m; None: the origin.
         """
-        keys = self._draws.key(env_ids, self._simulation.xp.zeros(len(env_ids), np.int64))
+        keys = self._draws.key_at_start(env_ids)
         if place is not None or not self._pure:
             return self._drawn(env_ids, keys, place)
         return Start(*self._ahead.of(env_ids, keys, self._draws.key_of_next_start))
