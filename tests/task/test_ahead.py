@@ -56,16 +56,17 @@ def test_a_single_env_draws_for_itself():
 
 
 def test_straight_commands_begin_with_the_next_command_and_the_next_start():
-    env = make_native(8, config={"command": {"resample_interval": [0.1, 0.5]}})
+    n = 64
+    env = make_native(n, config={"command": {"resample_interval": [0.1, 0.5]}})
     env.reset(seed=0)
-    actions = np.zeros((8, 8), np.float32)
+    actions = np.zeros((n, 8), np.float32)
     for _ in range(30):
         env.step(actions)
-    env.reset(options={"reset_mask": np.arange(8) == 7})
+    env.reset(options={"reset_mask": np.arange(n) == 1})
     before = env.task.command.copy()
     assert before[:, 1].any(), "some turn"
     env.task.straight_only = True
-    env.reset(options={"reset_mask": np.arange(8) == 0})
+    env.reset(options={"reset_mask": np.arange(n) == 0})
     for _ in range(25):  # the longest interval
         changed = (env.task.command != before).any(axis=1)
         assert changed[0], "a start"
