@@ -83,8 +83,6 @@ class Namespace(Protocol):
 _SHORT: Final = 4
 """Length of vectors up to which NumPy adds products of elements in less time than it calls a dot product per env."""
 
-_PLANE: Final = 2
-"""Length of vectors for which products of columns take less time than those of elements."""
 _FEW: Final = 8
 """Number of truth values per env up to which NumPy takes less time for `or` after `or` than for a reduction."""
 
@@ -144,13 +142,10 @@ class NumPyArrays:
     @staticmethod
     def dot(x: Any, y: Any, /) -> Any:
         """See `Namespace`."""
-        columns = x.shape[-1]
-        if columns > _SHORT:
+        if x.shape[-1] > _SHORT:
             return np.vecdot(x, y)
-        if columns == _PLANE:
-            return x[..., 0] * y[..., 0] + x[..., 1] * y[..., 1]
         products = x * y
-        return functools.reduce(np.add, (products[..., i] for i in range(columns)))
+        return functools.reduce(np.add, (products[..., i] for i in range(x.shape[-1])))
 
     @staticmethod
     def number(mask: Any, /) -> Any:

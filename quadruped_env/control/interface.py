@@ -129,7 +129,8 @@ class ControlInterface:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
         self.commands[env_ids, : command.shape[1]] = command
         velocity = command[:, :VELOCITY]
-        self.moving[env_ids] = self._xp.any(np.abs(velocity) > MOVING_THRESHOLD)
+        fast = np.abs(velocity) > MOVING_THRESHOLD
+        self.moving[env_ids] = fast[:, 0] | fast[:, 1]
         self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:
             self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity, self._xp)
@@ -187,11 +188,10 @@ class ControlInterface:
 
     @property
     def clock(self) -> Floats:
-        """Sine and cosine of the phase, 0 where standing is commanded, (N, 2); overwritten when it is read again."""
-        sine, cosine = self._clock[:, 0], self._clock[:, 1]
-        np.multiply(np.sin(self.phase), self.moving, sine)
-        np.multiply(np.cos(self.phase), self.moving, cosine)
-        return self._clock
+        """Sine and cosine of the phase, 0 where standing is commanded, (N, 2)."""
+        np.sin(self.phase, self._clock[:, 0])
+        np.cos(self.phase, self._clock[:, 1])
+        return self._clock * self.moving[:, None]
 
     def observe(self, readings: Readings, noise: Floats | None = None) -> NDArray[np.float32]:
         """Observations (N, layout.history * layout.width) in a new array: of this step, then of the steps before.

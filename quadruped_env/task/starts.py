@@ -64,13 +64,16 @@ class Starts:
         timestep: float,
     ) -> None:
         self._simulation, self._draws, self._sensors = simulation, draws, sensors
-        self._commands, self._randomizations, self._intervals = commands, randomizations, intervals
+        self._commands, self._randomizations, self._intervals = commands, randomizations, list(intervals.values())
         self._timestep = timestep
         robot = simulation.robot
         own = Purposes({r.name: r.randomization.draws(robot) for r in randomizations})
         times = Purposes({"phase": 1, **{f"{name}/interval": 1 for name in intervals}})
         self._purposes = own + times + commands.purposes
         columns = self._purposes.slices
+        self._columns = [columns[r.name] for r in randomizations]
+        self._phase_column = columns["phase"].start
+        self._interval_columns = [columns[f"{name}/interval"].start for name in intervals]
         self._command_columns = slice(columns["command/kind"].start, columns["command/interval"].stop)
         moved = {"start_joint_position", "start_tilt"}
         self._height = robot.stance_height + (_CLEARANCE if any(r.name in moved for r in randomizations) else 0.0)
@@ -110,15 +113,14 @@ class Starts:
         event.qpos[:, 7:] = robot.stance
         if place is not None:
             event.qpos[:, :2] = place
-        columns = self._purposes.slices
-        for randomization in self._randomizations:
-            randomization.apply(event, randomization.values(draws[:, columns[randomization.name]]))
+        for randomization, columns in zip(self._randomizations, self._columns, strict=True):
+            randomization.apply(event, randomization.values(draws[:, columns]))
         event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])
         event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         command, until_next = self._commands.sample(draws[:, self._command_columns])
         waits = xp.zeros((rows, len(self._intervals) + 1))
-        for i, (name, interval) in enumerate(self._intervals.items()):
-            waits[:, i] = between(interval, draws[:, columns[f"{name}/interval"].start])
+        for i, (interval, column) in enumerate(zip(self._intervals, self._interval_columns, strict=True)):
+            waits[:, i] = between(interval, draws[:, column])
         waits[:, -1] = until_next
-        phase = math.tau * draws[:, columns["phase"].start]
+        phase = math.tau * draws[:, self._phase_column]
         return Start(event.qpos, event.qvel, phase, command, in_steps(waits, self._timestep))
