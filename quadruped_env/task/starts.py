@@ -1,4 +1,4 @@
-"""How episodes begin: initial states, gait phases, commands, and the times of the first events."""
+"""Starts of episodes: initial states, gait phases, commands, and the times of the first events."""
 
 import math
 from collections.abc import Sequence
@@ -25,7 +25,7 @@ _CLEARANCE: Final = 0.01
 
 
 class Start(NamedTuple):
-    """How the episodes of some envs (R,) begin."""
+    """Starts of the episodes of some envs (R,)."""
 
     qpos: Floats
     """Base pose and joint positions in MuJoCo's order, (R, 7 + J)."""
@@ -41,7 +41,7 @@ class Start(NamedTuple):
 
 
 class Starts:
-    """Draws how the episodes of N envs begin; ahead, if all that is drawn is pure.
+    """Draws the starts of N envs' episodes; ahead, if all their randomizations are pure.
 
     Args:
         simulation: simulation of N robots.
@@ -81,7 +81,7 @@ class Starts:
         self._ahead = Ahead(self._drawn, simulation.num_envs, simulation.xp)
 
     def forget(self) -> None:
-        """Draw anew what has been drawn ahead."""
+        """Draw again what has been drawn ahead."""
         self._ahead.forget()
 
     def of(self, env_ids: EnvIds, place: Floats | None = None) -> Start:

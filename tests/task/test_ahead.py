@@ -1,4 +1,4 @@
-"""What is drawn ahead: the values that each env would get alone, computed seldom and only where nothing else counts."""
+"""Values drawn ahead: those that each env would get alone, computed seldom, and only where nothing else counts."""
 
 import numpy as np
 import pytest
