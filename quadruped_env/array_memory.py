@@ -12,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.array_program import Operation
+from quadruped_env.array_program import Operation, address
 
 _SMALL: Final = 1024
 """Size of a result up to which it keeps its own memory, in bytes."""
@@ -34,7 +34,7 @@ def with_shared_memory(operations: Sequence[Operation], kept: Iterable[NDArray[A
         owner = _owner(array)
         if id(owner) not in moved:
             return array
-        offset = _address(array) - _address(owner)
+        offset = address(array) - address(owner)
         return np.ndarray(array.shape, array.dtype, moved[id(owner)].data, offset, array.strides)
 
     result = []
@@ -57,8 +57,3 @@ def _owner(array: NDArray[Any]) -> NDArray[Any]:
     while isinstance(array.base, np.ndarray):
         array = array.base
     return array
-
-
-def _address(array: NDArray[Any]) -> int:
-    address: int = array.__array_interface__["data"][0]
-    return address

@@ -179,7 +179,13 @@ class _Code:
         return repeat
 
 
-def _addresses(array: NDArray[Any]) -> Iterator[int]:
+def address(array: NDArray[Any]) -> int:
+    """Address of an array's first element in memory."""
     start: int = array.__array_interface__["data"][0]
+    return start
+
+
+def _addresses(array: NDArray[Any]) -> Iterator[int]:
+    start = address(array)
     stride = array.strides[0] if array.ndim else 0
     return (start + i * stride for i in range(array.size))
