@@ -150,7 +150,6 @@ class DrakeSimulation:
         """See `Simulation.push`."""
         for i, added in zip(env_ids, velocity, strict=True):
             self.robots[i].push(added)
-            self._read(i)
 
     def set_force(self, env_ids: EnvIds, force: Floats) -> None:
         """See `Simulation.set_force`."""

@@ -76,7 +76,7 @@ class Simulation(Protocol):
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """Add a velocity (R, 3) in the world frame, in m/s, to the base of some envs (R,).
 
-        Velocity readings are updated at once; force and acceleration readings remain those of the last substep.
+        Readings change with the next step.
         """
         ...
 

@@ -12,7 +12,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState, force_columns
+from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
 
 _NO_SENSORS = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 
@@ -34,10 +34,11 @@ class SingleSimulation:
         self.height_field = HeightField.of(model)
         self.data = mujoco.MjData(model)
         self._failed = False
+        self._settled = False
+        """True if the first half of the next step has been computed; a push makes it outdated."""
         self._varied_fields: dict[str, NDArray[np.float64]] = {}
         """Values of the fields before they were varied, by name."""
         self._base = model.body(robot.base_name).id
-        self._force_columns = force_columns(model)
         self.sensor_columns = sensor_columns(model, robot)
         self._bind()
 
@@ -55,19 +56,22 @@ class SingleSimulation:
         self._ctrl[:] = joint_target[0]
         model, data, options = self.model, self.data, self._options
         flags = options.disableflags
+        # The last call ended after the first half of a step (mj_step1), so that the second half comes first.
+        finish_step = mujoco.mj_step2 if self._settled else mujoco.mj_step
+        self._settled = True
         try:
-            # The last call ended after the first half of a step (mj_step1), so the second half comes first.
             if substeps > 1:
                 # The last substep overwrites what the sensors would read before it: 4 % of the time.
                 options.disableflags = flags | _NO_SENSORS
                 try:
-                    mujoco.mj_step2(model, data)
+                    finish_step(model, data)
                     if substeps > 2:
                         mujoco.mj_step(model, data, substeps - 2)
                     mujoco.mj_step1(model, data)
                 finally:
                     options.disableflags = flags
-            mujoco.mj_step2(model, data)
+                finish_step = mujoco.mj_step2
+            finish_step(model, data)
             mujoco.mj_step1(model, data)
         except mujoco.FatalError:
             self._failed = True
@@ -86,6 +90,7 @@ class SingleSimulation:
         mujoco.mj_checkPos(self.model, data)  # mj_forward does not check the start for NaN
         mujoco.mj_checkVel(self.model, data)
         mujoco.mj_forward(self.model, data)
+        self._settled = True
 
     def _clear(self) -> None:
         """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
@@ -105,11 +110,8 @@ class SingleSimulation:
         """See `Simulation.push`."""
         if not len(env_ids):
             return
-        forces = self.data.sensordata[self._force_columns]
         self.data.qvel[:3] += velocity[0]
-        mujoco.mj_step1(self.model, self.data)
-        # Restored, because a velocity that makes the env diverge clears them.
-        self.data.sensordata[self._force_columns] = forces
+        self._settled = False
 
     def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
         """See `Simulation.set_force`."""
@@ -151,7 +153,7 @@ class SingleSimulation:
             self.model_field(name)[0] = values
         self._clear()
         mujoco.mj_setState(self.model, self.data, state.integration, STATE_SPEC)
-        mujoco.mj_step1(self.model, self.data)
+        self._settled = False
         self.data.sensordata = state.readings
         self._failed = state.diverged
 
@@ -165,5 +167,4 @@ class SingleSimulation:
     def __setstate__(self, attributes: dict[str, Any]) -> None:
         self.__dict__.update(attributes)
         self._bind()
-        # Pickling does not include the intermediate results of the first half of a step.
-        mujoco.mj_step1(self.model, self.data)
+        self._settled = False  # intermediate results are not pickled

@@ -16,7 +16,7 @@ from quadruped_env.readings import Readings, sensor_columns
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import GROUND
-from quadruped_env.simulation.interface import STATE_SPEC, SimulationState, force_columns
+from quadruped_env.simulation.interface import STATE_SPEC, SimulationState
 
 try:
     import torch
@@ -109,9 +109,6 @@ class WarpSimulation:
         self._diverged = _view(self._failed)
         self._overflow = _view(data.overflow)
         self._base = self.model.body(robot.base_name).id
-        others = np.flatnonzero(~force_columns(self.model))
-        self._no_forces = torch.as_tensor(others).to(self._measured.device)
-        """Columns of the sensor data that are neither forces nor accelerations."""
         self._fields: dict[str, TensorArray] = {}
         self._graphs: dict[Any, Any] = {}
         self._initial_history = self._filled_history()
@@ -243,8 +240,6 @@ class WarpSimulation:
         index = env_ids.tensor
         self._qvel[index, :3] += self.xp.asarray(velocity).tensor.float()
         self._settle()
-        rows = index[:, None]
-        self.sensordata.tensor[rows, self._no_forces] = self._measured[rows, self._no_forces].double()
 
     def set_force(self, env_ids: TensorArray, force: TensorArray) -> None:
         """See `Simulation.set_force`."""

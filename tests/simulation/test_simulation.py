@@ -1,6 +1,7 @@
 """The two simulation drivers: identical bits, independent envs, resets, pushes and divergence."""
 
 import contextlib
+import copy
 from dataclasses import fields
 
 import mujoco
@@ -51,22 +52,30 @@ def test_both_drivers_give_the_same_bits_at_any_number_of_threads():
         np.testing.assert_array_equal(eventful_run(driver), expected, err_msg=driver)
 
 
+@pytest.mark.parametrize("driver", [SingleSimulation, lambda model: BatchSimulation(model, 1)])
 @pytest.mark.parametrize("substeps", [1, 2, 3, SUBSTEPS])
-def test_one_control_step_is_as_many_physics_steps_of_mujoco(model, substeps):
+def test_one_control_step_is_as_many_physics_steps_of_mujoco(model, driver, substeps):
     qpos, qvel = draw_starts(np.random.default_rng(0), 1)
-    simulation = SingleSimulation(model)
+    simulation = driver(model)
     simulation.reset(np.array([0]), qpos, qvel)
     data = mujoco.MjData(model)
-    data.qpos, data.qvel = qpos[0], qvel[0]
+    data.qpos, data.qvel, data.ctrl = qpos[0], qvel[0], qpos[0, 7:]
     mujoco.mj_forward(model, data)
+    np.testing.assert_array_equal(simulation.sensordata[0], data.sensordata)
     rng = np.random.default_rng(1)
-    for _ in range(50):
+    for step in range(50):
+        if step % 10 == 5:
+            velocity = rng.standard_normal((1, 3))
+            simulation.push(np.array([0]), velocity)
+            data.qvel[:3] += velocity[0]
+            np.testing.assert_array_equal(simulation.sensordata[0], data.sensordata)
         target = draw_targets(rng)[:1]
         simulation.step(target, substeps)
         data.ctrl = target[0]
         mujoco.mj_step(model, data, substeps)
-        np.testing.assert_array_equal(simulation.data.qpos, data.qpos)
-        np.testing.assert_array_equal(simulation.data.qvel, data.qvel)
+        found_qpos, found_qvel = physics_of(simulation, 0)
+        np.testing.assert_array_equal(found_qpos, data.qpos)
+        np.testing.assert_array_equal(found_qvel, data.qvel)
         mujoco.mj_step1(model, data)  # positions and velocities at the new state; forces stay the last substep's
         np.testing.assert_array_equal(simulation.sensordata[0], data.sensordata)
 
@@ -160,6 +169,31 @@ def test_reset_of_no_envs_changes_nothing(driver):
     np.testing.assert_array_equal(snapshot(simulation), before)
 
 
+def test_a_step_of_some_envs_leaves_the_others_as_they_were(model):
+    simulation, whole = BatchSimulation(model, ROWS), BatchSimulation(model, ROWS)
+    for s in (simulation, whole):
+        s.reset(ALL, *draw_starts(np.random.default_rng(0), ROWS))
+        s.step(np.tile(STANCE, (ROWS, 1)), SUBSTEPS)
+    before, target = readings_of(simulation.readings), draw_targets(np.random.default_rng(1))
+    stepped, others = np.array([1, 3]), np.array([0, 2, 4])
+    simulation.step(target, SUBSTEPS, stepped)
+    whole.step(target, SUBSTEPS)
+    np.testing.assert_array_equal(readings_of(simulation.readings)[others], before[others])
+    np.testing.assert_array_equal(readings_of(simulation.readings)[stepped], readings_of(whole.readings)[stepped])
+
+
+def test_what_the_model_switches_off_stays_off(model):
+    weightless = copy.copy(model)
+    weightless.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_GRAVITY
+    simulation = BatchSimulation(weightless, 1)
+    qpos, _ = draw_starts(np.random.default_rng(0), 1)
+    qpos[:, 2] = 1.0
+    simulation.reset(np.array([0]), qpos, np.zeros((1, 14)))
+    for _ in range(10):
+        simulation.step(qpos[:, 7:], SUBSTEPS)
+    np.testing.assert_allclose(simulation.readings.base_position, qpos[:, :3], atol=1e-9)
+
+
 def test_a_push_adds_world_velocity_to_the_base(driver):
     simulation = start(driver)
     run(simulation, 3, seed=1)
@@ -167,8 +201,9 @@ def test_a_push_adds_world_velocity_to_the_base(driver):
     qpos, qvel = physics_of(simulation, 1)
     velocity = np.array([[0.3, -0.2, 0.1]])
     simulation.push(np.array([1]), velocity)
-    others = np.delete(ALL, 1)
+    others, readings = np.delete(ALL, 1), before.shape[1] - len(simulation.get_state(1).integration)
     np.testing.assert_array_equal(snapshot(simulation)[others], before[others])
+    np.testing.assert_array_equal(snapshot(simulation)[:, :readings], before[:, :readings])
     pushed_qpos, pushed_qvel = physics_of(simulation, 1)
     np.testing.assert_array_equal(pushed_qpos, qpos)
     np.testing.assert_array_equal(pushed_qvel[:3], qvel[:3] + velocity[0])

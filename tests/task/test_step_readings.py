@@ -255,7 +255,7 @@ def play(episode):
                 targets=(target, data.ctrl.copy()),
                 readings={
                     "base_position": data.qpos[:3].copy(),
-                    "base_linear_velocity": rotation(data.qpos[3:7]).T @ data.qvel[:3],
+                    "base_linear_velocity": robot.velocity,
                     "base_angular_velocity": data.qvel[3:6].copy(),
                     "joint_position": robot.joints,
                     "joint_velocity": robot.speeds,

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from benchmarks.measures import Measure, seconds_of
 from quadruped_env.envs import ENV_ID, MiniQuadrupedEnv, MiniQuadrupedVectorEnv
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.simulation.interface import SETTLED
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task
 
 ROWS: Final = 256
@@ -67,7 +67,7 @@ def vector_over_bare() -> list[Measure]:
             "in turns with the physics it finds neither its data nor its code in the caches",
         ),
         Measure(
-            "its batch alone, with readings of the new state",
+            "its simulation alone, with readings of the new state",
             alone,
             "",
             "a bound",
@@ -78,7 +78,7 @@ def vector_over_bare() -> list[Measure]:
 
 
 class _VectorTurns:
-    """Turns of the vector environment, and of a bare batch and one like its own from the same states, with their times.
+    """Turns of the vector environment, and from the same states of a bare batch and of a simulation like its own.
 
     Args:
         config: changes to the task's config.
@@ -89,7 +89,7 @@ class _VectorTurns:
         assert isinstance(self._env.unwrapped, MiniQuadrupedVectorEnv)
         self._task = self._env.unwrapped.task
         model = self._task.simulation.model
-        self._bare, self._own = Batch(model, ROWS), Batch(model, ROWS, persistent=True)
+        self._bare, self._own = Batch(model, ROWS), BatchSimulation(model, ROWS)
         self._rng = np.random.default_rng(0)
         self._env.reset(seed=0)
         self.env: list[float] = []
@@ -97,7 +97,7 @@ class _VectorTurns:
         self.bare: list[float] = []
         """Time of a bare `Batch.step`, s."""
         self.batch: list[float] = []
-        """Time of a batch like the environment's own, s."""
+        """Time of a simulation like the environment's own, s."""
         self.rest: list[float] = []
         """Time of the environment without its physics, s."""
         self.falls = 0
@@ -108,12 +108,12 @@ class _VectorTurns:
         actions = self._actions()
         self.env.append(seconds_of(lambda: self._step(actions)))
         controls = joint_targets(self._task, actions)
-        for batch, stage, seconds in (
-            (self._bare, mujoco.mjtStage.mjSTAGE_NONE, self.bare),
-            (self._own, SETTLED, self.batch),
+        for batch, step, seconds in (
+            (self._bare, self._step_bare, self.bare),
+            (self._own.batch, self._own.step, self.batch),
         ):
             batch.state[:] = state
-            seconds.append(seconds_of(functools.partial(self._step_batch, batch, stage, controls)))
+            seconds.append(seconds_of(functools.partial(self._step_physics, step, controls)))
 
     def take_without_physics(self) -> None:
         """One turn of the environment, in which no robot moves."""
@@ -134,11 +134,13 @@ class _VectorTurns:
             _, _, terminated, truncated, _ = self._env.step(action)
             self.falls += int((terminated | truncated).sum())
 
-    def _step_batch(self, batch: Batch, stage: Any, controls: NDArray[np.float64]) -> None:
-        ctrl = batch.bind("ctrl")
+    def _step_physics(self, step: Callable[..., None], controls: NDArray[np.float64]) -> None:
         for control in controls:
-            ctrl[:] = control
-            batch.step(nstep=self._task.config.decimation, stage=stage)
+            step(control, self._task.config.decimation)
+
+    def _step_bare(self, control: NDArray[np.float64], substeps: int) -> None:
+        self._bare.bind("ctrl")[:] = control
+        self._bare.step(nstep=substeps)
 
 
 def _median_ratio(seconds: ArrayLike, other: ArrayLike) -> float:
