@@ -215,9 +215,10 @@ class BatchSimulation:
 
     def copy_data(self, env_id: int) -> mujoco.MjData:
         """A copy of the MuJoCo data of one env, for rendering."""
-        data = self.batch.get_data(env_id)
-        model = self.batch.get_model(env_id)
-        model.opt.disableflags = self.model.opt.disableflags
+        data, model = self.batch.get_data(env_id), self.model
+        if self._varied_fields:
+            model = self.batch.get_model(env_id)
+            model.opt.disableflags = self.model.opt.disableflags
         mujoco.mj_forward(model, data)
         return data
 
