@@ -154,6 +154,12 @@ def test_physics_on_tiles_is_measured_over_the_plane():
     assert "terrain" in throughput.WORKS
 
 
+def test_memory_of_envs_is_at_least_that_of_their_states():
+    (measure,) = throughput.env_memory(num_envs=2000)
+    assert measure.value > 2000 * 8 * 100 / 2**20, "an env's state has over 100 numbers"
+    assert "env-memory" in throughput.WORKS
+
+
 def test_measures_are_written_as_a_table_and_as_json(tmp_path):
     measure = measures.Measure("ratio", 0.5, "x", ">= 0.4", True, "")
     assert measures.row(measure) == "| ratio | 0.5 x | >= 0.4 | yes |  |"

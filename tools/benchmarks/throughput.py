@@ -85,6 +85,30 @@ def training_memory(timesteps: int) -> list[Measure]:
     ]
 
 
+_ENVS_PROGRAM: Final = """
+import json, sys
+import gymnasium, numpy, psutil
+import quadruped_env
+def resident(num_envs):
+    env = gymnasium.make_vec("MiniQuadruped-v0", num_envs=num_envs)
+    env.reset(seed=0)
+    for _ in range(5):
+        env.step(numpy.zeros(env.action_space.shape, numpy.float32))
+    used = psutil.Process().memory_info().rss
+    env.close()
+    return used
+few, many = resident(4), resident(int(sys.argv[1]))
+print(json.dumps({"bytes": many - few}))
+"""
+
+
+def env_memory(num_envs: int = 4096) -> list[Measure]:
+    """Resident memory that the native vector environment takes for many envs."""
+    used = run_python(_ENVS_PROGRAM, str(num_envs))["bytes"] / 2**20
+    detail = f"{1024 * used / num_envs:.0f} KiB per env"
+    return [Measure(f"resident memory of {num_envs} envs", used, "MiB", "<= 100", used <= 100, detail)]
+
+
 _IMPORT_PROGRAM: Final = """
 import json, time
 import gymnasium, mujoco
@@ -120,6 +144,7 @@ WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "randomization": env_speed.randomized_over_plain,
     "training": training_over_bare,
     "terrain": terrain_over_plane,
+    "env-memory": env_memory,
 }
 """Name -> what is measured; `memory` comes after them"""
 MEMORY: Final = "memory"
