@@ -49,10 +49,12 @@ class BatchSimulation:
         # next one. But it has an MjData per env, and to load these into the caches takes longer.
         self.batch = Batch(model, num_envs, num_threads)
         self._disableflags = self.batch.expand("opt.disableflags")
-        self._disabled = 0
+        self._switched_off = 0
         self._initial = self.batch.state[0].copy()
         self._computed = self.batch.bind("sensordata")
-        self.sensordata = np.zeros_like(self._computed)
+        self._readings = np.zeros_like(self._computed)
+        self.sensordata = self._readings.view()
+        self.sensordata.flags.writeable = False
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
         self._qpos = self.batch.bind("qpos")
         self._qvel = self.batch.bind("qvel")
@@ -74,27 +76,24 @@ class BatchSimulation:
         self._ctrl[:] = joint_target
         if substeps > 1:
             # The last substep overwrites what the sensors would read before it: a tenth of the time.
-            self._run(self.batch.step, env_ids, _NO_SENSORS, nstep=substeps - 1)
-        self._run(self.batch.step, env_ids)
+            self._switch_off(_NO_SENSORS)
+            self._try(self.batch.step, env_ids, nstep=substeps - 1)
+        self._switch_off(0)
+        self._try(self.batch.step, env_ids)
         self._read(self._force_columns, env_ids)
         # Positions and velocities do not depend on contacts, and to find these would take as long as all the rest.
-        self._run(self.batch.forward, env_ids, _NO_CONTACTS, stage=SETTLED)
+        self._switch_off(_NO_CONTACTS)
+        self._try(self.batch.forward, env_ids, stage=SETTLED)
         self._read(self._other_columns, env_ids)
 
-    def _run(
-        self, call: Callable[..., None], env_ids: NDArray[np.intp] | None, disabled: int = 0, **arguments: int
-    ) -> None:
-        """Call a method of the batch for some envs (R,), or all, without some parts of the physics.
+    def _switch_off(self, parts: int) -> None:
+        """Switch off parts of MuJoCo, besides those that the model switches off: the bits of `disableflags`."""
+        if parts != self._switched_off:
+            self._disableflags[:] = self.model.opt.disableflags | parts
+            self._switched_off = parts
 
-        Args:
-            call: the method.
-            env_ids: indices of the envs; None: all.
-            disabled: MuJoCo's bits of what is left out.
-            arguments: further arguments of the method.
-        """
-        if disabled != self._disabled:
-            self._disableflags[:] = self.model.opt.disableflags | disabled
-            self._disabled = disabled
+    def _try(self, call: Callable[..., None], env_ids: NDArray[np.intp] | None, **arguments: int) -> None:
+        """Call a method of the batch for some envs (R,), or all, and note those in which it failed."""
         try:
             call(env_ids, **arguments)
         except SimulationError as error:
@@ -104,7 +103,7 @@ class BatchSimulation:
         """Copy columns of what the sensors of some envs (R,), or all, have read in the last call."""
         rows = slice(None) if env_ids is None else env_ids
         for some in columns:
-            self.sensordata[rows, some] = self._computed[rows, some]
+            self._readings[rows, some] = self._computed[rows, some]
 
     def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
         """See `Simulation.reset`."""
@@ -116,11 +115,11 @@ class BatchSimulation:
             history = self._history[env_ids]
             fill_command_history(self.model, history, qpos[:, 7:])
             self._history[env_ids] = history
+        self._switch_off(0)
         if not all(np.count_nonzero(np.abs(start) <= mujoco.mjMAXVAL) == start.size for start in (qpos, qvel)):
-            # Reports and replaces a bad start, which the next line does not.
-            self._run(self.batch.forward, env_ids, stage=SETTLED)
-        self._run(self.batch.forward, env_ids)
-        self.sensordata[env_ids] = self._computed[env_ids]
+            self.batch.forward(env_ids, stage=SETTLED)  # reports and replaces a bad start; the next line does not
+        self.batch.forward(env_ids)
+        self._readings[env_ids] = self._computed[env_ids]
 
     def _clear(self, env_ids: NDArray[np.intp]) -> None:
         """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
@@ -187,7 +186,7 @@ class BatchSimulation:
             self.model_field(name)[env_ids] = values
         self._clear(env_ids)
         self.batch.state[env_ids] = integration
-        self.sensordata[env_ids] = readings
+        self._readings[env_ids] = readings
         self._failed[env_ids] = diverged
 
     def __getstate__(self) -> dict[str, Any]:

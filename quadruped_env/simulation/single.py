@@ -35,7 +35,7 @@ class SingleSimulation:
         self.data = mujoco.MjData(model)
         self._failed = False
         self._settled = False
-        """True if the first half of the next step has been computed; a push makes it outdated."""
+        """True if the first half of the next step has been computed. It is outdated after a push."""
         self._varied_fields: dict[str, NDArray[np.float64]] = {}
         """Values of the fields before they were varied, by name."""
         self._base = model.body(robot.base_name).id
@@ -58,7 +58,7 @@ class SingleSimulation:
         flags = options.disableflags
         # The last call ended after the first half of a step (mj_step1), so that the second half comes first.
         finish_step = mujoco.mj_step2 if self._settled else mujoco.mj_step
-        self._settled = True
+        self._settled = False
         try:
             if substeps > 1:
                 # The last substep overwrites what the sensors would read before it: 4 % of the time.
@@ -73,6 +73,7 @@ class SingleSimulation:
                 finish_step = mujoco.mj_step2
             finish_step(model, data)
             mujoco.mj_step1(model, data)
+            self._settled = True
         except mujoco.FatalError:
             self._failed = True
 
@@ -153,7 +154,8 @@ class SingleSimulation:
             self.model_field(name)[0] = values
         self._clear()
         mujoco.mj_setState(self.model, self.data, state.integration, STATE_SPEC)
-        self._settled = False
+        mujoco.mj_step1(self.model, self.data)
+        self._settled = True
         self.data.sensordata = state.readings
         self._failed = state.diverged
 
@@ -167,4 +169,6 @@ class SingleSimulation:
     def __setstate__(self, attributes: dict[str, Any]) -> None:
         self.__dict__.update(attributes)
         self._bind()
-        self._settled = False  # intermediate results are not pickled
+        # Pickling does not include the intermediate results of the first half of a step.
+        mujoco.mj_step1(self.model, self.data)
+        self._settled = True

@@ -80,6 +80,13 @@ def test_one_control_step_is_as_many_physics_steps_of_mujoco(model, driver, subs
         np.testing.assert_array_equal(simulation.sensordata[0], data.sensordata)
 
 
+def test_readings_of_a_batch_are_read_only(model):
+    simulation = BatchSimulation(model, 2)
+    for readings in (simulation.sensordata, simulation.readings.foot_force):
+        with pytest.raises(ValueError, match="read-only"):
+            readings[:] = 0.0
+
+
 @pytest.mark.parametrize("error", [KeyboardInterrupt, mujoco.FatalError])
 def test_the_sensors_go_on_after_a_step_that_was_broken_off(model, monkeypatch, error):
     simulation = SingleSimulation(model)

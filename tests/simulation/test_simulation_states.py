@@ -61,6 +61,18 @@ def test_a_push_is_part_of_the_state(driver):
     np.testing.assert_array_equal(run(simulation, 10, seed=2), expected)
 
 
+@pytest.mark.parametrize("duplicate", [False, True])
+def test_a_restored_single_env_is_ready_to_be_rendered(model, duplicate):
+    simulation = SingleSimulation(copy.copy(model))
+    simulation.reset(np.array([0]), *draw_starts(np.random.default_rng(0), 1))
+    state, foot = simulation.get_state(0), simulation.readings.foot_position[0, 0].copy()
+    for _ in range(10):
+        simulation.step(draw_targets(np.random.default_rng(1))[:1], SUBSTEPS)
+    simulation.set_state(0, state)
+    shown = through_pickle(simulation) if duplicate else simulation
+    np.testing.assert_array_equal(shown.data.site("LF_foot").xpos, foot)
+
+
 def test_restored_env_is_diverged_if_it_was_when_saved(driver):
     simulation = start(driver)
     run(simulation, 3, seed=1)
