@@ -22,6 +22,7 @@ from drivers import (
     snapshot,
     start,
 )
+from mujoco.batch import SimulationError
 
 from quadruped_env.readings import Readings
 from quadruped_env.simulation import BatchSimulation, SingleSimulation
@@ -85,6 +86,25 @@ def test_readings_of_a_batch_are_read_only(model):
     for readings in (simulation.sensordata, simulation.readings.foot_force):
         with pytest.raises(ValueError, match="read-only"):
             readings[:] = 0.0
+
+
+def test_env_in_which_a_step_fails_counts_as_diverged_until_its_reset(model, monkeypatch):
+    simulation = BatchSimulation(model, ROWS)
+    starts = draw_starts(np.random.default_rng(0), ROWS)
+    simulation.reset(ALL, *starts)
+    step = simulation.batch.step
+
+    def fail(*arguments, **options):
+        step(*arguments, **options)
+        raise SimulationError(np.array([1]), "insufficient memory")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(simulation.batch, "step", fail)
+        simulation.step(np.tile(STANCE, (ROWS, 1)), SUBSTEPS)
+    np.testing.assert_array_equal(simulation.diverged(), ALL == 1)
+    assert (simulation.readings.base_position[:, 2] != starts[0][:, 2]).all()
+    simulation.reset(np.array([1]), starts[0][:1], starts[1][:1])
+    assert not simulation.diverged().any()
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, mujoco.FatalError])
