@@ -14,7 +14,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState, force_columns
+from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState
 
 _WARNING_COUNT = 1
 _NO_SENSORS: Final = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
@@ -46,14 +46,14 @@ class BatchSimulation:
         self.num_envs = num_envs
         self._num_threads = num_threads
         # A persistent batch would not compute positions and velocities twice, at the end of a control step and in the
-        # next one. But it has an MjData per env, and to load these into the caches takes longer.
+        # next one. But it has an MjData per env, and loading these into the caches takes longer.
         self.batch = Batch(model, num_envs, num_threads)
         self._disableflags = self.batch.expand("opt.disableflags")
         self._switched_off = 0
         self._initial = self.batch.state[0].copy()
         self._computed = self.batch.bind("sensordata")
-        self._readings = np.zeros_like(self._computed)
-        self.sensordata = self._readings.view()
+        self._sensordata = np.zeros_like(self._computed)
+        self.sensordata = self._sensordata.view()
         self.sensordata.flags.writeable = False
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
         self._qpos = self.batch.bind("qpos")
@@ -65,7 +65,7 @@ class BatchSimulation:
         self._warnings = self.batch.warning[:, DIVERGENCE_WARNINGS, _WARNING_COUNT]
         self._failed = np.zeros(num_envs, dtype=np.bool_)
         self._varied_fields: set[str] = set()
-        forces = force_columns(model)
+        forces = np.repeat(model.sensor_needstage == int(mujoco.mjtStage.mjSTAGE_ACC), model.sensor_dim)
         self._force_columns, self._other_columns = _slices(forces), _slices(~forces)
         self.sensor_columns = sensor_columns(model, robot)
 
@@ -81,7 +81,7 @@ class BatchSimulation:
         self._switch_off(0)
         self._try(self.batch.step, env_ids)
         self._read(self._force_columns, env_ids)
-        # Positions and velocities do not depend on contacts, and to find these would take as long as all the rest.
+        # Positions and velocities do not depend on contacts, and finding contacts would take as long again.
         self._switch_off(_NO_CONTACTS)
         self._try(self.batch.forward, env_ids, stage=SETTLED)
         self._read(self._other_columns, env_ids)
@@ -103,7 +103,7 @@ class BatchSimulation:
         """Copy columns of what the sensors of some envs (R,), or all, have read in the last call."""
         rows = slice(None) if env_ids is None else env_ids
         for some in columns:
-            self._readings[rows, some] = self._computed[rows, some]
+            self._sensordata[rows, some] = self._computed[rows, some]
 
     def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
         """See `Simulation.reset`."""
@@ -119,7 +119,7 @@ class BatchSimulation:
         if not all(np.count_nonzero(np.abs(start) <= mujoco.mjMAXVAL) == start.size for start in (qpos, qvel)):
             self.batch.forward(env_ids, stage=SETTLED)  # reports and replaces a bad start; the next line does not
         self.batch.forward(env_ids)
-        self._readings[env_ids] = self._computed[env_ids]
+        self._sensordata[env_ids] = self._computed[env_ids]
 
     def _clear(self, env_ids: NDArray[np.intp]) -> None:
         """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
@@ -186,7 +186,7 @@ class BatchSimulation:
             self.model_field(name)[env_ids] = values
         self._clear(env_ids)
         self.batch.state[env_ids] = integration
-        self._readings[env_ids] = readings
+        self._sensordata[env_ids] = readings
         self._failed[env_ids] = diverged
 
     def __getstate__(self) -> dict[str, Any]:

@@ -33,11 +33,6 @@ class SimulationState(NamedTuple):
     """Values in this env of every field that was requested with `Simulation.model_field`."""
 
 
-def force_columns(model: mujoco.MjModel) -> NDArray[np.bool_]:
-    """Mask (model.nsensordata,) of the sensor columns that are forces or accelerations; a push does not change them."""
-    return np.repeat(model.sensor_needstage == int(mujoco.mjtStage.mjSTAGE_ACC), model.sensor_dim)
-
-
 class Simulation(Protocol):
     """N copies of the robot on its ground.
 

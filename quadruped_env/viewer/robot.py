@@ -199,7 +199,6 @@ class TaskRobot:
     def push(self, velocity: tuple[float, float]) -> None:
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
         self._simulation.push(_ROW, world_vector(velocity, heading(self.data))[None])
-        self.observation = self.task.observe()
 
     def hold_force(self, force: tuple[float, float], seconds: float) -> None:
         """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s.

@@ -53,8 +53,8 @@ def vector_over_bare() -> list[Measure]:
     detail = "{:,.0f} of {:,.0f} env steps/s".format(*rates)
     detail += f"; {falling.falls} falls in {len(falling.env) * _VECTOR_STEPS * ROWS:,} steps"
     undisturbed = _median_ratio(plain.bare, plain.env)
-    cached = _median_ratio(plain.bare, np.add(plain.batch, plain.rest))
-    alone = _median_ratio(falling.bare, falling.batch)
+    cached = _median_ratio(plain.bare, np.add(plain.alone, plain.rest))
+    alone = _median_ratio(falling.bare, falling.alone)
     return [
         Measure(f"vector env, {ROWS} rows, over bare Batch.step", ratio, "", ">= 0.92", ratio >= 0.92, detail),
         Measure("the same without falls and pushes", undisturbed, "", "a bound", True, "each is a call of its own"),
@@ -96,7 +96,7 @@ class _VectorTurns:
         """Time of the environment in each turn, s."""
         self.bare: list[float] = []
         """Time of a bare `Batch.step`, s."""
-        self.batch: list[float] = []
+        self.alone: list[float] = []
         """Time of a simulation like the environment's own, s."""
         self.rest: list[float] = []
         """Time of the environment without its physics, s."""
@@ -110,7 +110,7 @@ class _VectorTurns:
         controls = joint_targets(self._task, actions)
         for batch, step, seconds in (
             (self._bare, self._step_bare, self.bare),
-            (self._own.batch, self._own.step, self.batch),
+            (self._own.batch, self._own.step, self.alone),
         ):
             batch.state[:] = state
             seconds.append(seconds_of(functools.partial(self._step_physics, step, controls)))
