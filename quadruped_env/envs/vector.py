@@ -1,5 +1,6 @@
 """Native vector environment: many robots without a loop over them."""
 
+import functools
 import os
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
@@ -128,19 +129,21 @@ class MiniQuadrupedVectorEnv(
         if self.autoreset_mode is AutoresetMode.SAME_STEP and self.task.finished.any():
             observation, info = self._reset_finished(transition)
         else:
-            observation, info = transition.observation, _with_mask(self._readings(), self._everywhere())
-            results = self._info.step_results(transition.diverged, transition.terms)
-            if restart is None:
-                info |= _with_mask(results, self._everywhere())
-            elif not restart.all():
-                info |= _with_mask(results, ~restart)  # zero where an env was reset
+            observation = transition.observation
+            info = self._step_info(transition, self._everywhere() if restart is None else ~restart)
         return observation, transition.reward, transition.terminated, transition.truncated, info
 
     def _everywhere(self) -> NDArray[np.bool_]:
         return np.ones(self.num_envs, dtype=np.bool_)
 
-    def _readings(self) -> dict[str, NDArray[Any]]:
-        return self._info.readings({name: values.copy() for name, values in self._info.state().items()})
+    def _step_info(self, transition: Transition, moved: NDArray[np.bool_]) -> dict[str, Any]:
+        """Info of a step, in which those of the results that only moving has are masked (N,)."""
+        readings = self._info.readings({name: values.copy() for name, values in self._info.state().items()})
+        results = self._info.step_results(transition.diverged, transition.terms)
+        if moved.all():
+            return _with_mask(readings | results, moved)
+        info = _with_mask(readings, self._everywhere())
+        return info | _with_mask(results, moved) if moved.any() else info
 
     def _reset_finished(self, transition: Transition) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Reset the finished envs. Their last observation and info go to `final_obs` and `final_info`."""
@@ -156,9 +159,7 @@ class MiniQuadrupedVectorEnv(
         task.reset(env_ids)
         # The info of a finished env is that of its reset, as in SyncVectorEnv.
         diverged[env_ids], terms[env_ids] = False, 0.0
-        info = _with_mask(self._readings(), self._everywhere())
-        if not done.all():
-            info |= _with_mask(self._info.step_results(diverged, terms), ~done)
+        info = self._step_info(transition, ~done)
         info["final_obs"], info["_final_obs"] = final_obs, done
         info["final_info"], info["_final_info"] = _with_mask(final, done), done
         return task.observe(), info
@@ -243,4 +244,9 @@ def _only(values: NDArray[Any], env_ids: NDArray[np.intp]) -> NDArray[Any]:
 
 def _with_mask(info: dict[str, NDArray[Any]], mask: NDArray[np.bool_]) -> dict[str, Any]:
     """Info in Gymnasium's vector format, which has the mask of the envs with an entry `name` under `_name`."""
-    return info | dict.fromkeys(map("_".__add__, info), mask)
+    return info | dict.fromkeys(_mask_names(tuple(info)), mask)
+
+
+@functools.cache
+def _mask_names(names: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(f"_{name}" for name in names)

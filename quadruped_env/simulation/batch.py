@@ -17,8 +17,9 @@ from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState
 
 _WARNING_COUNT = 1
-_NO_SENSORS: Final = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
-_NO_CONTACTS: Final = int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+_DISABLE: Final = mujoco.mjtDisableBit
+_NO_SENSORS: Final = int(_DISABLE.mjDSBL_SENSOR)
+_NO_FORCES: Final = int(_DISABLE.mjDSBL_CONSTRAINT) | int(_DISABLE.mjDSBL_SPRING) | int(_DISABLE.mjDSBL_DAMPER)
 
 
 class BatchSimulation:
@@ -81,8 +82,8 @@ class BatchSimulation:
         self._switch_off(0)
         self._try(self.batch.step, env_ids)
         self._read(self._force_columns, env_ids)
-        # Positions and velocities do not depend on contacts, and finding contacts would take as long again.
-        self._switch_off(_NO_CONTACTS)
+        # Positions and velocities do not depend on forces, and finding contacts would take as long again.
+        self._switch_off(_NO_FORCES)
         self._try(self.batch.forward, env_ids, stage=SETTLED)
         self._read(self._other_columns, env_ids)
 

@@ -148,12 +148,12 @@ def _median_ratio(seconds: ArrayLike, other: ArrayLike) -> float:
     return float(np.median(np.divide(seconds, other)[1:]))
 
 
-def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 5) -> list[Measure]:
+def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 40) -> list[Measure]:
     """Cost of an env step by the number of envs, and the share of it outside of the physics, by number of threads.
 
     Args:
         sizes: numbers of envs.
-        chunks: how often they take turns; each turn has as many env steps.
+        chunks: how often they take turns. Each turn has as many env steps, and few: a machine's speed varies.
     """
     threads = [2**i for i in range((os.cpu_count() or 1).bit_length())]
     measures = []
@@ -165,20 +165,19 @@ def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 5) 
             _watch_physics(env, physics, size)
             env.reset(seed=0)
         turns: dict[int, list[float]] = {size: [] for size in sizes}
-        steps = {size: max(4, 4 * max(sizes) // size) for size in sizes}
-        for chunk in range(chunks + 1):
+        steps = {size: max(sizes) // size for size in sizes}
+        for _ in range(chunks + 1):
             for size, env in envs.items():
                 actions = rng.uniform(-1.0, 1.0, (steps[size], size, ROBOT.num_joints)).astype(np.float32)
                 start = time.perf_counter()
                 for action in actions:
                     env.step(action)
                 turns[size].append(time.perf_counter() - start)
-                if chunk == 0:
-                    turns[size].clear()
-                    physics[size] = 0.0
         for env in envs.values():
             env.close()
-        costs = {size: float(np.median(turns[size])) / (steps[size] * size) * 1e6 for size in sizes}
+        each = {size: np.divide(turns[size], steps[size] * size) * 1e6 for size in sizes}
+        most = each[max(sizes)]
+        costs = {size: _median_ratio(each[size], most) * float(np.median(most[1:])) for size in sizes}
         spread = max(costs.values()) / min(costs.values())
         detail = ", ".join(
             f"{size}: {costs[size]:.1f} us, {1.0 - physics[size] / sum(turns[size]):.0%} outside of the physics"
