@@ -1,9 +1,9 @@
 """Speed of the environments: each measure interleaves what it compares, and takes the median of the turns' ratios."""
 
+import contextlib
 import functools
 import os
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, Final
 from unittest import mock
 
@@ -118,8 +118,7 @@ class _VectorTurns:
     def take_without_physics(self) -> None:
         """One turn of the environment, in which no robot moves."""
         actions = self._actions()
-        # Not a mock, each call of which takes a while.
-        with mock.patch.object(self._task.simulation, "step", lambda *_: None):  # noqa: PT008
+        with _without_physics(self._env):
             self.rest.append(seconds_of(lambda: self._step(actions)))
 
     def close(self) -> None:
@@ -152,40 +151,52 @@ def cost_by_rows(sizes: Sequence[int] = (64, 256, 1024, 4096), chunks: int = 40)
     """Cost of an env step by the number of envs, and the share of it outside of the physics, by number of threads.
 
     Args:
-        sizes: numbers of envs.
-        chunks: how often they take turns. Each turn has as many env steps, and few: a machine's speed varies.
+        sizes: numbers of envs, the largest last.
+        chunks: how often they take turns. Each turn has as many env steps, and few, as a machine's speed varies.
     """
     threads = [2**i for i in range((os.cpu_count() or 1).bit_length())]
-    measures = []
+    return [measure for count in threads for measure in _cost_by_rows(sizes, chunks, count)]
+
+
+def _cost_by_rows(sizes: Sequence[int], chunks: int, num_threads: int) -> list[Measure]:
     rng = np.random.default_rng(0)
-    for count in threads:
-        envs = {size: gymnasium.make_vec(ENV_ID, num_envs=size, num_threads=count) for size in sizes}
-        physics: dict[int, float] = {}
-        for size, env in envs.items():
-            _watch_physics(env, physics, size)
-            env.reset(seed=0)
-        turns: dict[int, list[float]] = {size: [] for size in sizes}
-        steps = {size: max(sizes) // size for size in sizes}
-        for _ in range(chunks + 1):
-            for size, env in envs.items():
-                actions = rng.uniform(-1.0, 1.0, (steps[size], size, ROBOT.num_joints)).astype(np.float32)
-                start = time.perf_counter()
-                for action in actions:
-                    env.step(action)
-                turns[size].append(time.perf_counter() - start)
-        for env in envs.values():
-            env.close()
-        each = {size: np.divide(turns[size], steps[size] * size) * 1e6 for size in sizes}
-        most = each[max(sizes)]
-        costs = {size: _median_ratio(each[size], most) * float(np.median(most[1:])) for size in sizes}
-        spread = max(costs.values()) / min(costs.values())
-        detail = ", ".join(
-            f"{size}: {costs[size]:.1f} us, {1.0 - physics[size] / sum(turns[size]):.0%} outside of the physics"
-            for size in sizes
-        )
-        name = f"cost per env step, {min(sizes)} to {max(sizes)} rows, most over least, threads: {count}"
-        measures.append(Measure(name, spread, "x", "<= 1.1", spread <= 1.1, detail))
-    return measures
+    envs = [gymnasium.make_vec(ENV_ID, num_envs=size, num_threads=num_threads) for size in sizes]
+    for env in envs:
+        env.reset(seed=0)
+    turns = np.array([[_costs(env, sizes[-1] // env.num_envs, rng) for env in envs] for _ in range(chunks + 1)])
+    for env in envs:
+        env.close()
+    # Ratios within a turn, so that a machine that slows down does not change them.
+    costs = np.median(turns[1:] / turns[1:, -1:], axis=0) * np.median(turns[1:, -1:], axis=0)
+    total, rest, cached = costs.T
+    detail = ", ".join(
+        f"{size}: {cost:.1f} us, {share:.0%} outside of the physics"
+        for size, cost, share in zip(sizes, total, rest / total, strict=True)
+    )
+    spread, bound = (float(column.max() / column.min()) for column in (total, cached))
+    name = f"cost per env step, {sizes[0]} to {sizes[-1]} rows, most over least, threads: {num_threads}"
+    return [
+        Measure(name, spread, "x", "<= 1.1", spread <= 1.1, detail),
+        Measure("the same with the rest of a step as fast as alone", bound, "x", "a bound", True, "see above"),
+    ]
+
+
+def _run(env: Any, actions: Iterable[Any]) -> None:
+    for action in actions:
+        env.step(action)
+
+
+def _costs(env: Any, steps: int, rng: np.random.Generator) -> tuple[float, float, float]:
+    """Cost per env step in us: in all, outside of the physics, and in all with the rest as fast as alone."""
+    actions = rng.uniform(-1.0, 1.0, (steps, env.num_envs, ROBOT.num_joints)).astype(np.float32)
+
+    run = functools.partial(_run, env, actions)
+    with _watched_physics(env) as physics:
+        total = seconds_of(run)
+    with _without_physics(env):
+        alone = seconds_of(run)
+    scale = 1e6 / (steps * env.num_envs)
+    return scale * total, scale * (total - sum(physics)), scale * (sum(physics) + alone)
 
 
 def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNKS) -> list[Measure]:
@@ -201,20 +212,16 @@ def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNK
         preset: gymnasium.make_vec(ENV_ID, num_envs=rows, action_mode="residual", config=config)
         for preset, config in presets.items()
     }
-    physics: dict[str, float] = {}
-    for preset, env in envs.items():
-        _watch_physics(env, physics, preset)
+    for env in envs.values():
         env.reset(seed=0)
     no_change = np.zeros((rows, ROBOT.num_joints), np.float32)
     ratios, bounds, outside = [], [], []
     for _ in range(chunks + 1):
-        seconds = {}
-        physics.clear()
+        seconds, physics = {}, {}
         for preset, env in envs.items():
-            start = time.perf_counter()
-            for _ in range(steps):
-                env.step(no_change)
-            seconds[preset] = time.perf_counter() - start
+            with _watched_physics(env) as moving:
+                seconds[preset] = seconds_of(functools.partial(_run, env, [no_change] * steps))
+            physics[preset] = sum(moving)
         ratios.append(seconds["none"] / seconds["hard"])
         rest = {preset: seconds[preset] - physics[preset] for preset in envs}
         bounds.append(seconds["none"] / (physics["hard"] + rest["none"]))
@@ -231,15 +238,23 @@ def randomized_over_plain(rows: int = ROWS, steps: int = 60, chunks: int = CHUNK
     ]
 
 
-def _watch_physics(env: Any, seconds: dict[Any, float], name: Any) -> None:
-    """Add the time of an env's physics steps to `seconds[name]`."""
+@contextlib.contextmanager
+def _watched_physics(env: Any) -> Iterator[list[float]]:
+    """Within the context, an env's physics steps add the time that they take to the list, s."""
     simulation = env.unwrapped.task.simulation
-    step = simulation.step
+    step, seconds = simulation.step, []
 
     def watched(*arguments: Any) -> None:
-        seconds[name] = seconds.get(name, 0.0) + seconds_of(lambda: step(*arguments))
+        seconds.append(seconds_of(lambda: step(*arguments)))
 
-    simulation.step = watched
+    with mock.patch.object(simulation, "step", watched):
+        yield seconds
+
+
+def _without_physics(env: Any) -> contextlib.AbstractContextManager[Any]:
+    """Within the context, no robot of an env moves."""
+    # Not a mock, each call of which takes a while.
+    return mock.patch.object(env.unwrapped.task.simulation, "step", lambda *_: None)  # noqa: PT008
 
 
 def single_over_ant() -> list[Measure]:
