@@ -137,7 +137,7 @@ class MiniQuadrupedVectorEnv(
         return np.ones(self.num_envs, dtype=np.bool_)
 
     def _step_info(self, transition: Transition, moved: NDArray[np.bool_]) -> dict[str, Any]:
-        """Info of a step, in which those of the results that only moving has are masked (N,)."""
+        """Info after a step: the readings of all envs, and the results of those that moved (N,), not of those reset."""
         readings = self._info.readings({name: values.copy() for name, values in self._info.state().items()})
         results = self._info.step_results(transition.diverged, transition.terms)
         if moved.all():

@@ -1,3 +1,4 @@
+import itertools
 import json
 import math
 import re
@@ -139,6 +140,24 @@ def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_o
         assert all(0 < int(share) < 100 for share in shares)
         ratio = max(map(float, costs)) / min(map(float, costs))
         assert measure.value == pytest.approx(ratio, rel=0.02)
+
+
+def test_cost_by_rows_compares_within_a_turn_so_that_a_machine_that_slows_down_does_not_matter(monkeypatch):
+    monkeypatch.setattr(env_speed.os, "cpu_count", lambda: 1)
+    slowness = itertools.count(1)
+    turn = {}
+
+    def costs(env, steps, _):
+        assert steps * env.num_envs == 4
+        if env.num_envs == 2:
+            turn["slowness"] = next(slowness)
+        total, rest, cached = (30.0, 9.0, 25.0) if env.num_envs == 2 else (20.0, 2.0, 20.0)
+        return tuple(turn["slowness"] * cost for cost in (total, rest, cached))
+
+    monkeypatch.setattr(env_speed, "_costs", costs)
+    measure, bound = env_speed.cost_by_rows(sizes=(2, 4), chunks=3)  # the first turn, of slowness 1, does not count
+    assert (measure.value, bound.value) == pytest.approx((1.5, 1.25))
+    assert measure.detail == "2: 90.0 us, 30% outside of the physics, 4: 60.0 us, 10% outside of the physics"
 
 
 def test_cost_of_randomization_is_measured_with_what_its_physics_costs():

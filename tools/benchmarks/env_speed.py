@@ -190,7 +190,6 @@ def _run(env: Any, actions: Iterable[Any]) -> None:
 def _costs(env: Any, steps: int, rng: np.random.Generator) -> tuple[float, float, float]:
     """Cost per env step in us: in all, outside of the physics, and in all with the rest as fast as alone."""
     actions = rng.uniform(-1.0, 1.0, (steps, env.num_envs, ROBOT.num_joints)).astype(np.float32)
-
     run = functools.partial(_run, env, actions)
     with _watched_physics(env) as physics:
         total = seconds_of(run)
