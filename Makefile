@@ -24,11 +24,11 @@ $(INSTALLED): pyproject.toml constraints.txt
 	@touch $@
 
 walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write report.html
-	$(BIN)/python train/ppo.py
-	$(BIN)/python evaluate/policy.py
+	$(BIN)/mini-quadruped train
+	$(BIN)/mini-quadruped evaluate
 
 view: $(INSTALLED)  ## watch the robot live in a browser
-	@$(BIN)/python evaluate/view.py
+	@$(BIN)/mini-quadruped view
 
 check: $(INSTALLED)  ## lint, format, types, layer contract
 	$(BIN)/ruff check .

@@ -188,7 +188,7 @@ def by_recipe(subjects: Sequence[Subject]) -> dict[str, list[Subject]]:
     for subject in subjects:
         card = subject.policy.card
         if not {"recipe", "algo", "seed", "timesteps"} <= set(card):
-            raise QuadrupedError(f"{subject.name}: expected a policy of train/ppo.py; its card names no recipe or seed")
+            raise QuadrupedError(f"{subject.name}: expected a trained policy; its card names no recipe or seed")
         name = card["recipe"] if card["algo"] == "ppo" else f"{card['recipe']}, {card['algo']}"
         same = recipes.setdefault(name, [])
         first = same[0].policy if same else subject.policy

@@ -2,7 +2,7 @@
 
 tools/suite_references.py
 tools/suite_references.py --only rough              the other rows stay as they are
-tools/suite_references.py --only flat --result results/<name>/suite.json    of `evaluate/policy.py flat --suite`
+tools/suite_references.py --only flat --result results/<name>/suite.json    of `mini-quadruped evaluate flat --suite`
 tools/suite_references.py --policy mine=runs/<name>
 
 The results of a shipped policy also go onto its card.

@@ -40,7 +40,7 @@ class Invocation:
     """A program as it was started."""
 
     program: str
-    """`mini-quadruped replay`, or `python evaluate/replay.py`."""
+    """`mini-quadruped replay`."""
     arguments: tuple[str, ...]
 
     @property

@@ -302,7 +302,7 @@ class CommandedGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """A gait whose tables `train/tune_gait.py` found, `tuned`, `crouched`, `low` or `fast`, mapped to a robot.
+        """A gait found by `mini-quadruped tune-gait`, `tuned`, `crouched`, `low` or `fast`, mapped to a robot.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.

@@ -1,4 +1,4 @@
-"""Numbers of the scripted gaits: the tutorial's, and those that train/tune_gait.py found."""
+"""Numbers of the scripted gaits: the tutorial's, and those that `mini-quadruped tune-gait` found."""
 
 import math
 from dataclasses import dataclass

@@ -186,7 +186,7 @@ class TaskConfig(PlainFields):
     termination: Section = _OF_THE_DEFINITION
     randomization: Section = _OF_THE_DEFINITION
     motor: MotorConfig = _OF_THE_DEFINITION
-    """Motors of the robot, or motors identified by `evaluate/identify.py`. Default: those of the definition's robot."""
+    """Motors of the robot, or those of `mini-quadruped identify`. Default: those of the definition's robot."""
     terrain: Section = _OF_THE_DEFINITION
     """Name, seed and parameters of the ground."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)

@@ -3,7 +3,7 @@
 Every layer of a symmetric network commutes with the mirror: hidden units come in pairs, each the mirror image of the
 other, and the weights of mirror images are the same. One pass gives a mean action that mirrors with the observation,
 and a value that does not change. Learning from scratch takes a fraction of the samples that a free network takes
-(`evaluate/learning_speed.py`), and no side is preferred. Symmetry in learned locomotion: Mittal et al. 2024,
+(`tools/learning_speed.py`), and no side is preferred. Symmetry in learned locomotion: Mittal et al. 2024,
 https://arxiv.org/abs/2403.04359; equivariant perceptrons: Su et al. 2024, https://arxiv.org/abs/2403.17320. A critic
 that sees what only the simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
 """

@@ -14,7 +14,7 @@ from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
 
 STEPS_TO_WALK: Final = {"residual": 17_000, "position": 113_000}
-"""Median number of steps until a policy walks at 0.5 m/s, measured by `evaluate/learning_speed.py`
+"""Median number of steps until a policy walks at 0.5 m/s, measured by `tools/learning_speed.py`
 (docs/measurements.md)."""
 
 

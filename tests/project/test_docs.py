@@ -13,59 +13,61 @@ from waiting import output_of
 
 from quadruped_env import SinusoidalGait
 from quadruped_env.cli.commands import SUMMARIES as COMMANDS
-from quadruped_env.cli.main import make_parser as make_command_parser
-from quadruped_env.live.__main__ import make_parser
+from quadruped_env.cli.main import make_parser
+from quadruped_env.live.__main__ import make_parser as make_node_parser
 from quadruped_env.live.nodes import SUMMARIES
 
-PYTHON = re.compile(r"^(?:\S*/)?python3? ")
-PLACEHOLDER = re.compile(r"[A-Z]{2,}|\.\.\.|[<>]")
-"""Placeholder in a command: NODE, FILE, IN, <name>."""
+SCRIPT = re.compile(r"^(?:\S*/)?python3? (?=\w+/\S+\.py)")
+PLACEHOLDER = re.compile(r"\b[A-Z]+$|[A-Z]{2,}|\.\.\.|[<>]")
+"""Placeholder in a command: NODE, FILE, IN, N, <name>."""
 
 
-def python_commands(*pages):
+def commands():
+    """Page and words of every command of `mini-quadruped` on the pages, without placeholders for its subcommand."""
+    for page in PAGES:
+        for command in commands_of(page.read_text()):
+            words = shlex.split(command) if re.match(r"\S*mini-quadruped ", command) else []
+            if len(words) > 1 and not PLACEHOLDER.search(words[1 if words[1] != "live" else 2]):
+                yield f"{page.name}: {command}", words[1:]
+
+
+def parser_of(name, live=False):
+    """The parser of a command, or of a node of `live`."""
+    parser = make_node_parser(only=name) if live else make_parser(only=name)
+    return parser._subparsers._group_actions[0].choices[name]
+
+
+def scripts(*pages):
     for page in pages:
         for command in commands_of(page.read_text()):
-            if PYTHON.match(command):
-                yield page.name, shlex.split(PYTHON.sub("", command))
+            if SCRIPT.match(command):
+                yield page.name, shlex.split(SCRIPT.sub("", command))
 
 
 def test_pages_name_commands_to_check():
-    named = [command for _, command in python_commands(*PAGES)]
-    assert sum(command[:2] == ["-m", "quadruped_env.live"] for command in named) > 40
-    assert sum(command[0].startswith(("evaluate/", "train/")) for command in named) > 30
+    live = [words[0] == "live" for _, words in commands()]
+    assert sum(live) > 40
+    assert len(live) - sum(live) > 60
 
 
-def test_live_commands_on_every_page_name_a_node_and_its_options():
-    parser = make_parser()
-    for page, command in python_commands(*PAGES):
-        if command[:2] != ["-m", "quadruped_env.live"] or len(command) < 3:
+def test_commands_on_every_page_exist_with_the_options_that_are_shown():
+    for place, words in commands():
+        live = words[0] == "live"
+        name, *arguments = words[live:]
+        if name.startswith("-"):
             continue
-        arguments = command[2:]
-        if PLACEHOLDER.search(arguments[0]) or arguments == ["--help"]:
-            continue
-        assert arguments[0] in SUMMARIES, f"{page}: {command}"
-        try:
+        assert name in (SUMMARIES if live else COMMANDS), place
+        parser = parser_of(name, live)
+        options = {word.split("=")[0] for word in arguments if word.startswith("--")}
+        assert options <= set(parser._option_string_actions), place
+        # A command may be shown with its beginning only: 'echo' without its topic.
+        if arguments and "--help" not in arguments and not any(map(PLACEHOLDER.search, arguments)):
             parser.parse_args(arguments)
-        except SystemExit:
-            # A command may be shown with its beginning only: 'echo' without its topic.
-            assert not any(one.startswith("-") for one in arguments), f"{page}: {command}"
 
 
-def test_installed_commands_on_every_page_parse():
-    for page in PAGES:
-        for command in commands_of(page.read_text()):
-            words = shlex.split(command) if command.startswith("mini-quadruped ") else []
-            if len(words) < 2 or any(PLACEHOLDER.search(word) for word in words):
-                continue
-            assert words[1] in {*COMMANDS, "--help", "--version"}, f"{page.name}: {command}"
-            if len(words) > 2 and "--help" not in words:
-                make_command_parser(only=words[1]).parse_args(words[1:])
-
-
-def test_programs_on_every_page_exist():
-    for page, command in python_commands(*PAGES):
-        if command[0].endswith(".py") and "/" in command[0]:
-            assert (ROOT / command[0]).is_file(), f"{page}: {command}"
+def test_scripts_on_every_page_exist():
+    for page, command in scripts(*PAGES):
+        assert (ROOT / command[0]).is_file(), f"{page}: {command}"
 
 
 def test_make_targets_on_every_page_exist():
@@ -150,35 +152,25 @@ def test_nodes_of_the_tutorials_page_exchange_messages(domain_id, tmp_path):
     assert heard == list(range(heard[0], heard[0] + len(heard)))
 
 
-def help_of(*program):
-    done = subprocess.run([sys.executable, *program, "--help"], cwd=ROOT, capture_output=True, text=True, check=True)
-    return done.stdout
-
-
-def has_option(help_text, option):
-    return re.search(rf"(?<![\w-]){option}(?![\w-])", help_text) is not None
-
-
-@pytest.mark.slow
 def test_options_of_the_recordings_table_are_those_of_convert():
     text = (ROOT / "docs" / "troubleshooting.md").read_text()
     (table,) = re.findall(r"^## Recordings$.*?(^\|.*?)\n\n", text, re.MULTILINE | re.DOTALL)
     options = {command.split()[0] for command in re.findall(r"`(--[^`]+)`", table)} - {"--full-length"}
     assert len(options) > 5
-    help_text = help_of("evaluate/convert.py")
-    assert [option for option in options if not has_option(help_text, option)] == []
+    assert options <= set(parser_of("convert")._option_string_actions)
 
 
 @pytest.mark.slow
-def test_programs_on_every_page_have_the_options_that_are_shown():
+def test_scripts_on_every_page_have_the_options_that_are_shown():
     shown = {}
-    for page, command in python_commands(*PAGES):
-        if command[0].endswith(".py") and "/" in command[0]:
-            options = {part.split("=")[0] for part in command[1:] if part.startswith("--")}
-            shown.setdefault(command[0], {}).update(dict.fromkeys(options, page))
+    for page, command in scripts(*PAGES):
+        options = {part.split("=")[0] for part in command[1:] if part.startswith("--")}
+        shown.setdefault(command[0], {}).update(dict.fromkeys(options, page))
     assert shown
-    for program, options in shown.items():
+    for script, options in shown.items():
         if options:
-            help_text = help_of(program)
+            done = subprocess.run(
+                [sys.executable, script, "--help"], cwd=ROOT, capture_output=True, text=True, check=True
+            )
             for option, page in options.items():
-                assert has_option(help_text, option), f"{page}: {program} {option}"
+                assert re.search(rf"(?<![\w-]){option}(?![\w-])", done.stdout), f"{page}: {script} {option}"

@@ -48,8 +48,8 @@ def test_snippet_printed_distance_is_command_times_time(text):
 
 
 @pytest.mark.parametrize("text", [README, CHINESE], ids=["en", "zh"])
-def test_environment_is_activated_before_the_first_python_command(text):
-    assert 0 < text.index(". .venv/bin/activate") < text.index("`python ")
+def test_environment_is_activated_before_the_first_command(text):
+    assert 0 < text.index(". .venv/bin/activate") < text.index("`mini-quadruped ") < text.index("`python ")
 
 
 def test_readme_is_one_page_in_the_agreed_order():

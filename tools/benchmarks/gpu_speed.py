@@ -159,7 +159,7 @@ def _memory(device: str) -> float:
 def walk(
     device: str, num_envs: int, steps: int, limit: float, interval: float, say: Say = print, **settings: Any
 ) -> Walked:
-    """Train until the policy walks, as `evaluate/learning_speed.py` defines it, or for `limit` s of learning.
+    """Train until the policy walks, as `tools/learning_speed.py` defines it, or for `limit` s of learning.
 
     The budget, which the schedules follow, is that of a GPU's default training. Kernels are compiled before.
     """
