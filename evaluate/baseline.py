@@ -5,7 +5,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
-from quadruped_env.cli.commands import run_script
+from quadruped_env.cli.main import main
 
 if __name__ == "__main__":
-    sys.exit(run_script("baseline"))
+    sys.exit(main(["baseline", *sys.argv[1:]]))

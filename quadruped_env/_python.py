@@ -17,26 +17,11 @@ NEEDED = ("gymnasium", "mujoco", "numpy", "safetensors")
 
 COMMAND = "mini-quadruped"
 """The installed command."""
-SCRIPTS = {
-    "train": "train/ppo.py",
-    "sweep": "train/sweep.py",
-    "tune-gait": "train/tune_gait.py",
-    "evaluate": "evaluate/policy.py",
-    "compare": "evaluate/compare.py",
-    "baseline": "evaluate/baseline.py",
-    "sim2sim": "evaluate/sim2sim.py",
-    "export": "evaluate/export.py",
-    "view": "evaluate/view.py",
-    "replay": "evaluate/replay.py",
-    "convert": "evaluate/convert.py",
-    "identify": "evaluate/identify.py",
-}
-"""Its subcommands -> the scripts that do the same in a checkout."""
+_EXAMPLE = re.compile(rf"\b{COMMAND} (?=\w)")
 
 _CHECKOUT = Path(__file__).resolve().parents[1]
-"""Directory of the scripts; an installed package does not have them."""
+"""Directory of a checkout's files; an installed package does not have them."""
 _STARTED = getattr(sys, "orig_argv", [sys.executable, *sys.argv])
-_EXAMPLE = re.compile(r"\b{} (?P<name>{}|live)\b".format(COMMAND, "|".join(SCRIPTS)))
 
 
 def check_python() -> None:
@@ -72,19 +57,11 @@ def python_command() -> str:
 def program_command(name: str, *arguments: object) -> str:
     """A command that runs a program of this package from here.
 
-    Where that is possible it is the script of the checkout, unless this program was started as the installed command.
-
     Args:
         name: of the subcommand, such as `train`, or `live`.
         arguments: of the program.
     """
-    if _is_installed_command() or not has_programs():
-        program = _installed_command() + " " + name
-    elif name in SCRIPTS:
-        program = python_command() + " " + shlex.quote(_from_here(_CHECKOUT / SCRIPTS[name]))
-    else:
-        program = module_command("quadruped_env." + name)
-    return " ".join([program, *(shlex.quote(str(argument)) for argument in arguments)])
+    return " ".join([_command(), name, *(shlex.quote(str(argument)) for argument in arguments)])
 
 
 def module_command(module: str, *arguments: object) -> str:
@@ -117,22 +94,21 @@ def install_command(extra: str) -> str:
 
 def pasteable(text: str | None) -> str:
     """A text, such as a command's docstring, with examples such as `mini-quadruped train` ready to paste."""
-    return _EXAMPLE.sub(lambda match: program_command(match["name"]), text or "")
+    return _EXAMPLE.sub(lambda _: _command() + " ", text or "")
 
 
-def _is_installed_command() -> bool:
-    """True if this program was started as `mini-quadruped`, or as `python -m quadruped_env`."""
-    return Path(sys.argv[0] if sys.argv else "").stem == COMMAND or _started_module() == "quadruped_env"
-
-
-def _installed_command() -> str:
-    """The installed command: its name if the PATH has this Python's, else its path, else `python -m`."""
+def _command() -> str:
+    """`mini-quadruped` if the PATH has this Python's, else its path, else what works without an installation."""
     here = Path(sys.executable).parent
     found = shutil.which(COMMAND)
     if found and _is_same(Path(found).parent, here):
         return COMMAND
     script = here / COMMAND
-    return shlex.quote(_from_here(script)) if script.is_file() else module_command("quadruped_env")
+    if script.is_file():
+        return shlex.quote(_from_here(script))
+    if has_programs() and not _is_same(Path.cwd(), _CHECKOUT):
+        return f"{python_command()} {shlex.quote(_from_here(_CHECKOUT / 'quadruped_env'))}"
+    return module_command("quadruped_env")
 
 
 def _started_module() -> str:
@@ -160,7 +136,7 @@ def _is_program() -> bool:
     main = getattr(sys.modules.get("__main__"), "__file__", None)
     if main is None:
         return False
-    folders = [_CHECKOUT / folder for folder in ("train", "evaluate", "tools")]
+    folders = [_CHECKOUT / folder for folder in ("train", "evaluate", "tools", "quadruped_env")]
     return Path(main).stem == COMMAND or Path(main).resolve().parent in folders
 
 

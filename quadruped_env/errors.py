@@ -1,6 +1,8 @@
 """The errors this package raises for bad input."""
 
+import difflib
 import reprlib
+from collections.abc import Iterable
 from typing import Final
 
 from quadruped_env._python import install_command
@@ -60,6 +62,12 @@ def short(value: object) -> str:
     except ValueError:  # Python refuses to write out whole numbers of over 4300 digits
         return f"a {type(value).__name__} too large to be shown"
     return text if len(text) <= 2 * _MAX_SHOWN else text[: 2 * _MAX_SHOWN] + _MORE
+
+
+def did_you_mean(word: object, known: Iterable[str]) -> str:
+    """End of a message about an unknown word: the known one that is most similar, or nothing."""
+    near = difflib.get_close_matches(str(word)[:_MAX_SHOWN], list(known), 1)
+    return f"; did you mean {near[0]}?" if near else ""
 
 
 _REPR: Final = reprlib.Repr()

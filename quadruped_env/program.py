@@ -3,12 +3,13 @@
 import argparse
 import os
 import sys
+import textwrap
 import threading
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
+from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning, did_you_mean
 
 ERROR_STATUS: Final = 2
 """Exit status after an error in the input, as of argparse."""
@@ -16,14 +17,75 @@ INTERRUPTED_STATUS: Final = 130
 """Exit status after Ctrl-C, as shells have it."""
 
 
-class CommandFormatter(argparse.RawDescriptionHelpFormatter):
-    """Help of a program with subcommands: their summaries stand in one column."""
+class ArgumentParser(argparse.ArgumentParser):
+    """A parser whose errors about a mistyped word name the one that was probably meant."""
+
+    def parse_known_args(  # type: ignore[override]
+        self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
+    ) -> tuple[argparse.Namespace, list[str]]:
+        """See `argparse`; unknown arguments are an error here, so that a subcommand's are an error of its parser."""
+        found, unknown = super().parse_known_args(args, namespace)
+        if unknown:
+            hint = did_you_mean(unknown[0].partition("=")[0], self._option_string_actions)
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
+        return found, unknown
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        try:
+            super()._check_value(action, value)
+        except argparse.ArgumentError as error:
+            error.message += did_you_mean(value, map(str, action.choices or ()))
+            raise
+
+
+class HelpAll(argparse._HelpAction):
+    """The option `--help-all`, which also describes what `--help` leaves out."""
+
+    hidden: dict[argparse.Action, str | None]
+    """What `--help` leaves out, with its help."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *rest: Any, **options: Any) -> None:
+        """See `argparse`."""
+        for action, text in self.hidden.items():
+            action.help = text
+        super().__call__(parser, *rest, **options)
+
+
+def shorten_help(parser: argparse.ArgumentParser, *shown: str) -> None:
+    """Let `--help` describe some options only, and `--help-all` all of them.
+
+    Args:
+        parser: with its options.
+        shown: options that most users need.
+    """
+    hidden = {
+        action: action.help
+        for action in parser._actions
+        if action.option_strings and action.help != argparse.SUPPRESS and not {"-h", *shown} & {*action.option_strings}
+    }
+    names = " ".join(action.option_strings[0] for action in hidden)
+    option = parser.add_argument("--help-all", action=HelpAll, help=f"describe all options, these too: {names}")
+    option.hidden = hidden  # type: ignore[attr-defined]
+    for action in hidden:
+        action.help = argparse.SUPPRESS
+
+
+class HelpFormatter(argparse.RawDescriptionHelpFormatter):
+    """Help with a description as written, names of options in one piece, and subcommands' summaries in one column."""
 
     def add_argument(self, action: argparse.Action) -> None:
         """See `argparse.HelpFormatter`, which forgets that subcommands are indented further."""
         super().add_argument(action)
         if isinstance(action, argparse._SubParsersAction):
             self._action_max_length += self._indent_increment
+
+    def add_usage(self, usage: str | None, actions: Any, groups: Any, prefix: str | None = None) -> None:
+        """See `argparse`, which fails on a group of options that are all hidden (before Python 3.13)."""
+        shown = [one for one in groups if any(action.help != argparse.SUPPRESS for action in one._group_actions)]
+        super().add_usage(usage, actions, shown, prefix)
+
+    def _split_lines(self, text: str, width: int) -> list[str]:
+        return textwrap.wrap(" ".join(text.split()), width, break_on_hyphens=False)
 
 
 def end_with_parent() -> None:

@@ -7,10 +7,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import gymnasium
 import pytest
 from paths import ROOT
 
-from quadruped_env import MissingExtraError, QuadrupedError, _python
+from quadruped_env import MissingExtraError, QuadrupedError, __version__, _python
 from quadruped_env.policies import load_policy
 
 PROGRAMS = [
@@ -36,11 +37,12 @@ def test_program_with_a_wrong_python_names_the_right_one_in_one_line(program, tm
     assert line.endswith(f"/.venv/bin/python -S {ROOT / program} --flag")
 
 
-def test_live_node_with_a_wrong_python_names_the_right_one_in_one_line():
-    done = run(*BARE, "-m", "quadruped_env.live", "sim", cwd=ROOT)
+@pytest.mark.parametrize("program", ["-m quadruped_env.live", "-m quadruped_env", "quadruped_env"])
+def test_package_with_a_wrong_python_names_the_right_one_in_one_line(program):
+    done = run(*BARE, *program.split(), "sim", cwd=ROOT)
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
-    assert line.endswith("run it with .venv/bin/python -S -m quadruped_env.live sim")
+    assert line.endswith(f"run it with .venv/bin/python -S {program} sim")
 
 
 def test_import_with_a_wrong_python_raises_the_same_error():
@@ -107,12 +109,12 @@ def test_the_command_is_this_pythons_path_where_python_is_another(monkeypatch, t
 @pytest.mark.parametrize("directory", [ROOT, Path("/")])
 def test_commands_in_help_can_be_pasted(directory, monkeypatch):
     monkeypatch.chdir(directory)
-    text = _python.pasteable("mini-quadruped view flat\n\nmini-quadruped live sim and python alone")
+    text = _python.pasteable("mini-quadruped view flat\n\nmini-quadruped COMMAND and 'pip install mini-quadruped'")
     first, _, second = text.splitlines()
-    done = run(*shlex.split(first)[:2], "--help", cwd=directory)
-    assert done.returncode == 0, done.stderr
-    assert shlex.split(first)[0] == shlex.split(second)[0]
-    assert second.endswith(" -m quadruped_env.live sim and python alone")
+    program = first.removesuffix(" view flat")
+    done = run(*shlex.split(program), "--version", cwd=directory)
+    assert done.stdout == f"mini-quadruped {__version__}\n", done.stderr
+    assert second == f"{program} COMMAND and 'pip install mini-quadruped'"
 
 
 @pytest.mark.usefixtures("python_on_path")
@@ -121,14 +123,15 @@ def test_no_help_has_a_command_of_another_python(program):
     what = ["-m", "quadruped_env.live", "record"] if program == Path("-m") else [ROOT / program]
     done = run(sys.executable, *what, "--help", cwd=ROOT)
     assert done.returncode == 0, done.stderr
-    assert re.search(r"(?<!/)\b(python (train|evaluate|-m)|mini-quadruped [a-z])", done.stdout) is None
+    _, _, text = done.stdout.partition("\n\n")  # without the usage
+    assert re.search(r"(?<!/)\b(python (train|evaluate|-m)|mini-quadruped \w)", text) is None
 
 
 @pytest.mark.usefixtures("python_on_path")
 def test_errors_name_commands_of_this_python(monkeypatch):
     monkeypatch.chdir(ROOT)
     python = re.escape(_python.python_command())
-    with pytest.raises(QuadrupedError, match=f"train one with '{python} train/ppo.py'"):
+    with pytest.raises(QuadrupedError, match=r"train one with '\S+/mini-quadruped train'"):
         load_policy("nowhere")
     message = str(MissingExtraError("The viewer", "viewer"))
     assert re.search(f"{python} -m pip install 'mini-quadruped\\[viewer\\]'$", message)
@@ -167,14 +170,31 @@ def test_errors_without_a_checkout_name_the_installed_command(installed, monkeyp
     assert _python.pasteable("mini-quadruped live sim") == "mini-quadruped live sim"
 
 
-def test_program_command_started_as_the_installed_command_names_it_in_a_checkout_too(monkeypatch):
-    monkeypatch.setattr(_python, "_installed_command", lambda: "mini-quadruped")
-    monkeypatch.setattr(sys, "argv", ["/venv/bin/mini-quadruped", "train"])
-    assert _python.program_command("evaluate", "runs/latest") == "mini-quadruped evaluate runs/latest"
-    monkeypatch.setattr(sys, "argv", ["train/ppo.py"])
-    assert _python.program_command("evaluate").endswith("evaluate/policy.py")
+@pytest.fixture
+def copied(monkeypatch, tmp_path):
+    """A checkout that is not installed for this Python; it holds a link to the package."""
+    checkout = tmp_path / "my checkout"
+    (checkout / "train").mkdir(parents=True)
+    (checkout / "pyproject.toml").touch()
+    (checkout / "quadruped_env").symlink_to(ROOT / "quadruped_env")
+    (tmp_path / "bin").mkdir()
+    monkeypatch.setattr(_python, "_CHECKOUT", checkout)
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "bin" / "python"))
+    return checkout
 
 
-def test_scripts_of_the_commands_exist():
-    for script in _python.SCRIPTS.values():
-        assert (ROOT / script).is_file()
+@pytest.mark.parametrize(
+    ("directory", "expected"),
+    [(".", "-m quadruped_env train --seed 1"), ("..", "'my checkout/quadruped_env' train --seed 1")],
+)
+def test_program_command_of_a_checkout_without_installation_starts_the_package(
+    copied, monkeypatch, directory, expected
+):
+    monkeypatch.chdir(copied / directory)
+    command = _python.program_command("train", "--seed", 1)
+    assert command.split(" ", 1)[1] == expected
+    words = shlex.split(command)[1:-3]
+    # Without the file that makes an editable installation importable.
+    environment = os.environ | {"PYTHONPATH": str(Path(gymnasium.__file__).parents[1])}
+    done = run(*BARE, *words, "--version", cwd=copied / directory, env=environment)
+    assert done.stdout == f"mini-quadruped {__version__}\n", done.stderr

@@ -26,8 +26,8 @@ SAMPLE_INTERVAL = 0.5
 def main() -> int:
     """Parse the arguments, measure, and print the ratio."""
     parser = argparse.ArgumentParser(
-        description="Train some seeds of one config one after another with train/ppo.py on all cores, and the same "
-        "seeds with train/sweep.py; compare the wall clock, with all starts of programs and of Ray. Let nothing else "
+        description="Train some seeds of one config one after another with 'train' on all cores, and the same "
+        "seeds with 'sweep'; compare the wall clock, with all starts of programs and of Ray. Let nothing else "
         "run meanwhile.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )

@@ -1,16 +1,14 @@
-"""Commands of `mini-quadruped`, and functions that run one."""
+"""Commands of `mini-quadruped`, and how one was started."""
 
 import argparse
 import importlib
 import shlex
-import sys
-from collections.abc import Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Final
 
-from quadruped_env._python import SCRIPTS, pasteable
-from quadruped_env.program import run_program
+from quadruped_env._python import pasteable
+from quadruped_env.program import HelpFormatter
 
 SUMMARIES: Final = {
     "train": "train a walking policy with PPO",
@@ -57,38 +55,5 @@ def command_module(name: str) -> ModuleType:
 def describe(parser: argparse.ArgumentParser, module: ModuleType) -> None:
     """Give a parser the description and the arguments of a command."""
     parser.description = pasteable(module.__doc__)
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.formatter_class = HelpFormatter
     module.add_arguments(parser)
-
-
-def run_module(module: ModuleType, prog: str, arguments: argparse.Namespace, invocation: Invocation) -> int:
-    """Run a command with parsed arguments.
-
-    Args:
-        module: module of the command.
-        prog: name of the program in errors and warnings.
-        arguments: parsed arguments.
-        invocation: program and arguments as typed.
-
-    Returns:
-        Exit status: 0 for success, 2 after an error of this package, else that of the command.
-    """
-    return run_program(prog, lambda: int(module.run(arguments, invocation)))
-
-
-def run_script(name: str, arguments: Sequence[str] | None = None) -> int:
-    """Run a command as a script of the checkout: `python train/ppo.py` is `mini-quadruped train`.
-
-    Args:
-        name: name of the command.
-        arguments: command-line arguments. None: those of the process.
-
-    Returns:
-        Exit status, as of `run_module`.
-    """
-    typed = tuple(sys.argv[1:] if arguments is None else arguments)
-    module = command_module(name)
-    parser = argparse.ArgumentParser()
-    describe(parser, module)
-    invocation = Invocation(f"python {SCRIPTS[name]}", typed)
-    return run_module(module, parser.prog, parser.parse_args(typed), invocation)

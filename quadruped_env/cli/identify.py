@@ -34,6 +34,7 @@ from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.cli.reading import add_reading_options, load_with, reading_options
 from quadruped_env.files import check_free, free_path
 from quadruped_env.identification import BASES, FITTED, QUANTITIES
+from quadruped_env.program import shorten_help
 from quadruped_env.trajectory import JointTrajectory
 
 
@@ -70,6 +71,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)
     add_reading_options(parser)
+    shorten_help(
+        parser, "--commands", "--commands-topic", "--base", "--fit", "--columns", "--map", "--task", "--output"
+    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:

@@ -5,9 +5,9 @@ import sys
 from collections.abc import Sequence
 
 from quadruped_env import __version__
-from quadruped_env._python import COMMAND
-from quadruped_env.cli.commands import SUMMARIES, Invocation, command_module, describe, run_module
-from quadruped_env.program import CommandFormatter
+from quadruped_env._python import COMMAND, pasteable
+from quadruped_env.cli.commands import SUMMARIES, Invocation, command_module, describe
+from quadruped_env.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = """\
 A four-legged robot that learns to walk: train it, evaluate it, watch it, record it, and run it on ROS 2 topics.
@@ -28,11 +28,11 @@ def make_parser(only: str | None = None) -> argparse.ArgumentParser:
     Args:
         only: command whose arguments are needed; the others then have none, and their modules are not imported.
     """
-    parser = argparse.ArgumentParser(
+    parser = ArgumentParser(
         prog=COMMAND,
         description=_DESCRIPTION,
-        epilog=_EPILOG,
-        formatter_class=CommandFormatter,
+        epilog=pasteable(_EPILOG),
+        formatter_class=HelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"{COMMAND} {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, title="commands")
@@ -44,14 +44,14 @@ def make_parser(only: str | None = None) -> argparse.ArgumentParser:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command that the arguments name; the exit status."""
-    typed = list(sys.argv[1:] if arguments is None else arguments)
+    """Run the command that the arguments name, or print the help if there is none; the exit status."""
+    typed = list(sys.argv[1:] if arguments is None else arguments) or ["--help"]
     name = typed[0] if typed and typed[0] in SUMMARIES else ""
     if name == "live":
         # Its nodes have commands of their own, of which only one is imported.
         from quadruped_env.live.__main__ import main as run_node
 
-        return run_node(typed[1:], prog=f"{COMMAND} live")
+        return run_node(typed[1:])
     args = make_parser(only=name).parse_args(typed)
     invocation = Invocation(f"{COMMAND} {name}", tuple(typed[1:]))
-    return run_module(command_module(name), invocation.program, args, invocation)
+    return run_program(invocation.program, lambda: int(command_module(name).run(args, invocation)))

@@ -11,7 +11,7 @@ from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
 from quadruped_env.simulation.ground import LEVELS, Terrain
-from quadruped_env.simulation.terrain import TERRAINS, find_terrain, summary
+from quadruped_env.simulation.terrain import NAMES, TERRAINS, find_terrain
 from quadruped_env.task import PRESETS
 
 NEXT_FREE: Final = "or that name with the next free number"
@@ -88,13 +88,13 @@ def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
     parser.add_argument(
         "--terrain",
         metavar="NAME",
-        help=f"the ground: {summary()}; or one from --task's file (default: {default})",
+        help=f"the ground: {NAMES} (docs/terrain.md), or one from --task's file (default: {default})",
     )
     parser.add_argument(
         "--level",
         type=int,
         metavar="N",
-        help=f"level of the --terrain, from 1 to {LEVELS}, which is the hardest (default: none, with the sizes above)",
+        help=f"level of the --terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/terrain.md)",
     )
 
 

@@ -37,13 +37,14 @@ from quadruped_env.cli.options import (
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.cli.reading import add_reading_options, load_with
 from quadruped_env.files import check_free, free_path
+from quadruped_env.program import shorten_help
 from quadruped_env.replay.replay import MODES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the recording, how it is played, and the output."""
     parser.add_argument("file", type=Path, metavar="FILE", help="a recording of joint states")
-    parser.add_argument("--mode", choices=MODES, default="dynamic", help="(default: %(default)s)")
+    parser.add_argument("--mode", choices=MODES, default="dynamic", help="as above (default: %(default)s)")
     parser.add_argument(
         "--clip",
         action="store_true",
@@ -68,6 +69,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_video(parser)
     add_overwrite(parser)
     add_reading_options(parser)
+    of_reading, others = ("--columns", "--map"), ("--task", "--terrain", "--output", "--video")
+    shorten_help(parser, "--mode", "--clip", "--compare", "--motors", *of_reading, *others)
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:

@@ -22,7 +22,7 @@ from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import add_output
 from quadruped_env.cli.train import add_settings, typed_settings, with_recipe
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.program import INTERRUPTED_STATUS
+from quadruped_env.program import INTERRUPTED_STATUS, shorten_help
 from quadruped_env.sweep.definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
 from quadruped_env.sweep.records import SweepFolder
 from quadruped_env.sweep.space import Dimension, parse_dimension, read_space
@@ -108,6 +108,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_output(group, "DIR", f"directory of the sweeps, which all nodes share (default: {SWEEPS})", SWEEPS)  # type: ignore[arg-type]
     add_settings(parser, left_out=("ranks", "device"))
+    shown = ("--seeds", "--vary", "--space", "--trials", "--search", "--scheduler", "--score", "--resume", "--output")
+    shorten_help(parser, *shown, "--recipe", "--timesteps")
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:

@@ -15,21 +15,23 @@ mini-quadruped train --resume runs/latest     continue an earlier run, or the la
 import argparse
 import dataclasses
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, get_args
 
 from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
 from quadruped_env.cli.options import add_output, add_randomization, add_terrain, check_level_has_terrain
+from quadruped_env.control.config import ACTION_MODES
 from quadruped_env.documents import read_json
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.program import shorten_help
 from quadruped_env.robot import Robot
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import check_used
+from quadruped_env.training.algorithms import ALGORITHMS, check_used
 from quadruped_env.training.config import GPU_DEFAULTS, defaults, on_gpu, possible_on
 from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.job import Job
@@ -39,11 +41,23 @@ from quadruped_env.training.recipes import RECIPES, recipe, task_values
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
+_SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed", "--device")
+"""Options of the settings that `--help` shows."""
+_CHOICES: Final = {"recipe": RECIPES, "algo": ALGORITHMS, "action_mode": ACTION_MODES, "device": ("cpu", "cuda")}
+"""Options that change the defaults of others, with their values."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the fields of `TrainConfig`, and the places of the runs."""
     add_settings(parser)
+    parser.add_argument(
+        "--resume",
+        type=Path,
+        metavar="RUN",
+        help="run or checkpoint to continue, with its task, network and other settings; options change the others. "
+        "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
+        "from where they were",
+    )
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
     parser.add_argument(
         "--launcher",
@@ -57,33 +71,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="HOST:PORT",
         help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
     )
-    parser.add_argument(
-        "--resume",
-        type=Path,
-        metavar="RUN",
-        help="run or checkpoint to continue, with its task, network and other settings; options change the others. "
-        "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
-        "from where they were",
-    )
+    shorten_help(parser, *_SHOWN, "--resume", "--output")
 
 
 def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) -> None:
     """Add the fields of `TrainConfig` that are not left out, `--terrain` and `--randomization`."""
-    docs, position = field_docs(TrainConfig), defaults(TrainConfig.algo, "position")
+    docs = field_docs(TrainConfig)
     for field in dataclasses.fields(TrainConfig):
         if field.name in left_out:
             continue
         option = f"--{field.name.replace('_', '-')}"
         default = field.default if field.default is not dataclasses.MISSING else {}
-        other = f"; {position[field.name]} in mode position" if field.name in position else ""
+        text = docs[field.name]
+        if field.name == "recipe":
+            text += ". " + "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
         # Without defaults: those of a resumed run are the run's.
         options: dict[str, Any] = {
             "default": argparse.SUPPRESS,
-            "help": f"{docs[field.name]} (default: {default}{other})".replace("%", "%%"),
+            "help": f"{text} (default: {_defaults_in_words(field.name, left_out)})".replace("%", "%%"),
         }
-        if field.name == "recipe":
-            listed = "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
-            options["help"] = f"{docs[field.name]}. {listed} (default: {default})"
         if field.name == "hidden":
             options.update(type=int, nargs="+", metavar="N")
         elif field.name == "task":
@@ -92,7 +98,7 @@ def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) 
                 action="append",
                 metavar="TASK",
                 help="a Python file of terms (docs/make-it-yours.md), a JSON file of changes to the task's config, or "
-                "these changes as JSON; may be given again (default: {})",
+                "these changes as JSON; may be given again",
             )
         elif isinstance(default, bool):
             options.update(action=argparse.BooleanOptionalAction)
@@ -221,20 +227,47 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
         robot: robot of the task.
         whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
     """
-    name, algo = typed.get("recipe", TrainConfig.recipe), typed.get("algo", TrainConfig.algo)
-    action_mode = typed.get("action_mode", TrainConfig.action_mode)
+    name, action_mode = (typed.get(option, getattr(TrainConfig, option)) for option in ("recipe", "action_mode"))
     own = typed.get("task", {})
     chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
     task = {
         section: values for section, values in task_values(name, robot, action_mode).items() if section not in chosen
     }
     task = changed(task, own)
-    device = typed.get("device", TrainConfig.device)
-    own_defaults = {"name": algo, **defaults(algo, action_mode, device)}
+    return {**default_settings(typed), **typed, **({"task": task} if task else {})}
+
+
+def default_settings(typed: Mapping[str, Any]) -> dict[str, Any]:
+    """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe, algorithm, mode and device."""
+    name, algo, action_mode, device = (typed.get(option, getattr(TrainConfig, option)) for option in _CHOICES)
     entry = recipe(name)
-    chosen_settings = {**entry.training, **(possible_on(device, entry.ppo) if algo == TrainConfig.algo else {})}
+    of_recipe = {**entry.training, **(possible_on(device, entry.ppo) if algo == TrainConfig.algo else {})}
     on_device = GPU_DEFAULTS if on_gpu(device) else {}
-    return {**own_defaults, **chosen_settings, **on_device, **typed, **({"task": task} if task else {})}
+    return {"name": algo, **defaults(algo, action_mode, device), **of_recipe, **on_device}
+
+
+def _defaults_in_words(name: str, left_out: Iterable[str]) -> str:
+    """Default of a field of `TrainConfig`, and its other defaults with the options that lead to them."""
+    if name == "name":
+        return "that of --algo"
+    found: dict[str, list[str]] = {}
+    for option, choices in {"": ("",), **_CHOICES}.items():  # the first pair: without any option
+        if option in left_out:
+            continue
+        by_value: dict[str, list[str]] = {}
+        for choice in choices:
+            settings = default_settings({option: choice})
+            by_value.setdefault(_in_words(settings.get(name, getattr(TrainConfig, name, None))), []).append(choice)
+        for value, chosen in by_value.items():
+            found.setdefault(value, []).append(f"--{option.replace('_', '-')} {'/'.join(chosen)}")
+    first, *others = found
+    return "; ".join([first, *(f"{value} with {', '.join(found[value])}" for value in others)])
+
+
+def _in_words(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value).lower()
 
 
 def json_object(text: str) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from quadruped_env.control.controllers import Controller, PolicyController, Zero
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.loop import LoopController
 from quadruped_env.control.policy import CARD_FILE, LIVE_POLICY, SHIPPED, Policy, load_policy, training_advice
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, did_you_mean
 from quadruped_env.files import shown_path
 from quadruped_env.gait import PRESETS
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -72,6 +72,7 @@ def find_controller(text: str, load: Load = load_policy, robot: Robot = MINI_QUA
         raise QuadrupedError(
             f"{text!r} is neither a shipped policy ({', '.join(SHIPPED)}), nor a scripted gait ({', '.join(PRESETS)}), "
             f"nor the directory of a run, nor a recording; name one of these, or {training_advice()}"
+            f"{did_you_mean(text, [*SHIPPED, *PRESETS])}"
         )
     recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
     return _recording(path, robot) if recorded else _policy(f"run {shown_path(path)}", text, load)

@@ -19,7 +19,7 @@ from quadruped_env.control.config import COMMANDS, ActionConfig, Command, Contro
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.task_file import TASK_FILE, check_task_file, execute, merged, robot_in
 from quadruped_env.documents import check_regular, read_json
-from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, did_you_mean, short
 from quadruped_env.files import write_whole
 from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -268,7 +268,7 @@ def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     if not os.path.isdir(directory):
         raise QuadrupedError(
             f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
-            f"{training_advice()}"
+            f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"
         )
     for path in (card_path, tensors_path):
         if not os.path.exists(path):

@@ -4,10 +4,10 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from quadruped_env._python import pasteable, program_command
+from quadruped_env._python import COMMAND, pasteable
 from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
-from quadruped_env.program import CommandFormatter, run_program
+from quadruped_env.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = "The robot on live ROS 2 topics, without a ROS installation."
 _EPILOG = """\
@@ -17,14 +17,13 @@ describes each node.
 """
 
 
-def make_parser(prog: str | None = None, only: str | None = None) -> argparse.ArgumentParser:
+def make_parser(only: str | None = None) -> argparse.ArgumentParser:
     """The parser of the nodes' arguments.
 
     Args:
-        prog: the program's name in usage and errors; by default the command that runs a node from here.
         only: the node whose arguments are needed; the other nodes get no arguments, and their modules are not imported.
     """
-    parser = argparse.ArgumentParser(prog=prog or program_command("live"))
+    parser = ArgumentParser(prog=f"{COMMAND} live")
     add_nodes(parser, only)
     return parser
 
@@ -33,10 +32,10 @@ def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
     """Add the description and the nodes to a parser; `only` as in `make_parser`."""
     parser.description = _DESCRIPTION
     parser.epilog = pasteable(_EPILOG)
-    parser.formatter_class = CommandFormatter
+    parser.formatter_class = HelpFormatter
     nodes = parser.add_subparsers(dest="node", metavar="NODE", required=True, title="nodes")
     for name, summary in SUMMARIES.items():
-        node = nodes.add_parser(name, help=summary, formatter_class=argparse.RawDescriptionHelpFormatter)
+        node = nodes.add_parser(name, help=summary, formatter_class=HelpFormatter)
         if only in (None, name):
             module = node_module(name)
             node.description = pasteable(module.__doc__)
@@ -44,11 +43,15 @@ def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
             add_common_arguments(node)
 
 
-def main(arguments: Sequence[str] | None = None, prog: str | None = None) -> int:
-    """Run the node that the arguments name. Returns the exit status: 0 on success, 2 after an error."""
-    typed = list(sys.argv[1:] if arguments is None else arguments)
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the node that the arguments name, or print the help if there is none.
+
+    Returns:
+        The exit status: 0 on success, 2 after an error.
+    """
+    typed = list(sys.argv[1:] if arguments is None else arguments) or ["--help"]
     # Only the node's own module is imported: faster start and less memory on a robot.
-    parser = make_parser(prog, only=typed[0] if typed and typed[0] in SUMMARIES else "")
+    parser = make_parser(only=typed[0] if typed and typed[0] in SUMMARIES else "")
     args = parser.parse_args(typed)
 
     def run() -> int:

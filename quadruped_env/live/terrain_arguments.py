@@ -4,7 +4,7 @@ import argparse
 
 from quadruped_env.simulation import Terrain, find_terrain, flat
 from quadruped_env.simulation.ground import LEVELS
-from quadruped_env.simulation.terrain import summary
+from quadruped_env.simulation.terrain import NAMES
 from quadruped_env.task.definition import BUILT_IN, load_task_file
 from quadruped_env.task.terrain_section import leg_scale
 
@@ -20,13 +20,13 @@ def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
         "--terrain",
         metavar="NAME",
         default=flat.name,
-        help=f"the ground: {summary()}; or one from --task's file (%(default)s)",
+        help=f"the ground: {NAMES} (docs/terrain.md), or one from --task's file (%(default)s)",
     )
     parser.add_argument(
         "--level",
         type=int,
         metavar="N",
-        help=f"level of the terrain, from 1 to {LEVELS}, which is the hardest (none, with the sizes above)",
+        help=f"level of the terrain, from 1 to {LEVELS}, which is the hardest (none; docs/terrain.md)",
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{seed} (%(default)s)")
 

@@ -6,7 +6,7 @@ from typing import Annotated, Final
 
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import QuadrupedError, did_you_mean, short
 from quadruped_env.parameters import Parameter
 from quadruped_env.simulation.grid import MAX_POINTS, ROUNDING, START, Floats, Grid
 from quadruped_env.simulation.ground import LEVELS, Terrain, terrain
@@ -15,6 +15,7 @@ from quadruped_env.simulation.tiles import Tiles, tiles_of
 __all__ = [
     "LEVELS",
     "MAX_POINTS",
+    "NAMES",
     "TERRAINS",
     "Grid",
     "Terrain",
@@ -23,7 +24,6 @@ __all__ = [
     "flat",
     "hills",
     "rough",
-    "summary",
     "terrain",
     "tiles",
 ]
@@ -119,6 +119,8 @@ tiles: Final = tiles_of((flat, slope, rough, steps, stairs, gaps, wave), FINE)
 
 TERRAINS: Final = (flat, rough, hills, slope, steps, stairs, gaps, wave, tiles)
 """Built-in terrains. A policy that was trained on flat ground can walk on `rough` and `hills`."""
+NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
+"""Their names, for the help of an option."""
 
 
 def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrain:
@@ -130,9 +132,5 @@ def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrai
     for entry in terrains:
         if entry.name == name:
             return entry
-    raise QuadrupedError(f"terrain: {short(name)} is unknown; there are {', '.join(entry.name for entry in terrains)}")
-
-
-def summary(terrains: Sequence[Terrain] = TERRAINS) -> str:
-    """Names and descriptions in one line, for the help of an option."""
-    return "; ".join(f"{entry.name}: {entry.description.removesuffix('.').lower()}" for entry in terrains)
+    names = [entry.name for entry in terrains]
+    raise QuadrupedError(f"terrain: {short(name)} is unknown; there are {', '.join(names)}{did_you_mean(name, names)}")

@@ -103,11 +103,9 @@ class TrainConfig:
     straight_steps: int = 0
     """Environment steps at the start of PPO with commands straight ahead only, and 2.5 times the learning rate"""
     polish_generations: int = 0
-    """Generations of a search that polishes the gait of PPO's policy, after the budget; each takes 294,000 environment
-    steps (docs/training.md)"""
+    """Generations of a search that polishes the gait of PPO's policy, after the budget (docs/training.md)"""
     reflex_rounds: int = 0
-    """Rounds in which PPO learns a reflex from replays of falls, after the budget; each takes 720,000 environment steps
-    (docs/training.md)"""
+    """Rounds in which PPO learns a reflex from replays of falls, after the budget (docs/training.md)"""
     buffer_size: int = 500_000
     """Environment steps in the replay buffer of sac, td3, ddpg, tqc and crossq"""
     learning_starts: int = 10_000

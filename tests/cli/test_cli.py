@@ -1,7 +1,9 @@
 """The command `mini-quadruped`, and the scripts of the checkout with the same options."""
 
 import os
+import re
 import runpy
+import select
 import shutil
 import subprocess
 import sys
@@ -9,12 +11,15 @@ from pathlib import Path
 
 import pytest
 from paths import ROOT
+from waiting import DEADLINE
 
 from quadruped_env import __version__
-from quadruped_env._python import SCRIPTS
 from quadruped_env.cli.commands import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
+from quadruped_env.live.nodes import SUMMARIES as NODES
 
+EARLIER = {"--out", "--results", "--runs"}
+"""Earlier spellings of options, which no help shows."""
 HEAVY = {
     "torch",
     "stable_baselines3",
@@ -43,6 +48,15 @@ BAD = {
     "sweep": ("--resume", "nowhere"),
 }
 """Command -> arguments that this package refuses, not argparse."""
+SCRIPTS = {
+    "train/ppo.py": "train",
+    "train/sweep.py": "sweep",
+    "train/tune_gait.py": "tune-gait",
+    "evaluate/policy.py": "evaluate",
+    **{f"evaluate/{name}.py": name for name in ("compare", "baseline", "sim2sim", "export", "view", "replay")},
+    **{f"evaluate/{name}.py": name for name in ("convert", "identify")},
+}
+"""Script of a checkout -> the command that it is."""
 
 PRINT_HELP_AND_MODULES = """
 import sys
@@ -102,12 +116,53 @@ def test_command_help_has_a_description_and_describes_every_option(name, capsys)
         assert action.help or option == "node", f"{option} has no help"
 
 
-def test_unknown_command_is_an_error_with_the_list(capsys):
-    with pytest.raises(SystemExit) as ended:
-        main(["walk"])
-    assert ended.value.code == 2
-    assert "mini-quadruped: error: " in (said := capsys.readouterr().err)
-    assert "evaluate" in said
+@pytest.mark.parametrize("arguments", [[], ["live"]])
+def test_no_command_prints_the_help_with_the_list(arguments, capsys):
+    text = help_of(lambda: main(arguments), capsys)
+    assert text == help_of(lambda: main([*arguments, "--help"]), capsys)
+    assert all(name in text for name in (NODES if arguments else SUMMARIES))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [
+        (
+            "evalute",
+            r"mini-quadruped: error: argument COMMAND: invalid choice: 'evalute' .*'evaluate'.*; did you mean "
+            r"evaluate\?",
+        ),
+        ("live cotroller", r"mini-quadruped live: error: .*'cotroller'.*; did you mean controller\?"),
+        ("train --sedd 3", r"mini-quadruped train: error: unrecognized arguments: --sedd 3; did you mean --seed\?"),
+        ("live sim --pickup=3", r"mini-quadruped live sim: error: .*--pickup=3; did you mean --pick-up\?"),
+        ("train --recipe rogh", r"mini-quadruped train: error: .*; did you mean rough\?"),
+        ("baseline --preset tort", r"mini-quadruped baseline: error: .*; did you mean trot\?"),
+        ("evaluate robsut", r"mini-quadruped evaluate: error: .*; did you mean robust\?"),
+        ("view flta", r"mini-quadruped view: error: .*; did you mean flat\?"),
+        ("evaluate flat --terrain stiars", r"mini-quadruped evaluate: error: .*; did you mean stairs\?"),
+        ("walk", r"mini-quadruped: error: .*'completion'\)"),
+        ("evaluate nothing-like-it", r".*mini-quadruped train'"),
+    ],
+)
+def test_error_about_a_mistyped_word_suggests_the_similar_one(arguments, error, capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    try:
+        status = main(arguments.split())
+    except SystemExit as ended:
+        status = ended.code
+    assert status == 2
+    assert re.fullmatch(error, capsys.readouterr().err.splitlines()[-1])
+
+
+@pytest.mark.parametrize(("name", "shown"), [("train", 10), ("sweep", 11), ("replay", 10), ("identify", 8)])
+def test_help_describes_the_options_that_matter_and_help_all_every_one(name, shown, capsys):
+    text, everything = (
+        help_of(lambda option=option: main([name, option]), capsys) for option in ("--help", "--help-all")
+    )
+    assert len(re.findall("^  (?:-o DIR, )?--", text, re.MULTILINE)) == shown + len(["--help-all"])
+    options = {option for option in options_of(name) if option.startswith("--")} - EARLIER
+    for option in options:
+        assert re.search(rf"^  (-o DIR, )?{option}\b|^  --[a-z-]+, {option}\b", everything, re.MULTILINE), option
+        assert option in text or option.startswith("--no-"), "at least its name"
 
 
 @pytest.mark.parametrize("name", BAD)
@@ -121,22 +176,26 @@ def test_command_error_is_one_line_with_the_programs_name_and_status_2(name, tmp
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("name", SCRIPTS)
-def test_script_has_the_options_of_its_command(name, monkeypatch, capsys):
-    script = ROOT / SCRIPTS[name]
-    monkeypatch.setattr(sys, "argv", [str(script), "--help"])
-    by_script = help_of(lambda: runpy.run_path(str(script), run_name="__main__"), capsys)
-    by_command = help_of(lambda: main([name, "--help"]), capsys)
-    assert by_script == by_command
+@pytest.mark.parametrize(("script", "name"), SCRIPTS.items())
+def test_script_is_its_command(script, name, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", [str(ROOT / script), "--help"])
+    by_script = help_of(lambda: runpy.run_path(str(ROOT / script), run_name="__main__"), capsys)
+    assert by_script == help_of(lambda: main([name, "--help"]), capsys)
 
 
-def test_script_error_has_the_scripts_name_and_status_2(monkeypatch, capsys, tmp_path):
+def test_every_script_of_train_and_evaluate_is_a_command_or_a_tool():
+    scripts = {str(path.relative_to(ROOT)) for folder in ("train", "evaluate") for path in (ROOT / folder).glob("*.py")}
+    assert scripts - {f"evaluate/{tool}.py" for tool in ("throughput", "learning_speed", "live")} == set(SCRIPTS)
+    assert set(SCRIPTS.values()) == set(SUMMARIES) - {"live", "completion"}
+
+
+def test_script_exit_status_is_that_of_its_command(monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", ["evaluate/replay.py", "nowhere.csv"])
     with pytest.raises(SystemExit) as ended:
         runpy.run_path(str(ROOT / "evaluate" / "replay.py"), run_name="__main__")
     assert ended.value.code == 2
-    assert capsys.readouterr().err.startswith("replay.py: error: nowhere.csv: ")
+    assert capsys.readouterr().err.startswith("mini-quadruped replay: error: nowhere.csv: ")
 
 
 @pytest.mark.parametrize("name", sorted(set(SUMMARIES) - {"live", "completion"}))
@@ -191,43 +250,108 @@ def test_results_name_the_program_that_wrote_them(tmp_path, monkeypatch):
 # --- completion
 
 
-@pytest.fixture
-def complete(tmp_path, capsys):
-    """Completes a line as bash does: function of the words, the last one unfinished."""
-    if shutil.which("bash") is None:
-        pytest.skip("no bash")
-    assert main(["completion", "bash"]) == 0
-    script = tmp_path / "completion.bash"
+@pytest.fixture(params=["bash", "zsh", "fish"])
+def complete(request, tmp_path, capsys):
+    """Function that completes a line in a shell, with a directory of its own: the candidates; of zsh, the new line."""
+    shell = request.param
+    if shutil.which(shell) is None:
+        pytest.skip(f"{shell} is not installed")
+    assert main(["completion", shell]) == 0
+    script = tmp_path / "scripts" / "_mini-quadruped"
+    script.parent.mkdir()
     script.write_text(capsys.readouterr().out)
+    directory = tmp_path / "here"
+    for name in ("runs/20260101-000000-ppo", "runs/$(touch executed)", "train"):
+        (directory / name).mkdir(parents=True)
+    (directory / "measured joints.csv").touch()
+    yield lambda line: COMPLETE[shell](script, line, directory)
+    assert not (directory / "executed").exists()
+
+
+def complete_in_bash(script, line, directory):
     reply = """
         source "$1"; shift
-        COMP_WORDS=(mini-quadruped "$@"); COMP_CWORD=$#; COMP_LINE="${COMP_WORDS[*]}"; COMP_POINT=${#COMP_LINE}
+        COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
         "$(complete -p mini-quadruped | sed 's/.*-F \\([^ ]*\\).*/\\1/')"
         printf '%s\\n' "${COMPREPLY[@]}"
     """
-
-    def run(*words):
-        environment = {"PATH": os.environ["PATH"]}
-        command = ["bash", "-c", reply, "bash", str(script), *words]
-        return subprocess.run(
-            command, capture_output=True, text=True, check=False, env=environment, cwd=tmp_path
-        ).stdout.split()
-
-    return run
+    words = [part for part in re.split(r" |(=)", line) if part is not None]
+    return output_in(directory, "bash", "-c", reply, "bash", script, *words)
 
 
-def test_completion_completes_commands_options_values_and_files(complete, tmp_path):
-    assert complete("comp") == ["compare", "completion"]
-    assert "--overwrite" in complete("replay", "--over")
-    assert complete("baseline", "--preset", "tr") == ["trot"]
-    assert "controller" in complete("live", "cont")
-    (tmp_path / "measured.csv").touch()
-    assert complete("replay", "meas") == ["measured.csv"]
+def complete_in_fish(script, line, directory):
+    lines = output_in(directory, "fish", "--no-config", "-c", f"source {script}; complete -C '{line}'")
+    return [re.split("\t", found)[0].rpartition("=")[2] for found in lines]
 
 
-@pytest.mark.parametrize("shell", ["zsh", "tcsh"])
-def test_completion_of_other_shells_names_the_commands(shell, capsys):
-    assert main(["completion", shell]) == 0
-    script = capsys.readouterr().out
-    for name in SUMMARIES:
-        assert name in script
+def output_in(directory, *command):
+    environment = {"PATH": os.environ["PATH"], "HOME": str(directory)}
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env=environment, cwd=directory)
+    return done.stdout.splitlines()
+
+
+def complete_in_zsh(script, line, directory):
+    """The word that the key tab makes of a line's last one in an interactive zsh."""
+    terminal, of_shell = os.openpty()
+    environment = {"PATH": os.environ["PATH"], "HOME": str(directory), "TERM": "dumb", "COLUMNS": "200"}
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), of_shell)
+    with subprocess.Popen(
+        ["zsh", "-f", "-i"], **pipes, env=environment, cwd=directory, start_new_session=True
+    ) as shell:
+        os.close(of_shell)
+        output = ""
+
+        def read_until(pattern):
+            nonlocal output
+            while not (found := re.search(pattern, output)):
+                assert select.select([terminal], [], [], DEADLINE)[0], output
+                output += os.read(terminal, 4096).decode(errors="replace")
+            return found
+
+        setup = f"fpath=({script.parent} $fpath); autoload -U compinit; compinit -u -D; bindkey '^I' complete-word"
+        os.write(terminal, f"{setup}; print REA''DY\n".encode())
+        read_until("\nREADY")
+        # Ctrl-A and Ctrl-E: the beginning and the end of the line, which is printed instead of executed.
+        os.write(terminal, f"{line}\t\x01print -rC1 -- 'RES'ULT \x05 'E'ND\n".encode())
+        found = read_until(r"\nRESULT\r\n([\s\S]*?)\r\nEND\r\n")[1]
+        shell.kill()
+    os.close(terminal)
+    return found.split("\r\n")[-1:]
+
+
+COMPLETE = {"bash": complete_in_bash, "fish": complete_in_fish, "zsh": complete_in_zsh}
+
+
+@pytest.mark.parametrize(
+    ("line", "completed"),
+    [
+        ("tune", "tune-gait"),
+        ("train --final", "--final-log-std"),
+        ("train --recipe rob", "robust"),
+        ("train --recipe=rob", "robust"),
+        ("baseline --preset tr", "trot"),
+        ("evaluate --terrain sta", "stairs"),
+        ("evaluate rob", "robust"),
+        ("evaluate runs/20", "runs/20260101-000000-ppo"),
+        ("train --resume runs/20", "runs/20260101-000000-ppo"),
+        ("view art", "article"),
+        ("live cont", "controller"),
+        ("live controller tun", "tuned"),
+        ("live sim --pick", "--pick-up"),
+        ("live display --preset bou", "bound"),
+        ("replay meas", "measured joints.csv"),
+        ("train --task meas", "measured joints.csv"),
+        ("completion fi", "fish"),
+    ],
+)
+def test_completion_completes_commands_options_values_runs_and_files(complete, line, completed):
+    assert [found.removeprefix("--recipe=").rstrip("/") for found in complete(f"mini-quadruped {line}")] == [completed]
+
+
+@pytest.mark.parametrize("complete", ["bash", "fish"], indirect=True)
+def test_completion_lists_all_that_fits(complete):
+    assert set(complete("mini-quadruped ")) == set(SUMMARIES)
+    assert set(complete("mini-quadruped live ")) == set(NODES)
+    assert set(complete("mini-quadruped train --recipe ")) == {"flat", "robust", "rough", "fast"}
+    assert len(complete("mini-quadruped evaluate ")) >= 5, "policies, and runs also of odd names"
+    assert not set(complete("mini-quadruped train --seed ")) - {""}

@@ -64,7 +64,7 @@ def test_convert_to_an_existing_file_without_overwrite_is_refused(tmp_path):
     random_trajectory(rows=2).save(tmp_path / "b.csv")
     refused = run(tmp_path / "a.csv", tmp_path / "b.csv")
     assert refused.returncode == 2
-    assert refused.stderr.startswith(f"convert.py: error: {tmp_path / 'b.csv'}: exists already")
+    assert refused.stderr.startswith(f"mini-quadruped convert: error: {tmp_path / 'b.csv'}: exists already")
     assert len(JointTrajectory.load(tmp_path / "b.csv")) == 2
     refused = run(tmp_path / "a.csv", tmp_path / "a.csv", "--overwrite")
     assert "is the file that is read" in refused.stderr

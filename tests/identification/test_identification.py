@@ -372,7 +372,9 @@ class TestProgram:
         recording.save(tmp_path / "walk.csv")
         done = run(tmp_path, "walk.csv", "--fit", "kp", "delay")
         assert done.returncode == 2
-        assert done.stderr.startswith("identify.py: error: walk.csv: no joint targets: there is no walk-commands.csv")
+        assert done.stderr.startswith(
+            "mini-quadruped identify: error: walk.csv: no joint targets: there is no walk-commands.csv"
+        )
         commands.save(tmp_path / "walk-commands.csv")
         done = run(tmp_path, "walk.csv", "--fit", "kp")
         assert done.returncode == 0, done.stderr

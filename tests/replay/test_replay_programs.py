@@ -79,7 +79,7 @@ class TestPrograms:
         )
         again = run(tmp_path, "baseline.py", *arguments, "--out", "a.csv")
         assert again.returncode == 2
-        assert again.stderr.startswith("baseline.py: error: a.csv: exists already")
+        assert again.stderr.startswith("mini-quadruped baseline: error: a.csv: exists already")
         assert "--overwrite" in again.stderr
 
     @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ class TestPrograms:
         (tmp_path / "a.csv").write_text(text)
         done = run(tmp_path, "replay.py", "a.csv", "--mode", "kinematic")
         assert (done.returncode, done.stdout) == (2, "")
-        assert done.stderr.startswith(f"replay.py: error: {message}")
+        assert done.stderr.startswith(f"mini-quadruped replay: error: {message}")
         assert done.stderr.count("\n") == 1
         assert not (tmp_path / "results").exists()
 

@@ -78,5 +78,5 @@ def test_program_evaluates_a_run(run_directory, tmp_path):
     assert str(tmp_path / "out" / "report.html") in result.stdout
     assert (tmp_path / "out" / "report.html").is_file()
     assert json.loads((tmp_path / "out" / "metrics.json").read_text())["command_line"] == (
-        "python evaluate/policy.py runs/20260101-000000-ppo --seeds 1 --seconds 2"
+        "mini-quadruped evaluate runs/20260101-000000-ppo --seeds 1 --seconds 2"
     )

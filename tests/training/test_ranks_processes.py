@@ -122,7 +122,7 @@ def test_rank_of_torchrun_that_dies_ends_the_run_with_one_error(tmp_path):
         _, errors = output_of(process)
     assert process.returncode != 0
     assert_gone(ranks)
-    lines = [line for line in errors.splitlines() if line.startswith("ppo.py: error: ")]
+    lines = [line for line in errors.splitlines() if line.startswith("mini-quadruped train: error: ")]
     assert len(lines) == 1, errors
     assert "another of the 2 ranks was lost" in lines[0]
 

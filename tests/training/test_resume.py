@@ -101,7 +101,9 @@ def test_program_with_a_flag_that_cannot_change_is_refused(run, tmp_path):
     arguments = command(tmp_path / "runs", "--resume", run, "--action-mode", "position", "--hidden", 8)
     done = subprocess.run(arguments, capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert re.fullmatch(r"ppo.py: error: --action-mode: found 'position'; .* has 'residual', .*\n", done.stderr)
+    assert re.fullmatch(
+        r"mini-quadruped train: error: --action-mode: found 'position'; .* has 'residual', .*\n", done.stderr
+    )
     assert not (tmp_path / "runs").exists()
 
 
@@ -235,7 +237,7 @@ def test_killed_training_continues_from_its_last_checkpoint(tmp_path):
     assert scalars(checkpoints.parent)
     arguments = command(tmp_path, "--resume", tmp_path / "latest", "--timesteps", 2048)
     done = subprocess.run(arguments, capture_output=True, text=True, check=True)
-    assert "ppo.py: warning: " in done.stderr
+    assert "mini-quadruped train: warning: " in done.stderr
     assert f"its last checkpoint is used: {CHECKPOINTS}/{every[-1].name}" in done.stderr
     assert f"{CHECKPOINTS}/{every[-1].name} at {steps[-1]:,} steps, for 2,048 steps" in done.stdout
     assert assert_complete((tmp_path / "latest").resolve()).card["timesteps"] >= steps[-1] + 2048

@@ -1,5 +1,6 @@
-"""The program `train/ppo.py`: its help, its final output, and refusal of bad arguments."""
+"""The program `train`: its help, its final output, and refusal of bad arguments."""
 
+import argparse
 import contextlib
 import dataclasses
 import re
@@ -13,8 +14,13 @@ import pytest
 from trainings import SCRIPT, TINY, command
 
 from quadruped_env import QuadrupedError
+from quadruped_env.cli.train import add_arguments, with_recipe
+from quadruped_env.control.config import ACTION_MODES
 from quadruped_env.policies import load_policy
-from quadruped_env.training.config import TrainConfig, defaults
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.training.algorithms import ALGORITHMS
+from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.recipes import RECIPES
 
 
 def assert_refused(tmp_path, arguments, message):
@@ -27,18 +33,43 @@ def assert_refused(tmp_path, arguments, message):
     assert not (tmp_path / "runs").exists(), "no run was begun"
 
 
-def test_help_shows_every_field_with_its_meaning_and_default():
-    done = subprocess.run(command("runs", "--help"), capture_output=True, text=True, check=True)
-    text = " ".join(done.stdout.partition("options:")[2].split())
-    described = dict(re.findall(r"--([a-z-]+)(?:, --no-[a-z-]+)? (.*?)(?= -o DIR,| --[a-z-]+[ ,]|$)", text))
-    position = defaults("ppo", "position")
+def stated_defaults(text):
+    """Default of an option by the option that leads to it, from its help: 3 with --recipe robust/rough, --algo sac."""
+    first, *others = text.rpartition("(default: ")[2].removesuffix(")").split("; ")
+    stated = {"": first}
+    for value, _, options in (other.partition(" with ") for other in others):
+        for option, names in (one.split(" ") for one in options.split(", ")):
+            stated |= {f"{option} {name}": value for name in names.split("/")}
+    return stated
+
+
+def test_help_states_of_every_field_its_meaning_and_the_defaults_that_a_training_has():
+    parser = argparse.ArgumentParser()
+    add_arguments(parser)
+    with pytest.raises(SystemExit):
+        parser.parse_args(["--help-all"])
+    described = {action.dest: action.help for action in parser._actions}
+    choices = {"recipe": RECIPES, "algo": ALGORITHMS, "action_mode": ACTION_MODES, "device": ["cpu", "cuda"]}
     for field in dataclasses.fields(TrainConfig):
-        option = described[field.name.replace("_", "-")]
-        default = {} if field.default is dataclasses.MISSING else field.default
-        other = f"; {position[field.name]} in mode position" if field.name in position else ""
-        assert option.endswith(f"(default: {default}{other})"), field.name
-        assert len(option) > len(f"(default: {default}{other})") + 20, field.name
+        option = described[field.name]
+        assert len(option.partition("(default")[0]) > 20, field.name
+        if field.name in {"task", "name"}:
+            continue
+        stated = stated_defaults(option)
+        for name, values in choices.items():
+            for value in values:
+                if name != field.name:
+                    config = TrainConfig(**with_recipe({name: value}, MINI_QUADRUPED, ()))
+                    expected = in_words(getattr(config, field.name))
+                    choice = f"--{name.replace('_', '-')} {value}"
+                    assert stated.pop(choice, stated[""]) == expected, f"{field.name} with {choice}"
+        assert set(stated) == {""}, field.name
     assert {"output", "resume"} < set(described)
+
+
+def in_words(value):
+    words = {"True": "yes", "False": "no", "None": "none"}
+    return " ".join(map(str, value)) if isinstance(value, tuple) else words.get(str(value), str(value))
 
 
 @pytest.fixture
@@ -130,7 +161,7 @@ def test_runs_in_a_place_that_cannot_be_written_are_refused(tmp_path):
     (tmp_path / "file").write_text("")
     done = subprocess.run(command(tmp_path / "file", *TINY), capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert re.fullmatch(r"ppo.py: error: --output: cannot create .*; name another place\n", done.stderr)
+    assert re.fullmatch(r"mini-quadruped train: error: --output: cannot create .*; name another place\n", done.stderr)
 
 
 @pytest.mark.parametrize(

@@ -82,5 +82,7 @@ def test_program_with_an_unknown_source_names_it(tmp_path):
     out, err = output_of(process)
     assert (process.returncode, out) == (2, "")
     shipped = ", ".join(SHIPPED)
-    assert err.startswith(f"view.py: error: 'runs/none' is neither a shipped policy ({shipped}), nor a scripted gait (")
+    assert err.startswith(
+        f"mini-quadruped view: error: 'runs/none' is neither a shipped policy ({shipped}), nor a scripted gait ("
+    )
     assert len(err.splitlines()) == 1
