@@ -1,10 +1,12 @@
 """Controllers, which compute joint targets from observations."""
 
+import math
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.config import ControlConfig
 from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.policy import Policy
@@ -47,7 +49,10 @@ class ZeroController:
 
 
 class GaitController:
-    """A scripted gait as a function of the time since the reset; it ignores the command."""
+    """A scripted gait as a function of the time since the reset; it ignores the command.
+
+    It has no part in the task's gait clock, so the reward's terms of the clock say nothing about it.
+    """
 
     action_mode = "position"
     follows_command = False
@@ -64,6 +69,9 @@ class GaitController:
 class CommandedGaitController:
     """The tuned gait, adapted to each env's command.
 
+    It steps with the task's gait clock, as the gait of `residual` mode does. A clock of another frequency it cannot
+    follow: its phase is then that of its own frequency since the reset.
+
     Args:
         gait: the gait; None: the tuned one of the robot that is controlled.
         name: name in reports.
@@ -79,7 +87,10 @@ class CommandedGaitController:
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
         gait = self._gait or CommandedGait.tuned(control.robot)
-        return gait.positions(gait.angular_frequency * control.time, control.command)
+        clock = control.config.clock_frequency
+        shared = not isinstance(clock, CommandedFrequency) and math.isclose(math.tau * clock, gait.angular_frequency)
+        phase = control.phase if shared else gait.angular_frequency * control.time
+        return gait.positions(phase, control.command)
 
 
 class TrajectoryController:

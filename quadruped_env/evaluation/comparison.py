@@ -15,7 +15,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
-from quadruped_env.gait import SinusoidalGait
+from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
     CommandedGaitController,
     Controller,
@@ -203,7 +203,7 @@ def compare_policies(
     """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
 
     Each policy runs its own training task, on its terrain unless `terrain` names another one; the scripted controllers
-    run the first policy's.
+    run the first policy's, the tuned gait with a clock of its own frequency.
 
     Raises:
         QuadrupedError: as `compare`, or if a policy has the name of a scripted controller, or two policies are for
@@ -232,9 +232,12 @@ def compare_policies(
                 f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
                 f"policies for one robot"
             )
+    tuned = CommandedGait.tuned(config.robot)
+    # With a clock of its own frequency the tuned gait is in phase, so that the reward's terms of the clock judge it.
+    configs["tuned"] = dataclasses.replace(config, clock_frequency=tuned.angular_frequency / math.tau)
     controllers: tuple[Controller, ...] = (
         *(PolicyController(policy, name) for name, policy in policies.items()),
-        CommandedGaitController(),
+        CommandedGaitController(tuned),
         GaitController(SinusoidalGait.preset("article", config.robot), "article"),
         ZeroController(),
     )

@@ -9,8 +9,15 @@ from settings import settings
 from tasks import NEVER_FALLS, ONE_COMMAND, make_task
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import CommandedFrequency, ControlConfig, ControlInterface, PolicyController
+from quadruped_env.control import (
+    CommandedFrequency,
+    CommandedGaitController,
+    ControlConfig,
+    ControlInterface,
+    PolicyController,
+)
 from quadruped_env.control.clock import frequency_at, frequency_of
+from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.joint_command import limited
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.envs import make_sb3_vec_env
@@ -235,3 +242,30 @@ def test_bad_frequency_is_refused(value, message):
 
 def as_field(value):
     return {"clock_frequency": value}
+
+
+# --- the tuned gait as a controller
+
+
+@pytest.mark.parametrize("make", [CommandedGaitController, lambda: EditableGaitController("tuned", MINI_QUADRUPED)])
+def test_tuned_gait_steps_with_the_clock_of_its_frequency_as_in_residual_mode(make):
+    residual = ControlInterface(MINI_QUADRUPED, ControlConfig(action=ActionConfig(mode="residual")))
+    control, controller = ControlInterface(MINI_QUADRUPED, ControlConfig()), make()
+    for start in (2.0, 5.5):
+        for each in (control, residual):
+            each.reset(np.array([0]), start, np.array([[0.3, 0.2]]))
+        for _ in range(40):
+            control.advance()
+            residual.advance()
+            np.testing.assert_allclose(controller.act(None, control), residual.nominal(), atol=1e-9)
+
+
+@pytest.mark.parametrize("frequency", [5.0, FOLLOWING])
+def test_tuned_gait_keeps_its_frequency_with_another_clock(frequency):
+    control = ControlInterface(MINI_QUADRUPED, ControlConfig(clock_frequency=frequency))
+    control.reset(np.array([0]), 2.0, np.array([[0.3, 0.2]]))
+    for _ in range(40):
+        control.advance()
+    gait = CommandedGait.tuned()
+    expected = gait.positions(gait.angular_frequency * control.time, control.command)
+    np.testing.assert_allclose(CommandedGaitController().act(None, control), expected, atol=1e-9)

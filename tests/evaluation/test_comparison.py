@@ -47,3 +47,11 @@ def test_shown_episode_is_the_first_without_a_fall():
     numbers = Comparison(((0.1, 0.0), (0.2, 0.0)), (0, 1, 2), 1.0, TaskConfig(), {"policy": rollout}, {})
     assert numbers.episode(0) == 1
     assert numbers.episode(1) == 4
+
+
+def test_tuned_gait_earns_the_reward_of_the_clock_from_every_start_and_with_every_policy():
+    """Its clock is its own: in phase, whatever the start, and whatever the frequency of the policy's clock."""
+    done = compare(random_policy("position", clock_frequency=5.0), num_seeds=4, seconds=3.0, commands=[(0.4, 0.0)])
+    tuned = done.rollouts["tuned"]
+    earned = tuned.reward_terms[50:, :, tuned.term_names.index("gait_clock")].mean(axis=0) / tuned.timestep
+    assert earned.min() > 0.9 * earned.max() > 0.0
