@@ -14,10 +14,12 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.metrics import TILTED, without_fall_in_words
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
+from quadruped_env.rotations import tilt
 from quadruped_env.simulation import SingleSimulation, Terrain, flat, highest_ground
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.timestamps import NS_PER_SECOND
@@ -43,10 +45,18 @@ class Recording(Trace):
     fell_at: float | None
     """Time of the fall from the start, s; None without a fall"""
 
+    @property
+    def stayed_on_its_feet(self) -> bool:
+        """True without a fall and without a tilt of more than `metrics.TILTED`."""
+        return self.fell_at is None and not (tilt(self.orientation) > TILTED).any()
+
     def outcome(self) -> str:
-        """Outcome in one sentence: fall or no fall, and displacement."""
+        """Outcome in one sentence: fall, tilt or neither, and displacement."""
         x, y = (self.base_pose[-1, :2] - self.base_pose[0, :2]).round(2)
-        fate = "stayed on its feet" if self.fell_at is None else f"fell at {self.fell_at:.2f} s"
+        if self.fell_at is None:
+            fate = without_fall_in_words(self.orientation, self.timestep)
+        else:
+            fate = f"fell at {self.fell_at:.2f} s"
         return (
             f"In {self.joints.duration:g} s the robot {fate} and got {abs(x):.2f} m "
             f"{'ahead' if x >= 0 else 'back'} and {abs(y):.2f} m to the {'left' if y >= 0 else 'right'}."

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Command, Comparison
-from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means
+from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means, without_fall_in_words
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.verdict import VELOCITY_TOLERANCE, YAW_RATE_TOLERANCE
 from quadruped_env.rotations import tilt, up_in_body
@@ -71,7 +71,10 @@ def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Fa
         start = int(off.max(axis=-1).argmax()) if len(off) else 0
         moment = (start + (alive - len(means)) / 2) * one.timestep
     done = one.velocity[: max(alive, 1), 0].mean(axis=0)
-    parts = [_fall(one, alive, fell_at)] if fell_at is not None else ["It stayed on its feet."]
+    if fell_at is None:
+        parts = [f"It {without_fall_in_words(one.orientation[:, 0], one.timestep)}."]
+    else:
+        parts = [_fall(one, alive, fell_at)]
     parts.append(_velocities(command, done))
     if fell_at is None:
         parts.append(_drift(one, command))

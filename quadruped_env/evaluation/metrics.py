@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.robot import Robot
-from quadruped_env.rotations import yaw
+from quadruped_env.rotations import tilt, yaw
 from quadruped_env.task.quantities import electrical_power, mechanical_power
 
 Floats = NDArray[np.float64]
@@ -33,6 +33,8 @@ LIMIT_MARGIN: Final = 0.01
 """Distance from a position limit within which a joint counts as being at the limit, rad."""
 CLEARANCE_QUANTILE: Final = 0.95
 """Quantile of a sole's height over time that is its clearance."""
+TILTED: Final = 0.3
+"""Tilt in rad of a robot that sits, leans or tumbles: gaits on level ground stay below it."""
 STANDING_SWING: Final = 0.01
 """RMS hip swing below which a robot counts as not stepping, rad."""
 
@@ -155,6 +157,18 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "duty_factor": duty_factor(r.contact, counted).mean(axis=-1),
         "stride_frequency": stride_frequency(r.joint_position[..., hips], counted, dt),
     }
+
+
+def without_fall_in_words(orientation: NDArray[Any], dt: float) -> str:
+    """Predicate for a robot that did not fall, from its quaternions wxyz (T, 4) over time and the time step in s."""
+    lean = tilt(orientation)
+    tilted = lean > TILTED
+    if not tilted.any():
+        return "stayed on its feet"
+    return (
+        f"did not fall, but was tilted by more than {np.degrees(TILTED):.0f} degrees for {tilted.sum() * dt:.2f} s "
+        f"(up to {np.degrees(lean.max()):.0f} degrees)"
+    )
 
 
 def counted_samples(rollout: Rollout) -> Mask:

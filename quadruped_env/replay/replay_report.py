@@ -14,7 +14,7 @@ from quadruped_env.reporting.plots.joints import Line, joint_panels
 from quadruped_env.reporting.results import REPORT_FILE
 
 _GOOD: Final = 0.05
-"""Maximum RMS tracking error of a good replay, rad."""
+"""Maximum RMS tracking error of a good replay, rad; the robot also stays on its feet."""
 
 
 def write_replay_report(replay: Replay, directory: Path, command_line: str, compare: bool = False) -> None:
@@ -33,6 +33,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
     report = replay.report()
     error = report["tracking_error"]["all"]
     fell = replay.motion is not None and replay.motion.fell_at is not None
+    tracks = error["rms"] < _GOOD and (replay.motion is None or replay.motion.stayed_on_its_feet)
     tables = [_tracking_table(report)]
     figures = [_tracking_figure(replay)]
     if replay.motion is not None:
@@ -44,7 +45,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
     context = {
         "title": f"Replay of {Path(replay.recorded.source.name).name}, {replay.mode}",
         "headline": f"Tracking error of the joints: {error['rms']:.4f} rad RMS, {error['max']:.4f} rad maximum.",
-        "level": "poor" if fell else "good" if error["rms"] < _GOOD else "fair",
+        "level": "poor" if fell else "good" if tracks else "fair",
         "remarks": replay.remarks(),
         "tables": tables,
         "figures": figures,

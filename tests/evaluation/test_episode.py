@@ -74,6 +74,16 @@ class TestRecord:
         assert len(recording.joints) == 51
         assert f"fell at {recording.fell_at:.2f} s" in recording.outcome()
 
+    def test_robot_that_sits_tilted_did_not_stay_on_its_feet(self):
+        # Fore legs straight, hind legs folded: its tail is low.
+        sitting = np.array([0.3, -0.1, 0.3, -0.1, 0.5, -1.8, 0.5, -1.8])
+        positions = np.stack([STANCE, sitting, sitting])
+        recording = play(standing(positions=positions, stamps=[0, 1_000_000_000, 4_000_000_000]))
+        assert recording.fell_at is None
+        assert "the robot did not fall, but was tilted by more than 17 degrees for 3." in recording.outcome()
+        assert "(up to 27 degrees) and got" in recording.outcome()
+        assert not recording.stayed_on_its_feet
+
     def test_progress_reaches_the_end(self):
         shares = []
         play(standing(0.2), progress=shares.append)

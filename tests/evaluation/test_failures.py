@@ -57,3 +57,12 @@ def test_story_names_the_direction_of_a_fall(comparison, axis, angle, words):
     base_pose[50, 0, 3:] = [math.cos(angle / 2), *(math.sin(angle / 2) * (axis == name) for name in "xyz")]
     rollouts = {**fell.rollouts, "policy": dataclasses.replace(policy, base_pose=base_pose)}
     assert words in failures.worst_episodes(dataclasses.replace(fell, rollouts=rollouts))[0].story
+
+
+def test_robot_that_sits_tilted_did_not_stay_on_its_feet(comparison):
+    rollouts = dict(comparison.rollouts)
+    pose = rollouts["policy"].base_pose.copy()
+    pose[20:70, :, 3:] = [math.cos(0.35), 0.0, -math.sin(0.35), 0.0]
+    rollouts["policy"] = dataclasses.replace(rollouts["policy"], base_pose=pose)
+    (story, *_) = (f.story for f in failures.worst_episodes(dataclasses.replace(comparison, rollouts=rollouts)))
+    assert "It did not fall, but was tilted by more than 17 degrees for 1.00 s (up to 40 degrees). Largest" in story

@@ -12,7 +12,7 @@ import numpy as np
 
 from quadruped_env.control.policy import finished_directory, shipped_directory
 from quadruped_env.evaluation.comparison import MOTIONS, compare
-from quadruped_env.evaluation.metrics import counted_samples, measure
+from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.suite.command_map import envelope
 from quadruped_env.evaluation.suite.findings import suite_findings
@@ -34,8 +34,6 @@ MAX_VELOCITY_ERROR: Final = 0.10
 DISTURBED_COMMANDS: Final = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
 """Forwards, backwards, turning in place and on a curve, in m/s and rad/s."""
 DISTURBED_EPISODES: Final = 200
-TILTED: Final = 0.3
-"""Tilt in rad of a robot that sits, leans or tumbles: gaits on level ground stay below it."""
 _SUMMARY: Final = (
     "fall_rate",
     "forward_velocity_error",
