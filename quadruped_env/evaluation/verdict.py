@@ -14,7 +14,9 @@ from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.suite.findings import suite_findings
 
 STABLE_FALL_RATE: Final = 0.05
-"""Maximum fraction of falls for which the verdict says that the robot stays on its feet."""
+"""Maximum fraction of falls of a robot that walks reliably."""
+WALKING_FALL_RATE: Final = 0.5
+"""Maximum fraction of falls for which the verdict says that the robot walks."""
 WALKING_SHARE: Final = 0.5
 """Minimum fraction of the commanded forward velocity for which the verdict says that the robot walks."""
 CREEPING_SHARE: Final = 0.2
@@ -89,32 +91,45 @@ def _headline(comparison: Comparison) -> tuple[str, str]:
     has = comparison.conditions
     if math.isnan(comparison.estimate("policy", "forward_velocity_error").mean):
         return "poor", "No: it falls before it has taken a step."
-    falls = comparison.estimate("policy", "fall_rate").mean
+    fall_rate = comparison.estimate("policy", "fall_rate").mean
+    falls = f"falls in {_percent(fall_rate)} of the episodes"
+    unstable = fall_rate > STABLE_FALL_RATE
     if not has("forwards"):
-        return "fair", "No command walks forwards, so walking was not tested."
+        untested = "No command walks forwards, so walking was not tested"
+        return ("poor", f"{untested}; it {falls}.") if unstable else ("fair", f"{untested}.")
     share = reached_share(comparison, "policy", "forwards")
     if not share >= CREEPING_SHARE:
-        return "poor", "No, it does not walk" + (", and it falls." if falls > STABLE_FALL_RATE else ".")
+        return "poor", "No, it does not walk" + (", and it falls." if unstable else ".")
+    if fall_rate > WALKING_FALL_RATE:
+        return "poor", f"No: it {falls}."
     if share < WALKING_SHARE:
-        return "poor", f"Hardly: it reaches {_percent(share)} of the commanded forward velocity."
-    flaws = []
-    if falls > STABLE_FALL_RATE:
-        flaws.append(f"falls in {_percent(falls)} of the episodes")
+        reached = f"Hardly: it reaches {_percent(share)} of the commanded forward velocity"
+        return "poor", f"{reached} and {falls}." if unstable else f"{reached}."
+    flaws = [falls] if unstable else []
     error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
-    if not error <= VELOCITY_TOLERANCE[1]:
+    if math.isnan(error):
+        flaws.append("falls too early to measure its forward velocity error")
+    elif error > VELOCITY_TOLERANCE[1]:
         flaws.append(f"has a forward velocity error of {error:.2f} m/s")
     if has("standing") and not _stands(comparison):
         flaws.append("does not stand still")
     if has("backwards") and not reached_share(comparison, "policy", "backwards") >= WALKING_SHARE:
         flaws.append("does not walk backwards")
-    if has("turning") and not comparison.estimate("policy", "yaw_rate_error", "turning").mean <= YAW_RATE_TOLERANCE[1]:
+    turn_error = comparison.estimate("policy", "yaw_rate_error", "turning").mean
+    if has("turning") and math.isnan(turn_error):
+        flaws.append("falls too early in turns to measure its yaw rate")
+    elif turn_error > YAW_RATE_TOLERANCE[1]:
         flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the commanded rate")
-    behind = [m for m in MOTIONS if has(m) and _rank(comparison, "tuned", m) == "less accurate"]
+    ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if has(motion)}
+    behind = [motion for motion, rank in ranks.items() if rank == "less accurate"]
     if behind:
         flaws.append(f"is less accurate than the tuned gait {listed(behind)}")
     if flaws:
-        return "fair", f"Yes, it walks, but it {listed(flaws)}."
-    return "good", "Yes, it walks: it stays on its feet, and follows its commands at least as well as the tuned gait."
+        walks = "Not reliably: it walks" if unstable else "Yes, it walks"
+        return "fair", f"{walks}, but it {listed(flaws)}."
+    standing = f"it {falls}" if fall_rate else "it does not fall"
+    against = "" if "not comparable" in ranks.values() else " at least as well as the tuned gait"
+    return "good", f"Yes, it walks: {standing}, and follows its commands{against}."
 
 
 def _falls(comparison: Comparison) -> str:
@@ -140,9 +155,10 @@ def _forwards(comparison: Comparison) -> str:
     closeness = _closeness(error.mean, VELOCITY_TOLERANCE)
     distance = comparison.estimate_at("policy", "distance", fastest).mean
     speed = comparison.estimate_at("policy", "forward_velocity", fastest).mean
+    reached = f"reaches {speed:.2f} m/s and travels {distance:.1f} m in {comparison.seconds:g} s"
     return (
         f"{closeness} commands of {commanded}, with an error of {_with_interval(error, metric)}. At a command of "
-        f"{max(speeds):g} m/s it reaches {speed:.2f} m/s and travels {distance:.1f} m in {comparison.seconds:g} s."
+        f"{max(speeds):g} m/s it {'falls too early to tell' if math.isnan(speed) else reached}."
     )
 
 
@@ -175,10 +191,12 @@ def _turning(comparison: Comparison) -> str:
     if math.isnan(error.mean):
         return "it falls too early to tell."
     share = reached_share(comparison, "policy", "turning")
+    tuned = reached_share(comparison, "tuned", "turning")
+    against = "" if math.isnan(tuned) else f", the tuned gait {_percent(tuned)}"
     return (
         f"{_closeness(error.mean, YAW_RATE_TOLERANCE)} its yaw rate commands, "
         f"with an error of {_with_interval(error, 'yaw_rate_error')}; it reaches {_percent(share)} of the commanded "
-        f"yaw rate, the tuned gait {_percent(reached_share(comparison, 'tuned', 'turning'))}."
+        f"yaw rate{against}."
     )
 
 
@@ -191,16 +209,20 @@ def _rank(comparison: Comparison, other: str, motion: str) -> str:
     """Rank of the policy against another controller: `more accurate`, `less accurate` or `equally accurate`.
 
     Judged by the paired differences of the error: their interval must not include zero, and their mean must exceed
-    `LEVEL`.
+    `LEVEL`. `not comparable` if there is no pair of episodes in which both have a value.
     """
     difference = comparison.difference(error_of(motion), "policy", other, motion)
+    if math.isnan(difference.mean):
+        return "not comparable"
     if not abs(difference.mean) > LEVEL or difference.low <= 0.0 <= difference.high:
         return "equally accurate"
     return "more accurate" if difference.mean < 0.0 else "less accurate"
 
 
 def _against(comparison: Comparison, other: str) -> str:
-    motions: dict[str, list[str]] = {"more accurate": [], "equally accurate": [], "less accurate": []}
+    motions: dict[str, list[str]] = {
+        rank: [] for rank in ("more accurate", "equally accurate", "less accurate", "not comparable")
+    }
     for motion in MOTIONS:
         if comparison.conditions(motion):
             metric = error_of(motion)
@@ -215,15 +237,15 @@ def _against(comparison: Comparison, other: str) -> str:
 
 def _effort(comparison: Comparison) -> str:
     motion = "forwards" if comparison.conditions("forwards") else None
-    largest = {
-        name: float(np.nanmax(comparison.values["policy"][name], initial=0.0))
-        for name in ("peak_torque", "peak_joint_speed")
-    }
-    peaks = " and ".join(
-        f"{value:.1f} of {METRICS[name].limit_of(comparison.robot):g} {METRICS[name].unit}"
-        for name, value in largest.items()
-    )
-    words = f"peaks of {peaks} in any joint"
+    peaks = []
+    for name in ("peak_torque", "peak_joint_speed"):
+        values = comparison.values["policy"][name]
+        if np.isfinite(values).any():
+            limit = METRICS[name].limit_of(comparison.robot)
+            peaks.append(f"{np.nanmax(values):.1f} of {limit:g} {METRICS[name].unit}")
+    if not peaks:
+        return "it falls too early to tell."
+    words = f"peaks of {listed(peaks)} in any joint"
     costs = []
     for kind in ("electrical", "mechanical"):
         name = f"{kind}_cost_of_transport"

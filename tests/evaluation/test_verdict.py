@@ -11,7 +11,7 @@ from quadruped_env.evaluation.verdict import reached_share, verdict
 from quadruped_env.task import TaskConfig
 
 
-def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=0.05):
+def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=0.05, tuned_fallen=()):
     """A comparison whose policy reaches a share of every velocity and falls under the commands with these indices."""
     seeds = 3
     command = np.array(commands)
@@ -34,7 +34,7 @@ def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=
 
     values = {
         "policy": controller(velocity, velocity if yaw_rate is None else yaw_rate, fallen),
-        "tuned": controller(0.9, 0.9, error=tuned_error),
+        "tuned": controller(0.9, 0.9, tuned_fallen, tuned_error),
         "article": controller(0.0, 0.0),
         "zero": controller(0.0, 0.0),
     }
@@ -47,7 +47,11 @@ def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=
         ({"velocity": 1.0}, "good", "at least as well as the tuned gait"),
         ({"velocity": 0.95, "tuned_error": 0.0}, "fair", "less accurate than the tuned gait forwards, backwards and"),
         ({"velocity": 1.0, "yaw_rate": 0.2}, "fair", "turns at 20 % of the commanded rate"),
-        ({"velocity": 1.0, "fallen": [1, 3]}, "fair", "falls in 18 % of the episodes"),
+        ({"velocity": 1.0, "fallen": [1, 3]}, "fair", "Not reliably: it walks, but it falls in 18 % of the episodes."),
+        ({"velocity": 1.0, "fallen": [3, 4, 6, 7, 8, 9]}, "poor", "No: it falls in 55 % of the episodes."),
+        ({"velocity": 0.4, "fallen": [1, 3]}, "poor", "Hardly: it reaches 40 % of the commanded forward velocity and fa"),
+        # It always falls in turns, so that there is no yaw rate.
+        ({"velocity": 1.0, "fallen": [7, 8, 9, 10]}, "fair", "falls too early in turns to measure its yaw rate."),
         ({"velocity": 0.6}, "fair", "forward velocity error of 0.12 m/s"),
         ({"velocity": 0.4}, "poor", "Hardly: it reaches 40 %"),
         ({"velocity": 0.0}, "poor", "does not walk."),
@@ -73,6 +77,40 @@ def test_findings_say_how_far_it_gets_and_where_it_falls():
     assert "6.0 of 10 N m" in findings["Effort"]
     assert "more accurate forwards (0.032 against 0.050 m/s), standing" in findings["Tuned gait"]
     assert "more accurate forwards" in findings["Article's gait"]
+
+
+NO_VALUE = [
+    ({"fallen": [6]}, "more accurate forwards (0.000 against 0.050 m/s), standing (0.000 against 0.050 m/s) and turning"),
+    ({"fallen": [6]}, "not comparable backwards (- against 0.050 m/s)."),
+    ({"tuned_fallen": [6]}, "not comparable backwards (0.000 against - m/s)."),
+    # Every episode forwards falls in one of the two only: both have values, and no pair of episodes has.
+    ({"fallen": [0, 1], "tuned_fallen": [2, 3, 4]}, "not comparable forwards (0.000 against 0.050 m/s)."),
+]
+
+
+@pytest.mark.parametrize(("falls", "words"), NO_VALUE)
+def test_controllers_without_values_have_no_rank(falls, words):
+    judged = verdict(invented(1.0, **falls))
+    assert words in dict(judged.findings)["Tuned gait"]
+    assert "at least as well as the tuned gait" not in judged.headline
+    assert "nan" not in judged.text().lower().split()
+
+
+def test_missing_values_are_neither_numbers_nor_zero():
+    commands = list(COMMANDS)
+    fastest = commands.index((0.5, 0.0))
+    findings = dict(verdict(invented(1.0, fallen=[fastest], tuned_fallen=[7, 8, 9, 10])).findings)
+    assert findings["Forwards"].endswith("At a command of 0.5 m/s it falls too early to tell.")
+    assert findings["Turning"].endswith("it reaches 100 % of the commanded yaw rate.")
+    findings = dict(verdict(invented(1.0, fallen=range(len(COMMANDS)))).findings)
+    assert findings["Effort"] == "it falls too early to tell."
+
+
+def test_policy_with_a_fall_does_not_stay_on_its_feet():
+    comparison = invented(1.0)
+    comparison.values["policy"]["fall_rate"][0, 0] = 1.0
+    assert verdict(comparison).level == "good"
+    assert "Yes, it walks: it falls in 3 % of the episodes, and follows" in verdict(comparison).headline
 
 
 def test_motions_that_were_not_commanded_are_not_judged():
