@@ -34,6 +34,15 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     )
     assert run_comparison.headline(several, ["good", "level"]).startswith("All are equally accurate forwards")
 
+    # Both have a value backwards, but in no common episode; of the turns, one has none at all.
+    backwards, turning = TINY.index((-0.2, 0.0)), TINY.index((0.0, 0.5))
+    values["good"]["forward_velocity_error"][backwards, 0] = np.nan
+    values["bad"]["forward_velocity_error"][backwards, 1:] = np.nan
+    values["bad"]["yaw_rate_error"][turning] = np.nan
+    assert run_comparison.headline(several, ["good", "bad"]).startswith(
+        "Good is most accurate forwards and standing; not comparable backwards and turning, because of early falls"
+    )
+
 
 def test_runs_are_compared_on_one_page(run_directory, tmp_path):
     second = tmp_path / "second"

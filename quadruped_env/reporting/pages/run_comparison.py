@@ -1,5 +1,6 @@
 """The comparison page of several policies: the best policy for each motion, and their metrics and figures."""
 
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -38,21 +39,19 @@ def find_subjects(runs: Sequence[str], output: Path, task_file: Path | None = No
 def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[str]:
     """The most accurate policies for a motion: the best one, and those that are equal to it.
 
-    A policy is equal if the interval of the paired difference includes zero, or its mean is within `LEVEL`. Empty if
-    all policies fall too early.
+    A policy is equal if the interval of the paired difference includes zero, or its mean is within `LEVEL`. Policies
+    that fall too early have no value and no rank; empty if there are not two others, or they share no episode.
     """
     metric = error_of(motion)
     means = {name: comparison.estimate(name, metric, motion).mean for name in names}
     known = [name for name in names if means[name] == means[name]]
-    if not known:
+    if len(known) < 2:
         return []
     best = min(known, key=lambda name: means[name])
-
-    def level(name: str) -> bool:
-        difference = comparison.difference(metric, name, best, motion)
-        return difference.mean <= LEVEL or difference.low <= 0.0
-
-    return [name for name in known if name == best or level(name)]
+    differences = {name: comparison.difference(metric, name, best, motion) for name in known}
+    if any(math.isnan(difference.mean) for difference in differences.values()):
+        return []
+    return [name for name, difference in differences.items() if difference.mean <= LEVEL or difference.low <= 0.0]
 
 
 def headline(comparison: Comparison, names: Sequence[str]) -> str:
@@ -68,7 +67,7 @@ def headline(comparison: Comparison, names: Sequence[str]) -> str:
         elif best:
             parts.append(f"{listed(list(best))} {_agreed(best, 'is', 'are')} most accurate {listed(motions)}")
         else:
-            parts.append(f"all fall too early to tell {listed(motions)}")
+            parts.append(f"not comparable {listed(motions)}, because of early falls")
     falls = {name: comparison.estimate(name, "fall_rate") for name in names}
     # "More often" requires that the confidence intervals do not overlap.
     unsteady = [name for name in names if falls[name].low > min(fall.high for fall in falls.values())]
