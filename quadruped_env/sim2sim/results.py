@@ -74,11 +74,14 @@ def tables(transfer: Transfer) -> list[Table]:
 def verdict(transfer: Transfer) -> tuple[str, ...]:
     """The targets, one sentence each, for the policy; the first is the conclusion."""
     here, there = (str(engine["name"]) for engine in transfer.engines)
-    sentences = [
-        f"The policy carries over to {there}."
-        if transfer.carries_over()
-        else f"The policy does not carry over to {there}."
-    ]
+    carries_over = transfer.carries_over()
+    sentences = [f"The policy {'carries' if carries_over else 'does not carry'} over to {there}."]
+    if carries_over is None:
+        forward, yaw_rate = transfer.not_followed("policy")[0]
+        sentences = [
+            f"Whether the policy carries over to {there} is open: in {here} it does not follow the command of "
+            f"{forward:g} m/s and {yaw_rate:g} rad/s."
+        ]
     for velocity, target in TARGETS.items():
         found = transfer.largest_loss("policy", velocity)
         if found is not None:

@@ -91,11 +91,25 @@ class Transfer:
         here, there = (int(engine["fallen"].sum()) for engine in self.values[controller])
         return here, there
 
-    def carries_over(self) -> bool:
-        """True if the policy loses no more than `TARGETS`, and falls no more often in the second engine."""
+    def not_followed(self, controller: str) -> list[Command]:
+        """Commands that ask for a velocity that the robot does not follow here, so that it has no loss."""
+        return [
+            command
+            for i, command in enumerate(self.commands[controller])
+            for name, wanted in zip(TARGETS, command, strict=True)
+            if abs(wanted) > MOVING_THRESHOLD and math.isnan(self.loss(controller, name, i))
+        ]
+
+    def carries_over(self) -> bool | None:
+        """True if the policy loses no more than `TARGETS`, and falls no more often in the second engine.
+
+        None if that is so, but it does not follow some command here.
+        """
         largest = [(self.largest_loss("policy", name), limit) for name, limit in TARGETS.items()]
         here, there = self.falls("policy")
-        return there <= here and all(found is None or found[0] <= limit for found, limit in largest)
+        if there > here or any(found is not None and found[0] > limit for found, limit in largest):
+            return False
+        return None if self.not_followed("policy") else True
 
     def to_dict(self) -> dict[str, Any]:
         """All numbers as JSON-serializable values; NaN becomes None."""

@@ -93,6 +93,20 @@ def test_policy_carries_over_within_the_targets_and_without_more_falls(forward, 
     assert sum("missed" in sentence for sentence in sentences) == (not expected and not falls)
 
 
+@pytest.mark.parametrize("here", [0.0, math.nan])
+def test_command_that_is_not_followed_here_leaves_the_conclusion_open(here):
+    """No command has a loss, and nothing was measured that could carry over."""
+    found = made(([here], [0.0]), ([0], [0]))
+    assert found.carries_over() is None
+    assert found.to_dict()["carries_over"] is None
+    assert results.verdict(found)[0] == (
+        "Whether the policy carries over to Drake is open: in MuJoCo it does not follow the command of 0.5 m/s and "
+        "0 rad/s."
+    )
+    # A second command whose loss is too large decides.
+    assert made(([here, 0.3], [0, 0.2]), ([0, 0], [0, 0]), commands=((0.5, 0.0), (0.3, 0.0))).carries_over() is False
+
+
 def test_same_engine_twice_loses_nothing_and_ignores_the_tasks_randomization(policy):
     config = policy.config.randomized("hard").on_terrain("stairs")
     hard = type(policy)(policy.weights, policy.biases, policy.activation, config, policy.card)
