@@ -70,6 +70,7 @@ class Baseline:
             f"{len(self.seeds)} random starts",
             f"{'':<{width}}{'mean':>10}  {'95 % interval':<20}{'limit'}",
         ]
+        exceeded = []
         for name in SHOWN:
             metric, estimate = METRICS[name], self.estimate(name)
             interval = (
@@ -78,11 +79,14 @@ class Baseline:
             most = metric.limit_of(self.recording.robot)
             limit = "" if most is None else f"{most:g} {metric.unit}"
             if most is not None and estimate.mean > most:
+                exceeded.append(f"{metric.label.lower()} {metric.show(estimate.mean)} of {limit}")
                 limit += ", exceeded"
             spread = f"{interval} {metric.unit}"
             lines.append(f"{metric.label:<{width}}{metric.show(estimate.mean):>10}  {spread:<20}{limit}".rstrip())
         violations = self.gait.violations()
-        lines.append("Within the joint limits." if not violations else "Exceeds the joint limits:")
+        beyond = f"; measured joints exceed them: {' and '.join(exceeded)}" if exceeded else ""
+        targets = "exceed limits:" if violations else f"are within the limits{beyond}."
+        lines.append(f"The joint targets {targets}")
         lines += [f"  {violation}" for violation in violations]
         return "\n".join([*lines, f"Recorded: {self.recording.outcome()}"])
 

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError, SinusoidalGait
@@ -51,7 +52,18 @@ class TestBaseline:
         baseline = run_baseline("tuned", seconds=0.1, episodes=1)
         greedy = SinusoidalGait(2.0, 0.0, 0.1, -0.5, 1.0, (0.0,) * 8)
         table = type(baseline)(**{**vars(baseline), "gait": greedy}).table()
-        assert "Exceeds the joint limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
+        assert "The joint targets exceed limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
+
+    def test_targets_within_the_limits_are_told_from_measured_speeds_beyond_them(self):
+        baseline = run_baseline("tuned", seconds=2.0, episodes=1)
+        for speed, words in (
+            (5.6, "within the limits; measured joints exceed them: peak joint speed 5.6 of 5 rad/s."),
+            (4.9, "within the limits."),
+        ):
+            metrics = {**baseline.metrics, "peak_joint_speed": np.array([speed])}
+            table = type(baseline)(**{**vars(baseline), "metrics": metrics}).table()
+            assert ("5 rad/s, exceeded" in table) is (speed > 5.0)
+            assert f"The joint targets are {words}\n" in table
 
     def test_tuned_walks_and_article_hardly_moves(self):
         tuned, article = run_baseline("tuned", episodes=10), run_baseline("article", episodes=10)
