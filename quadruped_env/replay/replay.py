@@ -13,7 +13,7 @@ from quadruped_env.evaluation.episode import Recording, play
 from quadruped_env.files import check_free, write_json
 from quadruped_env.progress import Progress
 from quadruped_env.replay.saturation import Saturation, saturation
-from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
+from quadruped_env.replay.signal_comparison import Signals, lags, side_by_side
 from quadruped_env.reporting.films.film import FRAME_RATE, Clip
 from quadruped_env.reporting.results import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
@@ -113,12 +113,14 @@ class Replay:
     @cached_property
     def _report(self) -> dict[str, Any]:
         error = self.tracking_error()
-        lags = lag(self.targets, self.played) if self.motion is not None else [None] * self.robot.num_joints
+        nothing: list[tuple[float | None, float | None]] = [(None, None)] * self.robot.num_joints
+        late = nothing if self.motion is None else lags(self.targets, self.played)
         joints = {
             name: {
                 **_summary(error[:, i]),
                 "max_at": float(self.played.times[np.argmax(np.abs(error[:, i]))]),
-                "lag": lags[i],
+                "lag": late[i][0],
+                "lag_repeats_after": late[i][1],
             }
             for i, name in enumerate(self.robot.joint_names)
         }
@@ -224,6 +226,18 @@ class Replay:
         if fast and self.motion is not None:
             limits = " or ".join(f"{limit:g}" for limit in np.unique(self.robot.velocity_limit))
             remarks.append(f"Recorded faster than the motors' {limits} rad/s: {', '.join(fast)}.")
+        repeated = {
+            name: error["lag_repeats_after"]
+            for name, error in self.report()["tracking_error"]["joints"].items()
+            if error["lag_repeats_after"] is not None
+        }
+        if repeated:
+            shortest, longest = (f"{end(repeated.values()):.2g}" for end in (min, max))
+            remarks.append(
+                f"The motion repeats, so a lag that is longer by "
+                f"{shortest if shortest == longest else f'{shortest} to {longest}'} s fits as well: "
+                f"{', '.join(repeated)}."
+            )
         if self.motion is not None:
             remarks.append(self.motion.outcome())
         return remarks

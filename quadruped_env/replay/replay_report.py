@@ -64,7 +64,8 @@ def _tracking_table(report: dict[str, Any]) -> dict[str, Any]:
         "title": "Tracking errors",
         "head": ["", "RMS (rad)", "largest (rad)", "at (s)", "lag (ms)"],
         "rows": rows,
-        "note": "Played minus recorded position at the same time. The lag is the time shift with the smallest error.",
+        "note": "Played minus recorded position at the same time. The lag is the first time shift with about the "
+        "smallest error; of a motion that repeats, it is known up to whole periods.",
     }
 
 

@@ -19,6 +19,10 @@ _LAG_STEP: Final = 0.002
 """Resolution of the lag, s."""
 _LAG_ROWS: Final = 5000
 """Maximum number of rows used to find the lag."""
+_ALIKE: Final = 0.05
+"""Maximum error of a lag that fits as well as the best, over the range of the errors of all lags."""
+_RISE: Final = 0.25
+"""Minimum error between two such lags, over the same range."""
 _MIN_RANGE: Final = 0.01
 """Minimum range of a joint's target for which a lag is computed, rad."""
 
@@ -105,15 +109,23 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
 
 
 def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
-    """Lag of each joint behind its target, s: the time shift with the smallest error, up to `MAX_LAG`.
+    """Lag of each joint behind its target, s: the first time shift, up to `MAX_LAG`, with about the smallest error.
 
     None for a joint that hardly moves. Both trajectories have the same joints in the same order.
+    """
+    return [first for first, _ in lags(target, played)]
+
+
+def lags(target: JointTrajectory, played: JointTrajectory) -> list[tuple[float | None, float | None]]:
+    """As `lag`, each with its ambiguity, s: a lag that is longer by this fits as well, as the motion repeats.
+
+    The ambiguity is None if no other lag up to `MAX_LAG` fits.
     """
     shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
     # At the start, target and motion are equal for every lag.
     rows = np.flatnonzero(played.times >= MAX_LAG)
     if len(rows) < 2:
-        return [None] * len(played.names)
+        return [(None, None)] * len(played.names)
     rows = rows[:: -(-len(rows) // _LAG_ROWS)]
     offset = (int(played.stamps[0]) - int(target.stamps[0])) / NS_PER_SECOND
     errors = np.array(
@@ -122,9 +134,24 @@ def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
             for shift in shifts
         ]
     )
-    best = shifts[errors.argmin(axis=0)]
-    moves = np.ptp(target.positions, axis=0) > _MIN_RANGE
-    return [float(shift) if moving else None for shift, moving in zip(best, moves, strict=True)]
+    found: list[tuple[float | None, float | None]] = []
+    for error, moving in zip(errors.T, np.ptp(target.positions, axis=0) > _MIN_RANGE, strict=True):
+        first, *others = shifts[_minima(error)].tolist()
+        found.append((first, others[0] - first if others else None) if moving else (None, None))
+    return found
+
+
+def _minima(error: NDArray[np.float64]) -> list[int]:
+    """Indices of the minima of an error (K,) that are about as small as the smallest, in their order.
+
+    Without the end, where the error may still fall, unless it is the only one.
+    """
+    height = (error - error.min()) / max(float(np.ptp(error)), 1e-300)
+    # Noise has minima within a valley, so valleys are parted by a clear rise.
+    valleys = np.split(np.arange(len(error)), np.flatnonzero(np.diff(height > _RISE)) + 1)
+    lowest = [int(valley[height[valley].argmin()]) for valley in valleys]
+    found = [index for index in lowest if height[index] <= _ALIKE]
+    return [index for index in found if index < len(error) - 1] or found
 
 
 def _agreement(recorded: NDArray[np.float64], simulated: NDArray[np.float64]) -> dict[str, float | None]:

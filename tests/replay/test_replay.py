@@ -14,7 +14,7 @@ from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import lag
+from quadruped_env.replay.signal_comparison import lag, lags
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance
@@ -187,6 +187,36 @@ class TestReplay:
         assert lag(target, late) == [pytest.approx(0.06, abs=2e-3)] * 8
         assert lag(standing(4.0), standing(4.0)) == [None] * 8
 
+    @pytest.mark.parametrize("frequency", [2.6, 4.0, 9.0])
+    @pytest.mark.parametrize("share", [0.05, 0.3, 0.8])
+    def test_lag_of_a_repeated_motion_is_the_first_that_fits(self, frequency, share):
+        times = np.arange(0, 6, 0.01)
+        delay = share / frequency
+        noise = np.random.default_rng(0).normal(0.0, 0.002, (len(times), 8))
+        angle = 2 * np.pi * frequency * times[:, None]
+        target = JointTrajectory(np.rint(times * 1e9).astype(int), JOINT_NAMES, 0.2 * np.sin(angle) * np.ones(8))
+        late = 0.2 * np.sin(angle - 2 * np.pi * share) + noise
+        period = 1.0 / frequency
+        for found, repeat in lags(target, JointTrajectory(target.stamps, JOINT_NAMES, late)):
+            assert found == pytest.approx(delay, abs=3e-3)
+            assert repeat == (pytest.approx(period, abs=5e-3) if delay + period < 0.39 else None)
+
+    def test_lag_of_a_motion_that_does_not_repeat_is_the_best_fit_alone(self):
+        times = np.arange(0, 6, 0.02)
+        rng = np.random.default_rng(1)
+        steps = np.repeat(rng.uniform(-0.2, 0.2, (30, 8)), 10, axis=0)
+        target = JointTrajectory(np.rint(times * 1e9).astype(int), JOINT_NAMES, steps)
+        late = JointTrajectory(target.stamps, JOINT_NAMES, target.positions_at(times - 0.3))
+        assert lags(target, late) == [(pytest.approx(0.3, abs=2e-3), None)] * 8
+
+    def test_ambiguous_lag_is_said(self, tmp_path):
+        result = replay(publish(SinusoidalGait.preset("low"), 3.0, 50.0))
+        joints = result.report()["tracking_error"]["joints"]
+        assert joints["LF_knee_joint"]["lag"] < 0.1
+        assert joints["LF_knee_joint"]["lag_repeats_after"] == pytest.approx(0.2, abs=0.01)
+        words = "The motion repeats, so a lag that is longer by 0.2 s fits as well: LF_hip_joint, "
+        assert words in result.table()
+
     def test_gaps_are_reported(self):
         stamps = np.array([0, 20, 40, 60, 640, 660]) * 1_000_000
         result = replay(standing(stamps=stamps, positions=np.tile(STANCE, (6, 1))), "kinematic")
@@ -221,7 +251,7 @@ class TestReplay:
 
     def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):
         calls = []
-        for name in ("lag", "side_by_side", "saturation"):
+        for name in ("lags", "side_by_side", "saturation"):
             function = getattr(replaying, name)
             monkeypatch.setattr(replaying, name, lambda *args, f=function, n=name: calls.append(n) or f(*args))
         result = replay(standing())
@@ -229,7 +259,7 @@ class TestReplay:
             result.table()
             result.comparison().table()
         result.save(tmp_path, compare=True)
-        assert sorted(calls) == ["lag", "saturation", "side_by_side"]
+        assert sorted(calls) == ["lags", "saturation", "side_by_side"]
         assert json.loads((tmp_path / "tracking.json").read_text())["limits"] == result.report()["limits"]
 
     def test_one_row_is_the_start(self):
