@@ -16,7 +16,8 @@ the air (--base fixed). A recording on the ground is of little use: with --base 
 friction and inertia, and with --base free contacts make the error so discontinuous that the estimates may be wrong.
 Therefore the two bases are compared before the fit; if the other one explains the recording better, the result says so
 and warns that the motors are not reliable. Confidence intervals are given only for a robot on a stand. They allow for
-residuals that are correlated over time, between signals and between joints.
+residuals that are correlated over time, between signals and between joints. Estimates and intervals hold only if the
+parameters that are not fitted are right: with --fit kp, a wrong kd gives an interval that excludes the true kp.
 
 Results: motors.json, which the environment accepts as its config,
 
@@ -55,7 +56,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         choices=list(QUANTITIES),
         default=list(FITTED),
         metavar="NAME",
-        help=f"parameters to estimate, of {', '.join(QUANTITIES)} (default: {' '.join(FITTED)})",
+        help=f"parameters to estimate, of {', '.join(QUANTITIES)} (default: {' '.join(FITTED)}); "
+        "the others are assumed to be right",
     )
     parser.add_argument(
         "--without", nargs="+", action="extend", default=[], metavar="JOINT", help="joints to leave out"

@@ -71,6 +71,7 @@ def _motors_table(found: Identification) -> dict[str, Any]:
         "head": ["", "before", "after", "95 % interval", "unit"],
         "rows": rows,
         "note": (_INTERVALS if found.has_intervals else NO_INTERVALS)
+        + (f" {found.condition()}" if found.assumed else "")
         + " Parameters that the recording does not determine keep their start values: a motor's strength, for example, "
         "can be identified only where a motor is at its limit.",
     }

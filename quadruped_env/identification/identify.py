@@ -12,7 +12,7 @@ from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
 from quadruped_env.identification.fit import MotorFit
-from quadruped_env.identification.quantities import FITTED, quantity, value_of
+from quadruped_env.identification.quantities import FITTED, QUANTITIES, names_of, quantity, value_of
 from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.task import TaskConfig
@@ -44,8 +44,8 @@ class Estimated:
     before: float
     after: float
     half_width: float | None
-    """Half-width of the 95 % confidence interval, in `unit`; None if the recording does not determine the parameter, or
-    no intervals can be given (see `Identification.has_intervals`)"""
+    """Half-width of the 95 % confidence interval, in `unit`, under the condition of `Identification.assumed`; None if the
+    recording does not determine the parameter, or no intervals can be given (see `Identification.has_intervals`)"""
     determined: bool = True
     """True if the recording determines the parameter; otherwise it keeps its start value"""
 
@@ -79,6 +79,27 @@ class Identification:
     def has_intervals(self) -> bool:
         """True if intervals are given. On the ground or with the wrong base they would exclude the true values."""
         return self.base_fits and self.base == "fixed"
+
+    @property
+    def assumed(self) -> tuple[str, ...]:
+        """Parameters that keep their start values, which the estimates and their intervals assume to be right.
+
+        A quantity in `QUANTITIES`, or one of its parameters, such as `hip.kp`.
+        """
+        estimated = {estimate.name for estimate in self.estimates if estimate.determined}
+        found: list[str] = []
+        for field in QUANTITIES:
+            names = names_of([field], self.recorded.robot)
+            kept = [name for name in names if name not in estimated]
+            found += [field] if kept == names else kept
+        return tuple(found)
+
+    def condition(self) -> str:
+        """The condition of the estimates in a sentence."""
+        return (
+            f"Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
+            f"{', '.join(self.assumed)}."
+        )
 
     def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
         """Root mean square error (J,) of every measured signal, over the held-out time or the fit's.
@@ -133,6 +154,7 @@ class Identification:
             "physics_timestep": self.recorded.timestep,
             "verdict": self.verdict(),
             "remarks": list(self.remarks),
+            "assumed": list(self.assumed),
             "estimates": [vars(estimate) for estimate in self.estimates],
             "errors": {
                 part: {
@@ -174,6 +196,7 @@ class Identification:
                 f"{name:<20}{fit[0]:>12.4f}{fit[1]:>10.4f}{held_out[0]:>18.4f}{held_out[1]:>10.4f}  {UNITS[name]}"
             )
         notes = [] if self.has_intervals else [NO_INTERVALS]
+        notes += [self.condition()] if self.assumed else []
         return "\n".join([*lines, "", *notes, *self.remarks, self.verdict()])
 
 

@@ -1,6 +1,7 @@
 """Identification of motors: simulated recordings with known motors must give these motors."""
 
 import argparse
+import html
 import json
 import subprocess
 import sys
@@ -231,6 +232,23 @@ class TestIdentify:
         assert found.after.hip.stall_torque == 10.0
         assert found.after.hip.kp == pytest.approx(32.0, rel=0.05)
         assert "not determined: stays" in found.table()
+        assert found.assumed == ("stall_torque", "no_load_speed", "kd", "damping", "friction_loss", "armature", "delay")
+
+    def test_subset_is_fitted_under_a_condition_that_every_result_states(self, short, tmp_path):
+        """With wrong values of the others the intervals exclude the truth: nothing in the recording tells."""
+        commands, recording = short
+        start = with_values(TRUTH, {"hip.kd": 3.0, "knee.kd": 3.0})
+        found = identify(recording, commands, start=start, fitted=["kp", "delay"])
+        estimate = found.estimates[0]
+        assert abs(estimate.after - TRUTH.hip.kp) > estimate.half_width
+        words = (
+            "Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
+            "stall_torque, no_load_speed, kd, damping, friction_loss, armature."
+        )
+        assert words in found.table()
+        save(found, tmp_path, "")
+        assert json.loads((tmp_path / "identification.json").read_text())["assumed"] == list(found.assumed)
+        assert words in html.unescape((tmp_path / "report.html").read_text())
 
     def test_joint_that_does_not_follow_its_commands_is_named_and_can_be_left_out(self, short):
         commands, recording = short
