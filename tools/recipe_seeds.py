@@ -6,11 +6,12 @@ tools/recipe_seeds.py --only curves --picture assets/pictures/recipes.svg flat r
 
 Runs are grouped by their recipe, and must not differ in anything but the seed. Each recipe gets a table for each
 measure, with a row for each seed and one of the medians. `errors`: signed errors of the mean velocities, 8 episodes of
-20 s per command. `falls`: 1000 episodes of 20 s with the preset `hard`, and the share of time in which a robot sits or
-leans, tilted by more than 0.3 rad. `gait`: clearance and touchdowns per stride of the worst foot in the suite's steady
-walking, over the commands forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest
-mean forward velocity and yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of
-all runs.
+20 s per command. `env`: falls in 300 episodes of 20 s in the env of the policy's training, with its random commands and
+its randomization, and the 95 % interval of their share. `falls`: 1000 episodes of 20 s with the preset `hard`, and the
+share of time in which a robot sits or leans, tilted by more than 0.3 rad. `gait`: clearance and touchdowns per stride
+of the worst foot in the suite's steady walking, over the commands forwards, backwards and on turns. `terrain`: the
+suite's crossings. `envelope`: the largest mean forward velocity and yaw rate over the commands at which none of 100
+episodes of 10 s falls. `curves`: a figure of all runs.
 """
 
 import argparse
@@ -31,6 +32,7 @@ from benchmarks.shipping import disturbed
 from quadruped_env._python import pasteable
 from quadruped_env.cli.progress import ProgressLine
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
 from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.evaluation.suite import gait as suite_gait
@@ -50,6 +52,8 @@ TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
 FASTEST: Final = tuple((round(0.4 + 0.05 * i, 2), 0.0) for i in range(13))
 TIGHTEST: Final = tuple((0.0, round(0.4 + 0.1 * i, 1)) for i in range(17))
 
+_NEW_COMMAND: Final = 0.8
+"""Time after a new command in which a fall is due to it, s."""
 _SAME_STEPS: Final = 0.75
 """Smallest ratio of the steps of two trainings that count as the same."""
 
@@ -68,6 +72,35 @@ def errors(contender: Contender, progress: Progress, episodes: int = 8) -> Row:
         name = f"{forward:g} m/s, {turn:g} rad/s" if on_turn else f"{forward:g} m/s"
         row[name] = float(reached_turn - turn if on_turn else reached_forward - forward)
     return row
+
+
+def own_env(contender: Contender, progress: Progress, episodes: int = 300, seconds: float = 20.0) -> Row:
+    """Episodes of the env of the policy's training, with random commands, that end in a fall, and their share in %."""
+    policy = contender.controller.policy  # type: ignore[attr-defined]
+    env = policy.make_vec_env(episodes)
+    task, dt = env.unwrapped.task, policy.config.control_timestep
+    steps = round(seconds / dt)
+    observation, _ = env.reset(seed=0)
+    fallen, after_command, age = np.zeros(episodes, bool), np.zeros(episodes, bool), np.zeros(episodes)
+    command = task.command.copy()
+    for step in range(steps):
+        age = np.where((task.command != command).any(axis=1), 0.0, age) + dt
+        command = task.command.copy()
+        observation, _, terminated, _, _ = env.step(policy.predict(observation))
+        # An env restarts after a fall, and its second episode does not count.
+        after_command |= terminated & ~fallen & (age <= _NEW_COMMAND + 1e-9)
+        fallen |= terminated
+        progress((step + 1) / steps)
+    env.close()
+    share = proportion(fallen)
+    return {
+        "episodes": episodes,
+        "falls": int(fallen.sum()),
+        "falls, %": 100.0 * share.mean,
+        "95 % from": 100.0 * share.low,
+        "95 % to": 100.0 * share.high,
+        f"falls within {_NEW_COMMAND:g} s of a new command": int(after_command.sum()),
+    }
 
 
 def falls(contender: Contender, progress: Progress, episodes: int = 200) -> Row:
@@ -129,6 +162,7 @@ def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
 
 MEASURES: Final[dict[str, Callable[[Contender, Progress], Row]]] = {
     "errors": errors,
+    "env": own_env,
     "falls": falls,
     "gait": gait,
     "terrain": terrain,

@@ -90,7 +90,7 @@ def reached_share(comparison: Comparison, controller: str, motion: str) -> float
 def _headline(comparison: Comparison) -> tuple[str, str]:
     has = comparison.conditions
     if math.isnan(comparison.estimate("policy", "forward_velocity_error").mean):
-        return "poor", "No: it falls before it has taken a step."
+        return "poor", "No: it always falls before its velocity can be measured."
     fall_rate = comparison.estimate("policy", "fall_rate").mean
     falls = f"falls in {_percent(fall_rate)} of the episodes"
     unstable = fall_rate > STABLE_FALL_RATE
@@ -105,7 +105,20 @@ def _headline(comparison: Comparison) -> tuple[str, str]:
     if share < WALKING_SHARE:
         reached = f"Hardly: it reaches {_percent(share)} of the commanded forward velocity"
         return "poor", f"{reached} and {falls}." if unstable else f"{reached}."
-    flaws = [falls] if unstable else []
+    ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if has(motion)}
+    flaws = [*([falls] if unstable else []), *_flaws(comparison, ranks)]
+    if flaws:
+        walks = "Not reliably: it walks" if unstable else "Yes, it walks"
+        return "fair", f"{walks}, but it {listed(flaws)}."
+    standing = f"it {falls}" if fall_rate else "it does not fall"
+    against = "" if "not comparable" in ranks.values() else " at least as well as the tuned gait"
+    return "good", f"Yes, it walks: {standing}, and follows its commands{against}."
+
+
+def _flaws(comparison: Comparison, ranks: Mapping[str, str]) -> list[str]:
+    """Flaws of a policy that walks, apart from its falls; `ranks` are those against the tuned gait, by motion."""
+    has = comparison.conditions
+    flaws = []
     error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
     if math.isnan(error):
         flaws.append("falls too early to measure its forward velocity error")
@@ -120,16 +133,10 @@ def _headline(comparison: Comparison) -> tuple[str, str]:
         flaws.append("falls too early in turns to measure its yaw rate")
     elif turn_error > YAW_RATE_TOLERANCE[1]:
         flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the commanded rate")
-    ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if has(motion)}
     behind = [motion for motion, rank in ranks.items() if rank == "less accurate"]
     if behind:
         flaws.append(f"is less accurate than the tuned gait {listed(behind)}")
-    if flaws:
-        walks = "Not reliably: it walks" if unstable else "Yes, it walks"
-        return "fair", f"{walks}, but it {listed(flaws)}."
-    standing = f"it {falls}" if fall_rate else "it does not fall"
-    against = "" if "not comparable" in ranks.values() else " at least as well as the tuned gait"
-    return "good", f"Yes, it walks: {standing}, and follows its commands{against}."
+    return flaws
 
 
 def _falls(comparison: Comparison) -> str:

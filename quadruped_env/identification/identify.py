@@ -44,7 +44,7 @@ class Estimated:
     before: float
     after: float
     half_width: float | None
-    """Half-width of the 95 % confidence interval, in `unit`, under the condition of `Identification.assumed`; None if the
+    """Half-width of the 95 % confidence interval, in `unit`, if those `Identification.assumed` are right; None if the
     recording does not determine the parameter, or no intervals can be given (see `Identification.has_intervals`)"""
     determined: bool = True
     """True if the recording determines the parameter; otherwise it keeps its start value"""

@@ -119,7 +119,7 @@ def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
 def lags(target: JointTrajectory, played: JointTrajectory) -> list[tuple[float | None, float | None]]:
     """As `lag`, each with its ambiguity, s: a lag that is longer by this fits as well, as the motion repeats.
 
-    The ambiguity is None if no other lag up to `MAX_LAG` fits.
+    None in its place if no other lag up to `MAX_LAG` fits.
     """
     shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
     # At the start, target and motion are equal for every lag.

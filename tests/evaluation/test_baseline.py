@@ -52,7 +52,7 @@ class TestBaseline:
         baseline = run_baseline("tuned", seconds=0.1, episodes=1)
         greedy = SinusoidalGait(2.0, 0.0, 0.1, -0.5, 1.0, (0.0,) * 8)
         table = type(baseline)(**{**vars(baseline), "gait": greedy}).table()
-        assert "The joint targets exceed limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
+        assert "targets exceed limits:\n  LF_hip_joint: -2.000 to 2.000 rad is outside -1.5 to 1.5 rad" in table
 
     def test_targets_within_the_limits_are_told_from_measured_speeds_beyond_them(self):
         baseline = run_baseline("tuned", seconds=2.0, episodes=1)

@@ -7,10 +7,13 @@ import re
 import tomllib
 
 import gymnasium
+import numpy as np
 import pytest
 import yaml
 from pages import FENCED, commands_of, inline_code, links
 from paths import ROOT
+
+from quadruped_env.evaluation.confidence import proportion
 
 README = (ROOT / "README.md").read_text()
 CHINESE = (ROOT / "README.zh-CN.md").read_text()
@@ -94,7 +97,11 @@ def test_three_figures_are_those_of_the_measurements_page():
     steps, share = re.findall(r"\d[\d,.]*\d", speed)
     assert f"| vector env, 256 envs, over bare Batch.step | {share} |" in measurements
     assert f"| {steps} of " in measurements
-    assert f"{int(falls)} falls in 300 episodes of 20 s" in measurements
+    count, low, high = re.fullmatch(r" (\d+) \(95 %: ([\d.]+) to ([\d.]+) %\) ", falls).groups()
+    share = proportion(np.arange(300) < int(count))
+    assert (f"{100 * share.low:.1f}", f"{100 * share.high:.1f}") == (low, high)
+    assert f"{count} falls in 300 episodes of 20 s, {100 * share.mean:.1f} % (95 %: {low} to {high} %;" in measurements
+    assert "`python tools/recipe_seeds.py --only env flat`" in measurements
 
 
 # --- the two languages

@@ -11,7 +11,7 @@ import recipe_seeds
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies import CommandedGaitController, load_policy
 from quadruped_env.reporting.plots.recipes import recipe_curves, smoothed
 from quadruped_env.task import TaskConfig
 
@@ -97,6 +97,31 @@ def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
     assert row["0 m/s"] == pytest.approx(0.0, abs=0.01)
     assert row["0.3 m/s"] == pytest.approx(0.0, abs=0.02)
     assert row["0 m/s, 0.5 rad/s"] == pytest.approx(-row["0 m/s, -0.5 rad/s"], abs=0.02)
+
+
+def test_falls_in_the_own_env_are_counted_once_an_episode_with_their_interval(monkeypatch):
+    policy = load_policy("flat")
+    seconds = 3 * policy.config.control_timestep
+    # Env 1 falls twice, as it restarts, and env 3 once: two of four, right after the start, when all commands are new.
+    fallen = iter([[0, 1, 0, 0], [0, 1, 0, 1], [0, 0, 0, 0]])
+    make = policy.make_vec_env
+
+    def scripted(num_envs):
+        env = make(num_envs)
+        step = env.step
+        monkeypatch.setattr(env, "step", lambda a: (*step(a)[:2], np.array(next(fallen), dtype=bool), *step(a)[3:]))
+        return env
+
+    monkeypatch.setattr(type(policy), "make_vec_env", lambda self, num_envs: scripted(num_envs))
+    row = recipe_seeds.own_env(Contender.of_policy(policy, "flat"), say_nothing, episodes=4, seconds=seconds)
+    assert row == {
+        "episodes": 4,
+        "falls": 2,
+        "falls, %": 50.0,
+        "95 % from": pytest.approx(15.0, abs=0.1),
+        "95 % to": pytest.approx(85.0, abs=0.1),
+        "falls within 0.8 s of a new command": 2,
+    }
 
 
 def test_runs_of_a_recipe_differ_in_the_seed_only(trained):
