@@ -1,6 +1,7 @@
 """A policy's report: one self-contained page, and its numbers as JSON."""
 
 import base64
+import dataclasses
 import json
 import math
 import re
@@ -11,6 +12,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from comparisons import TINY
+from matplotlib.axes import Axes
 from report_page import Page
 
 from quadruped_env import QuadrupedError
@@ -206,3 +208,15 @@ def test_learning_curves_of_several_runs_are_drawn_in_one_figure(run_directory):
     svg = plots.learning_curve({"one": curve, "other": {**curve, "return": curve["return"] + 1.0}})
     assert svg.count("<svg ") == 1
     assert svg.count('id="legend_') == 1
+
+
+def test_reward_terms_of_a_policy_that_always_falls_are_not_drawn_as_zero(comparison, monkeypatch):
+    widths = []
+    monkeypatch.setattr(Axes, "barh", lambda self, place, width, **style: widths.append(width))
+    policy = comparison.rollouts["policy"]
+    fallen = dataclasses.replace(policy, valid=np.zeros_like(policy.valid))
+    assert "svg" in plots.reward_terms(
+        dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
+    )
+    assert widths
+    assert np.isnan(np.concatenate(widths)).all()

@@ -202,7 +202,8 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             "Reward terms",
             plots.reward_terms(comparison),
             "Weighted terms of the policy's reward, per second. Above: positive terms. Below, on separate scales: "
-            "penalties. Marks show the same terms for the scripted gaits, which were not optimized for this reward.",
+            "penalties. Marks show the same terms for the scripted gaits, which were not optimized for this reward. "
+            "The tuned gait steps with the reward's clock; the tutorial's gait does not.",
         ),
     ]
     if subject.progress_file is not None:

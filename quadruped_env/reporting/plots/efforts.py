@@ -134,8 +134,8 @@ def reward_terms(comparison: Comparison) -> str:
     styles = controller_styles(comparison.rollouts)
     names = np.array(comparison.rollouts["policy"].term_names)
     means = {motion: _mean_terms(comparison, motion) for motion in motions}
-    pays = np.max([terms["policy"] for terms in means.values()], axis=0) > 0.0
-    happens = np.any([terms != 0.0 for motion in means.values() for terms in motion.values()], axis=0)
+    pays = np.fmax.reduce([terms["policy"] for terms in means.values()]) > 0.0
+    happens = np.any([np.nan_to_num(terms) != 0.0 for motion in means.values() for terms in motion.values()], axis=0)
     groups = [np.flatnonzero(group & happens) for group in (pays, ~pays) if (group & happens).any()]
 
     def draw(axes: Any) -> None:
@@ -164,7 +164,10 @@ def reward_terms(comparison: Comparison) -> str:
 
 
 def _mean_terms(comparison: Comparison, motion: str | None) -> dict[str, NDArray[np.float64]]:
-    """Controller -> mean of each term per second (K,), for controllers that do not fall during the start-up."""
+    """Controller -> mean of each term per second (K,); NaN for a policy that always falls during the start-up.
+
+    Other controllers that do are left out.
+    """
     rows = np.concatenate([comparison.rows(i) for i in comparison.conditions(motion)])
     means = {}
     for controller, rollout in comparison.rollouts.items():
@@ -172,5 +175,5 @@ def _mean_terms(comparison: Comparison, motion: str | None) -> dict[str, NDArray
         terms = masked_mean(some.reward_terms, counted_samples(some)) / some.timestep
         known = np.isfinite(terms).all(axis=1)
         if known.any() or controller == "policy":
-            means[controller] = terms[known].mean(axis=0) if known.any() else np.zeros(terms.shape[1])
+            means[controller] = terms[known].mean(axis=0) if known.any() else np.full(terms.shape[1], np.nan)
     return means
