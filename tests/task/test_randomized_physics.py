@@ -73,8 +73,9 @@ def assert_same_physics(model, expected):
     contacts = 0
     for qpos, qvel, ctrl in states(expected):
         wanted = acceleration(expected, qpos, qvel, ctrl)
-        scale = abs(wanted).max()
-        np.testing.assert_allclose(acceleration(model, qpos, qvel, ctrl), wanted, rtol=0.0, atol=1e-12 * scale)
+        # Rounding errors of 1e-16, times the condition number of mass matrix and contacts: 1.6e-12 with MuJoCo 3.17.
+        tolerance = 1e-11 * abs(wanted).max()
+        np.testing.assert_allclose(acceleration(model, qpos, qvel, ctrl), wanted, rtol=0.0, atol=tolerance)
         contacts += qpos[2] < 0.19
     assert contacts > 3
     np.testing.assert_allclose(model.dof_invweight0, expected.dof_invweight0, rtol=1e-12)
