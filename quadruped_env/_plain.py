@@ -2,7 +2,6 @@
 
 import dataclasses
 import enum
-import sys
 from typing import Any, Final
 
 import numpy as np
@@ -69,9 +68,3 @@ def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
         return int(value)
     none = ", or None" if or_none else ""
     raise QuadrupedError(f"{name}: expected a whole number, {low} or more{none}; found {value!r}")
-
-
-def is_finite_number(value: Any) -> bool:
-    """True if a value is a finite int or float and not a bool."""
-    # Not math.isfinite, which raises for whole numbers that no float holds.
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max

@@ -4,9 +4,20 @@ import inspect
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated, Any, get_args, get_origin
+from typing import Annotated, Any, Final, get_args, get_origin
 
 from quadruped_env.errors import QuadrupedError
+
+LARGEST: Final = 1e9
+"""Largest size of a number in a task's config, in its unit: far beyond any robot, and far from where squares, sums in
+float32 and physics overflow."""
+SMALLEST: Final = 1e-9
+"""Lowest value of a number that must be positive: the square of its inverse is finite."""
+
+
+def is_quantity(value: Any, low: float = -LARGEST, high: float = LARGEST) -> bool:
+    """True if a value is an int or float between two bounds, and not a bool."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and low <= value <= high
 
 
 @dataclass(frozen=True)
@@ -14,10 +25,10 @@ class Parameter:
     """Unit and valid range of a number in the config, used to annotate an argument of a registered function."""
 
     unit: str = "1"
-    low: float = -math.inf
-    high: float = math.inf
+    low: float = -LARGEST
+    high: float = LARGEST
     exclusive: bool = False
-    """True if `low` itself is not valid."""
+    """True if `low` itself is not valid, nor what is closer to it than `SMALLEST`."""
     scales: bool = False
     """True if the default is that of the built-in robot; other robots' is in proportion to the height of the stance."""
 
@@ -33,18 +44,18 @@ class Parameter:
 
     def accepts(self, value: float) -> bool:
         """True if a number is valid."""
-        return (self.low < value if self.exclusive else self.low <= value) and value <= self.high
+        return self.low + (SMALLEST if self.exclusive else 0.0) <= value <= self.high
 
     def rule(self) -> str:
         """Valid values as text, for error messages."""
         unit = "" if self.unit == "1" else f" ({self.unit})"
-        if self.high < math.inf:
+        if self.high < LARGEST:
             high = "pi" if self.high == math.pi else f"{self.high:g}"
             return f"in {'(' if self.exclusive else '['}{self.low:g}, {high}]{unit}"
-        if self.low == -math.inf:
-            return f"a finite number{unit}"
+        if self.low <= -LARGEST:
+            return f"a number from {-LARGEST:g} to {LARGEST:g}{unit}"
         if self.low == 0.0 and self.exclusive:
-            return f"positive{unit}"
+            return f"positive{unit}, {SMALLEST:g} or more"
         return f"{'over' if self.exclusive else 'at least'} {self.low:g}{unit}"
 
 

@@ -8,8 +8,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import PlainFields, is_finite_number, plain
+from quadruped_env._plain import PlainFields, plain
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.parameters import LARGEST, SMALLEST, is_quantity
 
 Floats = NDArray[np.float64]
 
@@ -34,15 +35,15 @@ class CommandedFrequency(PlainFields):
         super().__post_init__()
         for name in ("speeds", "frequencies"):
             values = getattr(self, name)
-            valid = isinstance(values, tuple) and len(values) >= 2 and all(map(is_finite_number, values))
-            _check(valid, name, values, "a list of two or more finite numbers")
+            valid = isinstance(values, tuple) and len(values) >= 2 and all(map(is_quantity, values))
+            _check(valid, name, values, f"a list of two or more numbers, at most {LARGEST:g}")
         rising = self.speeds[0] >= 0 and all(low < high for low, high in pairwise(self.speeds))
         _check(rising, "speeds", self.speeds, "0 or more, and increasing (m/s)")
         fits = len(self.frequencies) == len(self.speeds)
         _check(fits, "frequencies", self.frequencies, f"as many as the speeds, {len(self.speeds)}")
-        _check(all(value > 0 for value in self.frequencies), "frequencies", self.frequencies, "positive (Hz)")
+        _check(all(value >= SMALLEST for value in self.frequencies), "frequencies", self.frequencies, "positive (Hz)")
         arm = self.turn_arm
-        _check(is_finite_number(arm) and arm >= 0, "turn_arm", arm, "a finite number, 0 or more (m)")
+        _check(is_quantity(arm, 0.0), "turn_arm", arm, f"0 or more (m), at most {LARGEST:g}")
 
 
 Frequency = float | CommandedFrequency
@@ -71,9 +72,10 @@ def frequency_of(value: Any) -> Frequency:
                     f"{{'speeds': [0.0, 0.6], 'frequencies': [2.6, 3.2]}}, or one number (Hz)"
                 )
         return CommandedFrequency(**value)
-    if not is_finite_number(value) or not value > 0:
+    if not is_quantity(value, SMALLEST):
         raise QuadrupedError(
-            f"config: {FIELD} must be positive (Hz), or a mapping with speeds and frequencies; found {short(value)}"
+            f"config: {FIELD} must be positive (Hz), at most {LARGEST:g}, or a mapping with speeds and frequencies; "
+            f"found {short(value)}"
         )
     return float(value)
 

@@ -4,13 +4,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Self
 
-from quadruped_env._plain import PlainFields, is_finite_number
+from quadruped_env._plain import PlainFields
 from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.gait import COMMANDED, CommandedGait
+from quadruped_env.parameters import LARGEST, SMALLEST, is_quantity
 from quadruped_env.robot.robot import Robot
 
 ACTION_MODES: Final = ("position", "residual")
+MAX_DECIMATION: Final = 1000
+"""Maximum number of physics steps per control step."""
+PHYSICS_TIMESTEPS: Final = (1e-5, 1.0)
+"""Shortest and longest physics time step, s."""
+MAX_HISTORY: Final = 1000
+"""Maximum number of control steps that a policy observes at once."""
 
 Range = tuple[float, float]
 
@@ -23,18 +30,29 @@ def check(condition: bool, name: str, value: object, rule: str) -> None:
 
 def check_history(history: Any) -> None:
     """Raise a QuadrupedError unless a value is a number of control steps."""
-    rule = "a whole number of control steps, 1 or more (1: only the present observation)"
-    check(type(history) is int and history >= 1, "observation_history", history, rule)
+    rule = f"a whole number of control steps, 1 or more (1: only the present observation), at most {MAX_HISTORY}"
+    check(type(history) is int and 1 <= history <= MAX_HISTORY, "observation_history", history, rule)
+
+
+def check_rates(decimation: Any, physics_timestep: Any) -> None:
+    """Raise a QuadrupedError unless two values are a number of physics steps per control step and a time step in s."""
+    valid = type(decimation) is int and 1 <= decimation <= MAX_DECIMATION
+    check(valid, "decimation", decimation, f"1 or more, at most {MAX_DECIMATION}")
+    low, high = PHYSICS_TIMESTEPS
+    check(
+        is_quantity(physics_timestep, low, high),
+        "physics_timestep",
+        physics_timestep,
+        f"positive, {low:g} to {high:g} (s)",
+    )
 
 
 def check_range(name: str, value: Any) -> None:
-    """Raise a QuadrupedError unless a value is a pair (low, high) with low <= high."""
-    check(
-        isinstance(value, (tuple, list)) and len(value) == 2 and value[0] <= value[1],
-        name,
-        value,
-        "a pair (low, high) with low <= high",
-    )
+    """Raise a QuadrupedError unless a value is a pair (low, high) with low <= high, each at most `LARGEST` in size."""
+    rule = "a pair (low, high) with low <= high"
+    check(isinstance(value, (tuple, list)) and len(value) == 2, name, value, rule)
+    check(all(map(is_quantity, value)), name, value, f"{rule}, each from {-LARGEST:g} to {LARGEST:g}")
+    check(value[0] <= value[1], name, value, rule)
 
 
 @dataclass(frozen=True)
@@ -58,8 +76,9 @@ class ActionConfig(PlainFields):
             raise QuadrupedError(
                 f"action_mode: {short(self.mode)} is unknown; valid modes are {', '.join(ACTION_MODES)}"
             )
-        check(self.position_scale > 0, "action.position_scale", self.position_scale, "positive (rad)")
-        check(self.residual_scale > 0, "action.residual_scale", self.residual_scale, "positive (rad)")
+        for name in ("position_scale", "residual_scale"):
+            value = getattr(self, name)
+            check(is_quantity(value, SMALLEST), f"action.{name}", value, f"positive (rad), at most {LARGEST:g}")
         check(self.gait in tuple(COMMANDED), "action.gait", self.gait, f"one of {', '.join(COMMANDED)}")
 
     @property
@@ -125,9 +144,7 @@ class ControlConfig:
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
         default = cls()
         decimation, physics_timestep = values.get("decimation", 4), values.get("physics_timestep", 0.005)
-        check(type(decimation) is int and decimation >= 1, "decimation", decimation, "1 or more")
-        valid = is_finite_number(physics_timestep) and physics_timestep > 0
-        check(valid, "physics_timestep", physics_timestep, "a positive number")
+        check_rates(decimation, physics_timestep)
         history = values.get("observation_history", default.observation_history)
         check_history(history)
         try:

@@ -9,8 +9,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import PlainFields, is_finite_number
+from quadruped_env._plain import PlainFields
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.parameters import LARGEST, SMALLEST, is_quantity
 
 VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
@@ -152,6 +153,6 @@ def fill_command_history(
 
 
 def _check(name: str, value: Any, positive: bool = False) -> None:
-    if not is_finite_number(value) or value < 0 or (positive and value == 0):
-        rule = "positive" if positive else "0 or more"
-        raise QuadrupedError(f"motor: {name} must be a finite number, {rule}; found {short(value)}")
+    if not is_quantity(value, SMALLEST if positive else 0.0):
+        rule = f"positive, {SMALLEST:g} or more" if positive else "0 or more"
+        raise QuadrupedError(f"motor: {name} must be a number, {rule}, at most {LARGEST:g}; found {short(value)}")

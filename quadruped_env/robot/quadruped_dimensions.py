@@ -8,8 +8,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import PlainFields, is_finite_number
+from quadruped_env._plain import PlainFields
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.parameters import is_quantity
 from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
 from quadruped_env.robot.solids import solid_box_inertia, solid_cylinder_inertia, solid_sphere_inertia
 
@@ -63,7 +64,7 @@ class QuadrupedDimensions(PlainFields):
             if not (_are_numbers(values, length) and min(values) > 0):
                 raise _error(name, values, f"{length} positive numbers (m)")
         for name in (*_LENGTHS, "friction"):
-            if not (is_finite_number(getattr(self, name)) and getattr(self, name) > 0):
+            if not (is_quantity(getattr(self, name)) and getattr(self, name) > 0):
                 raise _error(name, getattr(self, name), "a positive number")
         if self.leg_length <= 2.0 * self.leg_radius:
             raise _error("leg_length", self.leg_length, f"longer than twice leg_radius ({self.leg_radius:g} m)")
@@ -131,7 +132,7 @@ class QuadrupedDimensions(PlainFields):
 
 
 def _are_numbers(values: Any, length: int) -> bool:
-    return isinstance(values, Sequence) and len(values) == length and all(is_finite_number(value) for value in values)
+    return isinstance(values, Sequence) and len(values) == length and all(is_quantity(value) for value in values)
 
 
 def _error(name: str, value: Any, rule: str) -> QuadrupedError:

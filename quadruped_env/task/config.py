@@ -17,7 +17,7 @@ import numpy as np
 
 from quadruped_env._plain import PlainFields, plain
 from quadruped_env.control.clock import Frequency, frequency_of
-from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check, check_history
+from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check, check_history, check_rates
 from quadruped_env.control.task_file import TASK_FILE, check_task_file
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
@@ -196,8 +196,7 @@ class TaskConfig(PlainFields):
         super().__post_init__()
         if self.motor is None:
             object.__setattr__(self, "motor", self.robot.motors)
-        check(isinstance(self.decimation, int) and self.decimation >= 1, "decimation", self.decimation, "1 or more")
-        check(self.physics_timestep > 0, "physics_timestep", self.physics_timestep, "positive (s)")
+        check_rates(self.decimation, self.physics_timestep)
         object.__setattr__(self, "clock_frequency", frequency_of(self.clock_frequency))
         check_history(self.observation_history)
         for name in _sections(self.definition):

@@ -8,10 +8,9 @@ from typing import Any, Final, Literal, Self, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import is_finite_number
 from quadruped_env.control.config import Range
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import Parameter
+from quadruped_env.parameters import Parameter, is_quantity
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.event import Apply, Bindable, Event
@@ -121,12 +120,12 @@ class Randomization:
         if not isinstance(setting, (tuple, list)):
             # An amplitude x stands for (-x, x).
             paired = {"log_uniform": "a pair of positive numbers", "direction": "a pair of numbers, 0 or more"}
-            valid = is_finite_number(setting) and setting >= 0 and self.law not in paired
+            valid = is_quantity(setting) and setting >= 0 and self.law not in paired
             rule = paired.get(self.law, "0 or more, or a pair (low, high)")
         else:
             valid = (
                 len(setting) == 2
-                and all(is_finite_number(end) and self.valid.accepts(end) for end in setting)
+                and all(is_quantity(end) and self.valid.accepts(end) for end in setting)
                 and setting[0] <= setting[1]
             )
             rule = f"None, or a pair (low, high) with low <= high, each {self.valid.rule()}"

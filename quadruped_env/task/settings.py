@@ -1,6 +1,5 @@
 """Sections of the config whose fields depend on the task's terms: frozen, validated, with fields by name."""
 
-import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Self, cast
@@ -8,7 +7,7 @@ from typing import Any, Self, cast
 from quadruped_env._plain import plain
 from quadruped_env.control.config import check, check_range
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import Parameter
+from quadruped_env.parameters import LARGEST, Parameter
 
 
 @dataclass(frozen=True)
@@ -116,16 +115,15 @@ class Section(Mapping[str, Any]):
 
 
 def number(value: Any, path: str, whole: bool = False) -> float:
-    """Convert a value of the config to a finite number.
+    """Convert a value of the config to a number; one that need not be whole is at most `LARGEST` in size.
 
     Raises:
         QuadrupedError: if it is not one.
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and not isinstance(value, int)):
         raise QuadrupedError(f"{path}: expected {'a whole number' if whole else 'a number'}; found {short(value)}")
-    # Not math.isfinite, which raises for whole numbers that are too large for a float.
-    if not abs(value) <= sys.float_info.max:
-        raise QuadrupedError(f"{path}: expected a finite number; found {short(value)}")
+    if not (whole or abs(value) <= LARGEST):
+        raise QuadrupedError(f"{path}: expected a number from {-LARGEST:g} to {LARGEST:g}; found {short(value)}")
     return value if whole else float(value)
 
 
@@ -153,13 +151,13 @@ def parameter_entry(parameter: Parameter, default: float) -> Entry:
     return Entry(default, convert, parameter.unit)
 
 
-def whole_entry(default: int) -> Entry:
-    """Field for a whole number, 0 or more."""
+def seed_entry(default: int) -> Entry:
+    """Field for a seed."""
 
     def convert(value: Any, path: str) -> int:
-        converted = int(number(value, path, whole=True))
-        check(converted >= 0, _field(path), converted, "a whole number, 0 or more")
-        return converted
+        valid = type(value) is int and 0 <= value < 2**32
+        check(valid, _field(path), value, "a whole number, 0 or more, at most 4294967295")
+        return int(value)
 
     return Entry(default, convert)
 

@@ -12,7 +12,7 @@ from quadruped_env.simulation.ground import FIELDS, LEVELS, Terrain
 from quadruped_env.simulation.terrain import find_terrain
 from quadruped_env.simulation.tiles import Tiles
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
-from quadruped_env.task.settings import Entry, Schema, Section, number, parameter_entry, whole_entry
+from quadruped_env.task.settings import Entry, Schema, Section, number, parameter_entry, seed_entry
 
 DEFAULT_TERRAIN: Final = "flat"
 _SHARE: Final = Parameter(low=0.0, exclusive=True)
@@ -80,7 +80,7 @@ def values_of(terrain: Terrain) -> dict[str, Any]:
 
 @functools.cache
 def _shape_schema(terrain: Terrain, level: int | None, scale: float) -> Schema:
-    own: dict[str, Entry] = {"name": _name_entry(terrain), "seed": whole_entry(terrain.seed)}
+    own: dict[str, Entry] = {"name": _name_entry(terrain), "seed": seed_entry(terrain.seed)}
     if terrain.hardest is not None:
         own["level"] = Entry(None, _level)
     defaults = terrain.defaults(level, scale)
@@ -111,7 +111,7 @@ def _tiles_schema(tiles: Tiles, definition: TaskDefinition) -> Schema:
 
     return {
         "name": _name_entry(tiles),
-        "seed": whole_entry(tiles.seed),
+        "seed": seed_entry(tiles.seed),
         "kinds": Entry(tuple(kind.name for kind in tiles.kinds), kinds),
         "levels": Entry(tiles.levels, _level),
         "curriculum": Entry(False, switch),

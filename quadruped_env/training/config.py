@@ -1,6 +1,7 @@
 """Settings of a training."""
 
 import math
+import numbers
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -8,6 +9,7 @@ from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from quadruped_env.control.config import ACTION_MODES
+from quadruped_env.control.policy import ACTIVATIONS
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.algorithms import algorithm
@@ -47,7 +49,46 @@ GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
 
 WARP_DEVICES: Final[Mapping[str, str]] = MappingProxyType({"warp-cpu": "cpu"})
 """Warp's names of devices, where they differ from those of the option."""
-_DEVICE: Final = re.compile(r"cpu|warp-cpu|cuda(:[0-9]+)?")
+_DEVICE: Final = re.compile(r"cpu|warp-cpu|cuda(:[0-9]{1,3})?")
+
+OPEN: Final = math.nextafter(0.0, 1.0)
+"""Lowest value of a number that must be more than 0."""
+BOUNDS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType(
+    {
+        "timesteps": (1, 10**12),
+        "seconds": (OPEN, 1e9),
+        "seed": (0, 2**32 - 1),
+        "num_envs": (1, 10**6),
+        "ranks": (1, 10_000),
+        "checkpoint_seconds": (OPEN, 1e9),
+        "n_steps": (1, 10**6),
+        # Advantages are normalized over a batch.
+        "batch_size": (2, 10**9),
+        "n_epochs": (1, 1000),
+        "learning_rate": (OPEN, 1.0),
+        "gamma": (OPEN, 1.0),
+        "gae_lambda": (0.0, 1.0),
+        "clip_range": (OPEN, 10.0),
+        "ent_coef": (0.0, 1000.0),
+        "max_grad_norm": (OPEN, 1e6),
+        "clock_noise": (0.0, 0.999),
+        "straight_steps": (0, 10**12),
+        "polish_generations": (0, 10**6),
+        "reflex_rounds": (0, 10**6),
+        "buffer_size": (1, 10**9),
+        "learning_starts": (0, 10**9),
+        "gradient_steps": (1, 10**6),
+        "tau": (OPEN, 1.0),
+        "action_noise": (0.0, 10.0),
+        # As Stable-Baselines3 clips it: exp(2) is 7 times the range of an action.
+        "log_std_init": (-20.0, 2.0),
+        "final_log_std": (-20.0, 2.0),
+    }
+)
+"""Lowest and highest value of every number in `TrainConfig`. Beyond them a training overflows, or never ends."""
+MAX_WIDTH: Final = 16_384
+"""Maximum width of a hidden layer."""
+MAX_LAYERS: Final = 16
 
 
 @dataclass(frozen=True)
@@ -134,6 +175,7 @@ class TrainConfig:
     learned with it overshoots its commands without it"""
 
     def __post_init__(self) -> None:
+        check_fields(vars(self))
         if self.action_mode not in ACTION_MODES:
             raise QuadrupedError(
                 f"--action-mode: {self.action_mode!r} is unknown; valid modes are {', '.join(ACTION_MODES)}"
@@ -148,50 +190,14 @@ class TrainConfig:
             )
         if self.device != "cpu":
             self._check_on_cpu_alone()
-        for name in (
-            "timesteps",
-            "num_envs",
-            "ranks",
-            "n_steps",
-            "batch_size",
-            "n_epochs",
-            "buffer_size",
-            "gradient_steps",
-        ):
-            if getattr(self, name) < 1:
-                raise QuadrupedError(f"--{name.replace('_', '-')}: expected 1 or more; found {getattr(self, name)}")
-        for name, valid, rule in (
-            ("seed", 0 <= self.seed < 2**32, "0 to 4294967295"),
-            ("seconds", self.seconds is None or self.seconds > 0, "more than 0"),
-            ("checkpoint_seconds", self.checkpoint_seconds > 0, "more than 0"),
-            ("batch_size", self.batch_size >= 2, "2 or more, since advantages are normalized over a batch"),
-            ("learning_rate", 0 < self.learning_rate < math.inf, "more than 0, and finite"),
-            ("gamma", 0 < self.gamma <= 1, "more than 0, and at most 1"),
-            ("gae_lambda", 0 <= self.gae_lambda <= 1, "0 to 1"),
-            ("clip_range", 0 < self.clip_range < math.inf, "more than 0, and finite"),
-            ("ent_coef", 0 <= self.ent_coef < math.inf, "0 or more, and finite"),
-            ("max_grad_norm", self.max_grad_norm > 0, "more than 0"),
-            ("clock_noise", 0 <= self.clock_noise < 1, "0 to below 1"),
-            ("straight_steps", self.straight_steps >= 0, "0 or more"),
-            ("polish_generations", self.polish_generations >= 0, "0 or more"),
-            ("reflex_rounds", self.reflex_rounds >= 0, "0 or more"),
-            ("learning_starts", self.learning_starts >= 0, "0 or more"),
-            ("tau", 0 < self.tau <= 1, "more than 0, and at most 1"),
-            ("action_noise", 0 <= self.action_noise < math.inf, "0 or more, and finite"),
-            ("hidden", all(width >= 1 for width in self.hidden), "widths of 1 or more"),
-            (
-                "hidden",
-                not (self.symmetric and entry.on_policy) or all(width % 2 == 0 for width in self.hidden),
-                "even widths, or --no-symmetric: a symmetric network has pairs of units",
-            ),
-            ("log_std_init", math.isfinite(self.log_std_init), "a finite number"),
-            ("final_log_std", math.isfinite(self.final_log_std), "a finite number"),
-        ):
-            if not valid:
-                raise QuadrupedError(f"--{name.replace('_', '-')}: expected {rule}; found {getattr(self, name)}")
+        if self.symmetric and entry.on_policy and any(width % 2 for width in self.hidden):
+            raise QuadrupedError(
+                f"--hidden: expected even widths, or --no-symmetric: a symmetric network has pairs of units; found "
+                f"{short(self.hidden)}"
+            )
         check_training_seeds("--seed", self.seed, self.num_envs)
-        if "/" in self.name or self.name in {"", ".", ".."}:
-            raise QuadrupedError(f"--name: {self.name!r} cannot be part of a directory's name")
+        if "/" in self.name or self.name in {"", ".", ".."} or not self.name.isprintable():
+            raise QuadrupedError(f"--name: {short(self.name)} cannot be part of a directory's name")
         minibatches = entry.on_policy and "batch_size" in entry.settings
         if minibatches and self.num_envs * self.n_steps < self.batch_size:
             raise QuadrupedError(
@@ -240,6 +246,47 @@ class TrainConfig:
                 f"--ranks: found {self.ranks} with --batch-size {self.batch_size}; expected 2 or more samples per "
                 f"rank: lower --ranks, or choose --batch-size {2 * self.ranks} or more"
             )
+
+
+def field_rule(name: str, value: Any) -> str | None:
+    """Description of the valid values of a field of `TrainConfig` if a value, perhaps from a file, is not one."""
+    default = getattr(TrainConfig, name, None)
+    if name == "hidden":
+        valid = isinstance(value, (list, tuple)) and len(value) <= MAX_LAYERS
+        if valid and all(type(width) is int and 1 <= width <= MAX_WIDTH for width in value):
+            return None
+        return f"up to {MAX_LAYERS} whole numbers, widths of 1 or more, and at most {MAX_WIDTH}"
+    if name == "task":
+        return None if isinstance(value, dict) else "a table of fields"
+    if name == "activation":
+        return None if isinstance(value, str) and value in ACTIVATIONS else f"one of {', '.join(ACTIVATIONS)}"
+    if name not in BOUNDS:
+        kind, rule = (bool, "true or false") if isinstance(default, bool) else (str, "a text")
+        return None if isinstance(value, kind) else rule
+    if value is None and default is None:
+        return None
+    number = numbers.Integral if isinstance(default, int) else numbers.Real
+    low, high = BOUNDS[name]
+    if isinstance(value, number) and not isinstance(value, bool) and bool(low <= value <= high):  # type: ignore[operator]
+        return None
+    kind_of_number = "a whole number, " if isinstance(default, int) and not isinstance(value, numbers.Integral) else ""
+    from_low = "more than 0" if low == OPEN else f"{low:g} or more"
+    return f"{kind_of_number}{from_low}, and at most {high:.10g}{' (or null)' if default is None else ''}"
+
+
+def check_fields(values: Mapping[str, Any]) -> None:
+    """Check the type and the bounds of some fields of `TrainConfig`.
+
+    Raises:
+        QuadrupedError: naming the option, the bounds and the value; if there is no such field.
+    """
+    for name, value in values.items():
+        option = f"--{name.replace('_', '-')}"
+        if name not in TrainConfig.__dataclass_fields__:
+            raise QuadrupedError(f"{short(option)}: unknown setting of a training; leave it out")
+        rule = field_rule(name, value)
+        if rule is not None:
+            raise QuadrupedError(f"{option}: expected {rule}; found {short(value)}")
 
 
 def on_gpu(device: str) -> bool:

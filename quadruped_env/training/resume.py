@@ -4,13 +4,13 @@ import csv
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, fields, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
 from quadruped_env._plain import plain
-from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, TENSORS_FILE, finished_directory
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, finished_directory
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError, short
@@ -18,7 +18,7 @@ from quadruped_env.policies import load_policy
 from quadruped_env.simulation.ground import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.presets import PRESET
-from quadruped_env.training.config import TrainConfig
+from quadruped_env.training.config import TrainConfig, field_rule
 from quadruped_env.training.run import (
     CONFIG_FILE,
     PROGRESS_COLUMNS,
@@ -212,8 +212,7 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
         if field.name not in training:
             raise QuadrupedError(f"{path}: field 'training.{field.name}' is missing; start a new training")
         value = training[field.name]
-        default = {} if field.default is MISSING else field.default
-        rule = _rule(field.name, default, value)
+        rule = field_rule(field.name, value)
         if rule is not None:
             raise QuadrupedError(
                 f"{path}: training.{field.name}: expected {rule}; found {short(value)}; start a new training"
@@ -248,28 +247,6 @@ def _section(path: Path, document: Any, name: str) -> dict[str, Any]:
     if not isinstance(section, dict):
         raise QuadrupedError(f"{path}: field '{name}' is missing or not a table of fields; start a new training")
     return section
-
-
-def _rule(name: str, default: Any, value: Any) -> str | None:
-    """Description of a `TrainConfig` field's JSON type if a value does not have it; ranges are checked elsewhere."""
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    checks = {
-        "hidden": (
-            isinstance(value, list) and all(type(width) is int and width >= 1 for width in value),
-            "a list of whole numbers, 1 or more each",
-        ),
-        "activation": (isinstance(value, str) and value in ACTIVATIONS, f"one of {', '.join(ACTIVATIONS)}"),
-        "task": (isinstance(value, dict), "a table of fields"),
-    }
-    kinds = {
-        bool: (isinstance(value, bool), "true or false"),
-        int: (number and isinstance(value, int), "a whole number"),
-        float: (number, "a number"),
-        str: (isinstance(value, str), "a text"),
-        type(None): (number or value is None, "a number or null"),
-    }
-    valid, rule = checks.get(name) or kinds[type(default)]
-    return None if valid else rule
 
 
 def _number(

@@ -212,7 +212,10 @@ def test_live_controller_runs_the_clock_of_the_env():
 @pytest.mark.parametrize(
     ("value", "message"),
     [
-        (0.0, r"clock_frequency must be positive \(Hz\), or a mapping with speeds and frequencies; found 0.0"),
+        (
+            0.0,
+            r"clock_frequency must be positive \(Hz\), at most .*, or a mapping with speeds and .*; found 0.0",
+        ),
         ("fast", r"clock_frequency must be positive .* found 'fast'"),
         ([2.2, 3.0], r"clock_frequency must be positive .* found \[2.2, 3.0\]"),
         (
@@ -226,10 +229,10 @@ def test_live_controller_runs_the_clock_of_the_env():
         ({**TABLE, "frequencies": [2.0, 0.0, 3.0]}, r"clock_frequency.frequencies must be positive \(Hz\)"),
         (
             {**TABLE, "frequencies": [2.0, math.nan, 3.0]},
-            r"clock_frequency.frequencies must be a list of two or more fin",
+            r"clock_frequency.frequencies must be a list of two or more num",
         ),
-        ({**TABLE, "speeds": 0.3}, r"clock_frequency.speeds must be a list of two or more finite numbers; found 0.3"),
-        ({**TABLE, "turn_arm": -1.0}, r"clock_frequency.turn_arm must be a finite number, 0 or more \(m\); found -1.0"),
+        ({**TABLE, "speeds": 0.3}, r"clock_frequency.speeds must be a list of two or more numbers, .*; found 0.3"),
+        ({**TABLE, "turn_arm": -1.0}, r"clock_frequency.turn_arm must be 0 or more \(m\), .*; found -1.0"),
     ],
 )
 def test_bad_frequency_is_refused(value, message):

@@ -55,7 +55,7 @@ def test_bad_action_of_one_env_is_refused_and_no_env_moves():
         ),
         ({"config": {"randomization": {"friction": 0.5}}}, r"config.randomization.friction: expected a pair.*0\.5"),
         ({"config": {"decimation": 2.5}}, r"config.decimation: expected a whole number; found 2\.5"),
-        ({"config": {"decimation": 0}}, r"decimation must be 1 or more; found 0"),
+        ({"config": {"decimation": 0}}, r"decimation must be 1 or more, at most 1000; found 0"),
         ({"config": []}, r"config: expected a mapping of fields; found \[\]"),
         ({"config": "fast"}, r"config: expected a mapping of fields; found 'fast'"),
         ({"render_mode": "ascii"}, r"render_mode: 'ascii' is unknown; valid modes: None, human, rgb_array"),

@@ -52,7 +52,7 @@ def fails(tmp_path, capsys):
         (("--cores", 0), "--cores: expected 1 or more; found 0"),
         (("--cores-per-trial", 5000), "--cores-per-trial: found 5000; this machine has "),
         (("--cores", 1, "--address", "a:1"), "--cores: found with --address"),
-        (("--num-envs", 0), "--num-envs: expected 1 or more; found 0"),
+        (("--num-envs", 0), "--num-envs: expected 1 or more, and at most 1000000; found 0"),
         (("--space", "nowhere.toml"), "nowhere.toml: there is no such file"),
         (("--resume", "nowhere"), "--resume: nowhere: there is no such directory"),
         (("--address", "ray://a:10001"), "--address: expected host:port"),

@@ -24,7 +24,7 @@ from quadruped_env.task import (
     TerminationConfig,
 )
 
-SMALLEST = math.nextafter(0.0, 1.0)
+SMALLEST = 1e-9
 CONFIG = TaskConfig(
     decimation=5,
     physics_timestep=0.002,
@@ -131,10 +131,10 @@ def test_configs_share_nothing_and_do_not_change():
         ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
         ({"action": {"gait": "trot"}}, r"config: action.gait must be one of tuned, crouched, low, fast; found 'trot'"),
         ({"action": {"gait": ["low"]}}, r"config: action.gait must be one of tuned, crouched, low, fast; found \("),
-        ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\); found 0"),
+        ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\), .*; found 0"),
         ({"action": {"residual_scale": math.nan}}, r"action.residual_scale.*found nan"),
         ({"decimation": True}, r"config.decimation: expected a whole number; found True"),
-        ({"decimation": 0}, r"config: decimation must be 1 or more; found 0"),
+        ({"decimation": 0}, r"config: decimation must be 1 or more, at most 1000; found 0"),
         ({"physics_timestep": "fast"}, r"config.physics_timestep: expected a number; found 'fast'"),
         ({"physics_timestep": -0.1}, r"physics_timestep must be positive"),
         ({"clock_frequency": 0}, r"clock_frequency must be positive"),
@@ -145,7 +145,7 @@ def test_configs_share_nothing_and_do_not_change():
         ({"reward": {"weights": {"upright": "much"}}}, r"config.reward.weights.upright: expected a number"),
         ({"reward": {"weights": {"upright": math.nan}}}, r"reward.weights.upright.*found nan"),
         ({"reward": {"weights": [1, 2]}}, r"config.reward.weights: expected a mapping"),
-        ({"reward": {"base_height": 0}}, r"reward.base_height must be positive \(m\); found 0"),
+        ({"reward": {"base_height": 0}}, r"reward.base_height must be positive \(m\), .*; found 0"),
         ({"termination": {"max_tilt": 4}}, r"termination.max_tilt must be in \(0, pi\] \(rad\); found 4"),
         ({"termination": {"max_trunk_force": -1}}, r"termination.max_trunk_force must be at least 0"),
         ({"randomization": {"start_tilt": -1}}, r"randomization.start_tilt must be at least 0 \(rad\); found -1"),
@@ -166,7 +166,7 @@ def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
     "values",
     [
         {"decimation": 1},
-        {"physics_timestep": SMALLEST},
+        {"physics_timestep": 1e-5},
         {"clock_frequency": 0.5},
         {"command": {"standing_fraction": 0.5, "straight_fraction": 0.25, "turning_fraction": 0.25}},
         {"command": {"yaw_rate": (0.2, 0.2), "standing_fraction": 0.0}},
@@ -240,3 +240,48 @@ def test_every_randomization_is_switched_off_by_none():
 
 def test_the_defaults_of_control_are_those_of_the_task():
     assert ControlConfig() == TaskConfig().control
+
+
+BOUNDS = r"at most|in [\[(]| to "
+"""Words of errors that give bounds."""
+
+
+def _numbers(values, path=()):
+    """Paths of the fields of nested values that hold numbers, or None in place of a pair."""
+    for name, value in values.items():
+        if isinstance(value, dict):
+            yield from _numbers(value, (*path, name))
+        elif not isinstance(value, str) and name != "level":
+            yield (*path, name), value
+
+
+@pytest.mark.parametrize(
+    ("path", "default"), [pytest.param(*entry, id=".".join(entry[0])) for entry in _numbers(TaskConfig().to_dict())]
+)
+def test_a_number_of_any_size_is_refused_and_the_message_gives_the_field_and_the_bounds(path, default):
+    paired = default is None or isinstance(default, tuple)
+    for value in (1e300, -1e300, 2**32, 10**400, math.nan):
+        values = (value, value) if paired else value
+        for name in reversed(path):
+            values = {name: values}
+        with pytest.raises(QuadrupedError, match=rf"{path[-1]}\b.*({BOUNDS}|whole).*; found "):
+            TaskConfig.from_dict(values)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"decimation": 2**31}, r"config: decimation must be 1 or more, at most 1000; found 2147483648"),
+        ({"decimation": 10**7}, r"decimation must be 1 or more, at most 1000"),
+        ({"physics_timestep": 1e-300}, r"physics_timestep must be positive, 1e-05 to 1 \(s\); found 1e-300"),
+        (
+            {"reward": {"weights": {"upright": 1e300}}},
+            r"expected a number from -1e\+09 to 1e\+09; found 1e\+300",
+        ),
+        ({"reward": {"base_height": 1e-300}}, r"base_height must be positive \(m\), 1e-09 or more; found 1e-300"),
+        ({"motor": {"hip": {"no_load_speed": 1e-300}}}, r"no_load_speed must be .*1e-09 or more"),
+    ],
+)
+def test_a_value_beyond_the_bounds_names_them(values, message):
+    with pytest.raises(QuadrupedError, match=message):
+        TaskConfig.from_dict(values)

@@ -114,7 +114,7 @@ def test_another_robot_runs_with_every_preset():
     ("values", "message"),
     [
         ({"link_mass": [1.2, 0.8]}, r"randomization.link_mass must be a pair .*low <= high.*\(1.2, 0.8\)"),
-        ({"link_mass": [0.0, 1.0]}, r"randomization.link_mass must be positive; found \(0.0, 1.0\)"),
+        ({"link_mass": [0.0, 1.0]}, r"randomization.link_mass must be positive, 1e-09 or more; found \(0.0, 1.0\)"),
         ({"link_mass": [-1.0, 1.0]}, r"randomization.link_mass must be positive"),
         ({"link_inertia": [0.0, 1.0]}, r"randomization.link_inertia must be positive"),
         ({"friction": [-0.1, 1.0]}, r"randomization.friction must be positive"),

@@ -236,7 +236,7 @@ def test_terrain_of_a_config_is_saved_and_validated():
         ({"name": ["rough"]}, r"terrain: \['rough'\] is unknown"),
         ({"height": 0.1}, "config.terrain: unknown field 'height'; valid fields are name, seed"),
         ({"name": "rough", "height": -1.0}, r"terrain.height must be at least 0 \(m\); found -1.0"),
-        ({"seed": -1}, "terrain.seed must be a whole number, 0 or more; found -1"),
+        ({"seed": -1}, "terrain.seed must be a whole number, 0 or more, at most 4294967295; found -1"),
         ("rough", "config.terrain: expected a mapping of fields; found 'rough'"),
     ],
 )

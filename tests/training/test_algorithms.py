@@ -229,11 +229,11 @@ def test_every_setting_that_not_all_algorithms_use_is_a_field():
     ("values", "message"),
     [
         ({"algo": "dqn"}, r"--algo: 'dqn' is unknown; valid algorithms are ppo, a2c, trpo, sac"),
-        ({"buffer_size": 0}, r"--buffer-size: expected 1 or more; found 0"),
-        ({"gradient_steps": 0}, r"--gradient-steps: expected 1 or more; found 0"),
-        ({"learning_starts": -1}, r"--learning-starts: expected 0 or more; found -1"),
+        ({"buffer_size": 0}, r"--buffer-size: expected 1 or more, and at most .*; found 0"),
+        ({"gradient_steps": 0}, r"--gradient-steps: expected 1 or more, and at most .*; found 0"),
+        ({"learning_starts": -1}, r"--learning-starts: expected 0 or more, and at most .*; found -1"),
         ({"tau": 0.0}, r"--tau: expected more than 0, and at most 1; found 0.0"),
-        ({"action_noise": -0.1}, r"--action-noise: expected 0 or more, and finite; found -0.1"),
+        ({"action_noise": -0.1}, r"--action-noise: expected 0 or more, and at most 10; found -0.1"),
     ],
 )
 def test_bad_setting_is_named_by_its_flag(values, message):

@@ -232,7 +232,7 @@ def test_rank_0_alone_learns_the_reflex(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("changes", "error"),
     [
-        ({"ranks": 0}, r"--ranks: expected 1 or more; found 0"),
+        ({"ranks": 0}, r"--ranks: expected 1 or more, .*; found 0"),
         ({"ranks": 300}, r"--ranks: found 300, more than the 256 envs .*; lower it, or give more --num-envs"),
         (
             {"ranks": 3},
@@ -267,9 +267,7 @@ def test_run_without_the_field_resumes_on_one_rank(run, tmp_path):
 
 
 def test_job_survives_its_way_through_a_file(tmp_path):
-    config = TrainConfig(
-        ranks=2, hidden=(8, 4), max_grad_norm=float("inf"), task={"command": {"yaw_rate": [-0.1, 0.1]}}
-    )
+    config = TrainConfig(ranks=2, hidden=(8, 4), max_grad_norm=1e6, task={"command": {"yaw_rate": [-0.1, 0.1]}})
     job = Job(config, tmp_path, "a command", tmp_path / "run", None)
     assert Job.from_dict(json.loads(json.dumps(job.to_dict()))) == job
 

@@ -306,7 +306,7 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
             CONFIG_FILE,
             "training",
             {"hidden": [8.5]},
-            r"training.hidden: expected a list of whole numbers, 1 or more each",
+            r"training.hidden: expected up to 16 whole numbers",
         ),
         (
             CONFIG_FILE,
@@ -315,10 +315,10 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
             r"training.activation: expected one of tanh, elu, relu; found",
         ),
         (CONFIG_FILE, "training", {"symmetric": 1}, r"training.symmetric: expected true or false; found 1"),
-        (CONFIG_FILE, "training", {"num_envs": "4"}, r"training.num_envs: expected a whole number; found '4'"),
-        (CONFIG_FILE, "training", {"gamma": True}, r"training.gamma: expected a number; found True"),
-        (CONFIG_FILE, "training", {"gamma": 2.0}, r"config.json: --gamma: .*found 2.0; start a new training"),
-        (CONFIG_FILE, "training", {"seconds": "x"}, r"training.seconds: expected a number or null; found 'x'"),
+        (CONFIG_FILE, "training", {"num_envs": "4"}, r"training.num_envs: expected a whole number, .*; found '4'"),
+        (CONFIG_FILE, "training", {"gamma": True}, r"training.gamma: expected more than 0, .*; found True"),
+        (CONFIG_FILE, "training", {"gamma": 2.0}, r"config.json: training.gamma: .*found 2.0; start a new training"),
+        (CONFIG_FILE, "training", {"seconds": "x"}, r"training.seconds: expected .*(or null).*; found 'x'"),
         (CONFIG_FILE, "training", {"tempo": 1}, r"training has the unknown field 'tempo'; start a new training"),
         (
             CONFIG_FILE,

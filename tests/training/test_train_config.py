@@ -7,38 +7,38 @@ from settings import TRAINING
 
 from quadruped_env import QuadrupedError
 from quadruped_env.training.algorithms import algorithm
-from quadruped_env.training.config import STEPS_TO_WALK, TrainConfig, defaults, shortness
+from quadruped_env.training.config import BOUNDS, STEPS_TO_WALK, TrainConfig, defaults, shortness
 
 SMALLEST = math.nextafter(0.0, 1.0)
 LIMITS = {
     # Field: values at the ends of its range, values outside it
-    "timesteps": ((1,), (0, -1)),
-    "num_envs": ((64,), (0,)),
-    "n_steps": ((4,), (0,)),
-    "n_epochs": ((1,), (0,)),
+    "timesteps": ((1, 10**12), (0, -1, 10**12 + 1, 1.5)),
+    "num_envs": ((64, 10**6), (0, 10**6 + 1)),
+    "n_steps": ((4, 10**6), (0, 10**6 + 1)),
+    "n_epochs": ((1, 1000), (0, 1001)),
     "seed": ((0, 2**32 - 1), (-1, 2**32)),
     "seconds": ((None, SMALLEST), (0.0, -1.0)),
     "checkpoint_seconds": ((SMALLEST,), (0.0, -1.0)),
     "batch_size": ((2, 256 * 64), (0, 1, 256 * 64 + 1)),
-    "learning_rate": ((SMALLEST, 1e300), (0.0, -1.0, math.inf, math.nan)),
+    "learning_rate": ((SMALLEST, 1.0), (0.0, -1.0, 1.001, math.inf, math.nan)),
     "gamma": ((SMALLEST, 1.0), (0.0, 1.001)),
     "gae_lambda": ((0.0, 1.0), (-0.001, 1.001)),
-    "clip_range": ((SMALLEST, 1e300), (0.0, math.inf)),
-    "ent_coef": ((0.0, 1e300), (-0.001, math.inf)),
+    "clip_range": ((SMALLEST, 10.0), (0.0, 10.1)),
+    "ent_coef": ((0.0, 1000.0), (-0.001, 1001.0)),
     "clock_noise": ((0.0, 0.999), (-0.001, 1.0, math.nan)),
     "straight_steps": ((0, 1), (-1,)),
     "polish_generations": ((0, 1), (-1,)),
     "reflex_rounds": ((0, 1), (-1,)),
-    "max_grad_norm": ((SMALLEST, math.inf), (0.0,)),
+    "max_grad_norm": ((SMALLEST, 1e6), (0.0, math.inf)),
     "buffer_size": ((1,), (0,)),
     "learning_starts": ((0,), (-1,)),
     "gradient_steps": ((1,), (0,)),
     "tau": ((SMALLEST, 1.0), (0.0, 1.001)),
-    "action_noise": ((0.0, 1e300), (-0.001, math.inf)),
-    "hidden": (((), (2,), (2, 2)), ((0,), (8, 0), (3,))),
-    "log_std_init": ((-9.0, 0.0), (math.nan, math.inf)),
-    "final_log_std": ((-9.0, 0.0), (math.nan, -math.inf)),
-    "name": (("a", "..."), ("", ".", "..", "a/b")),
+    "action_noise": ((0.0, 10.0), (-0.001, 10.1)),
+    "hidden": (((), (2,), (2, 2)), ((0,), (8, 0), (3,), (2**15,), (2,) * 17)),
+    "log_std_init": ((-20.0, 2.0), (math.nan, 2.1)),
+    "final_log_std": ((-20.0, 2.0), (math.nan, -21.0)),
+    "name": (("a", "..."), ("", ".", "..", "a/b", "a\0")),
 }
 
 
@@ -71,6 +71,15 @@ def test_a_value_is_taken_up_to_its_limits_and_refused_beyond(name):
     for value in refused:
         with pytest.raises(QuadrupedError, match=f"^--{name.replace('_', '-')}: "):
             TrainConfig(**{"batch_size": 64, name: value})
+
+
+@pytest.mark.parametrize("name", TrainConfig.__dataclass_fields__)
+def test_a_value_of_another_type_or_of_any_size_is_refused(name):
+    default = getattr(TrainConfig(), name)
+    assert (name in BOUNDS) == (default is None or (isinstance(default, int | float) and default is not bool(default)))
+    for value in (1e300, -1e300, 10**400, math.nan, object(), [1e300], {"a": 1} if name != "task" else 1):
+        with pytest.raises(QuadrupedError, match=f"^--{name.replace('_', '-')}: expected .*; found "):
+            TrainConfig(**{name: value})
 
 
 @pytest.mark.parametrize(("mode", "steps"), [("residual", 17_000), ("position", 113_000)])
