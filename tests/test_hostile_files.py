@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import struct
 
@@ -158,6 +159,8 @@ CONTENTS = {
         "5000 digits": "rosbag2_bagfile_information:\n  version: " + "9" * 5000,
         "400 digits": "rosbag2_bagfile_information:\n  version: " + "9" * 400,
         "megabytes": "rosbag2_bagfile_information:\n  version: " + MEGABYTES,
+        "one file 10,000 times": "rosbag2_bagfile_information:\n  relative_file_paths:\n" + "  - bag.mcap\n" * 10_000,
+        "one file by two names": "rosbag2_bagfile_information:\n  relative_file_paths: [a/bag.mcap, b/bag.mcap]",
         "not text": b"\x80\x81" * 5000,
     },
     ("tensors",): {
@@ -223,6 +226,16 @@ def test_read_path_that_is_not_a_regular_file_is_refused_without_waiting(tmp_pat
 def test_read_name_that_no_file_can_have_is_refused(tmp_path, name):
     for bad in ("x" * 5000, "a\0b"):
         refused(READERS[name].read, tmp_path / bad / READERS[name].name)
+
+
+def test_a_storage_file_that_the_metadata_name_repeatedly_is_not_opened(tmp_path, monkeypatch):
+    path = READERS["metadata"].path(tmp_path)
+    text = path.read_text()
+    path.write_text(re.sub(r"( *- bag\.mcap\n)", r"\1" * 3, text, count=1))
+    opened = []
+    monkeypatch.setattr("rosbags.rosbag2.storage_mcap.McapReader.open", opened.append)
+    assert "names 'bag.mcap' 3 times" in refused(READERS["metadata"].read, path)
+    assert opened == []
 
 
 class TestDocuments:

@@ -63,6 +63,12 @@ class TestYaml:
         assert loaded.source.notes == ("the recording itself says that messages were lost",)
         assert loaded.source.row(1).endswith("message 1")
 
+    @pytest.mark.parametrize("text", [BLOCK.replace("2.5\n---", "2.5---"), FLOW.replace("inf]\n---", "inf]---")])
+    def test_a_separator_at_the_end_of_a_value_is_damage(self, tmp_path, text):
+        for damaged in (text, BLOCK + text, BLOCK + LOST + text, text.replace("---", "--- ").replace("2.5", "-0.7944---")):
+            with pytest.raises(QuadrupedError, match=r"a: line \d+: '.*---' ends in ---, which .* may be cut off; fix it"):
+                load(tmp_path / "a", damaged)
+
     def test_a_recording_may_begin_with_a_lost_message(self, tmp_path):
         assert len(load(tmp_path / "a", LOST + BLOCK)) == 1
 

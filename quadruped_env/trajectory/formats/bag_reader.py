@@ -4,13 +4,14 @@ A rosbag2 bag is a directory with `metadata.yaml`, or one bare storage file. Mes
 were recorded. Their timestamps are those of the headers unless the options say otherwise, so they may decrease.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any, Final
 
 from quadruped_env.documents import MAX_DEPTH
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.ros.joint_state import Decoder, RawJointState, decode_ros1
 from quadruped_env.trajectory.formats import salvage
 from quadruped_env.trajectory.formats.echo_text import yaml_module
@@ -137,7 +138,7 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
 
 
 def _check_metadata(path: Path) -> None:
-    """Raise a QuadrupedError if rosbags would take very long to parse the metadata; it reports other damage itself."""
+    """Raise a QuadrupedError if rosbags would take very long to read by the metadata; it reports other damage itself."""
     yaml = yaml_module()
     try:
         text = path.read_text(encoding="utf-8")
@@ -151,6 +152,8 @@ def _check_metadata(path: Path) -> None:
             if depth > MAX_DEPTH:
                 problem = f"nested deeper than {MAX_DEPTH} levels"
                 break
+        if not problem:
+            problem = _repeated_file(yaml.load(text, yaml.CBaseLoader))
     except yaml.YAMLError:
         return
     if problem:
@@ -158,6 +161,16 @@ def _check_metadata(path: Path) -> None:
             f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or keep what can be read "
             f"(--salvage)"
         )
+
+
+def _repeated_file(metadata: Any) -> str:
+    """Description of a file that is named twice, which rosbags would read twice; empty without one."""
+    section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
+    paths = section.get("relative_file_paths") if isinstance(section, dict) else None
+    # rosbags looks for all of them in the bag's own directory.
+    names = [PurePath(path).name for path in paths if isinstance(path, str)] if isinstance(paths, list) else []
+    repeated = next((name for name, count in Counter(names).items() if count > 1), None)
+    return "" if repeated is None else f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times"
 
 
 def _check_connection(connection: Any, reading: Reading) -> None:

@@ -1,7 +1,7 @@
 """Output of `ros2 topic echo` for joint states, as YAML and as `--csv` text.
 
 YAML: one document per message, in block or flow style, each ended by a line `---`. Notices of lost messages between
-them are reported. CSV has no header and no quotes:
+them, whose last line ends in `---`, are reported. CSV has no header and no quotes:
 
     sec,nanosec,frame_id,names...,positions...,velocities...,efforts...
 
@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import Any, Final
 
-from quadruped_env.errors import MissingExtraError, short
+from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.ros.joint_state import RawJointState
 from quadruped_env.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.delimited import lines, opened, parse_number
@@ -109,12 +109,22 @@ def yaml_module() -> Any:
 
 
 def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
-    """The texts between lines that end in `---`, except empty ones."""
+    """The texts between lines `---`, except empty ones.
+
+    Raises:
+        QuadrupedError: if a message is too long, or a line of one ends in `---`, whose end may be cut off.
+    """
     parts: list[str] = []
     size = 0
-    for line in found:
+    for number, line in enumerate(found, 1):
         ends = line.rstrip().endswith("---")
         part = line.rstrip().removesuffix("---") if ends else line
+        # Nothing ends the line of a notice before the separator.
+        if ends and part and not (parts or [part])[0].startswith(LOST):
+            raise QuadrupedError(
+                f"{reading.name}: line {number}: {short(line.strip())} ends in ---, which belongs on a line of its own, "
+                f"so what is before it may be cut off; fix it, or delete the message"
+            )
         parts.append(part)
         size += len(part)
         if size > _MAX_DOCUMENT:
