@@ -4,11 +4,14 @@ PPO: Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively paral
 https://arxiv.org/abs/2109.11978.
 """
 
+import contextlib
 import functools
 import importlib
 import os
 import time
-from collections.abc import Iterable
+import zipfile
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 from typing import Any, Final
 
 # Torch's idle threads would spin on the cores that the physics needs. Read once, when torch is loaded.
@@ -129,17 +132,48 @@ class NativeModel:
             QuadrupedError: if its file cannot be read.
         """
         path = parent.directory / RESUME_FILE
-        try:
-            self.set_parameters(str(path), device="cpu")  # type: ignore[attr-defined]
+        with resuming(path):
+            with zipfile.ZipFile(path) as archive:
+                # Few bytes could stand for more than any memory holds.
+                if any(entry.compress_type != zipfile.ZIP_STORED for entry in archive.infolist()):
+                    raise _UnusableError("compressed")
+            _, tensors, variables = load_from_zip_file(str(path), load_data=False, device="cpu")
+            check_finite({**tensors, **(variables or {})})
+            self.set_parameters(tensors, device="cpu")  # type: ignore[attr-defined]
             # Such as the weight of the entropy, which the line above leaves out.
-            _, _, variables = load_from_zip_file(str(path), load_data=False, device="cpu")
             for name, value in (variables or {}).items():
                 getattr(self, name).data.copy_(value.data)
-        except Exception as error:
-            # The zip reader, torch and SB3 each fail in their own way on a damaged file.
-            raise QuadrupedError(f"{path}: cannot be read ({error}); start a new training") from error
         self.num_timesteps = parent.timesteps
         self.budget_left_at_start = self._current_progress_remaining = parent.budget_left
+
+
+class _UnusableError(Exception):
+    """A defect of a file that is found here, in words."""
+
+
+@contextlib.contextmanager
+def resuming(path: Path) -> Iterator[None]:
+    """While a run's network and optimizer are loaded: errors of any kind become this package's.
+
+    The zip reader, torch, SB3 and rsl-rl each fail in their own way on a damaged file. Their texts are left out: torch
+    advises to unpickle the file.
+    """
+    try:
+        yield
+    except Exception as error:
+        reason = str(error) if isinstance(error, _UnusableError) else type(error).__name__
+        raise QuadrupedError(
+            f"{path}: cannot be resumed ({reason}); resume another checkpoint or run, or start a new training"
+        ) from None
+
+
+def check_finite(value: Any, place: str = "") -> None:
+    """Check that all numbers in nested dictionaries and lists of tensors are finite; for `resuming`."""
+    if isinstance(value, (Mapping, list, tuple)):
+        for name, entry in value.items() if isinstance(value, Mapping) else enumerate(value):
+            check_finite(entry, f"{place}.{name}".lstrip("."))
+    elif isinstance(value, (torch.Tensor, float)) and not torch.isfinite(torch.as_tensor(value)).all():
+        raise _UnusableError(f"{place} holds NaN or infinity")
 
 
 @functools.cache

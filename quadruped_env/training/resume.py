@@ -45,6 +45,9 @@ KEPT: Final = (
 _ADDED: Final = frozenset({"ranks", "device", "clock_noise", "straight_steps", "polish_generations", "reflex_rounds"})
 """Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
 
+_MOST: Final = 1e15
+"""Maximum number of steps and seconds that a run has learned from."""
+
 
 @dataclass(frozen=True)
 class Parent:
@@ -122,7 +125,7 @@ class Parent:
         if "timesteps" in changes:
             changes = {"seconds": None, **changes}
         elif "seconds" not in changes and self.budget_left > 0.0:
-            share = self.budget_left / self.budget_left_at_start
+            share = self.budget_left / (self.budget_left_at_start or 1.0)
             budget = "timesteps" if self.config.seconds is None else "seconds"
             left = getattr(self.config, budget) * share
             changes[budget] = max(1, round(left)) if budget == "timesteps" else left
@@ -250,12 +253,12 @@ def _section(path: Path, document: Any, name: str) -> dict[str, Any]:
 
 
 def _number(
-    path: Path, section: str, values: Mapping[str, Any], name: str, most: float = float("inf"), whole: bool = False
+    path: Path, section: str, values: Mapping[str, Any], name: str, most: float = _MOST, whole: bool = False
 ) -> float:
     value = values.get(name)
     kinds = (int,) if whole else (int, float)
     if isinstance(value, bool) or not isinstance(value, kinds) or not 0 <= value <= most:
-        rule = f"a {'whole ' * whole}number, 0 {'or more' if most == float('inf') else f'to {most:g}'}"
+        rule = f"a {'whole ' * whole}number, 0 to {most:g}"
         raise QuadrupedError(f"{path}: {section}.{name}: expected {rule}; found {short(value)}; start a new training")
     return value
 

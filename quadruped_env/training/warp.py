@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any, Protocol
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.models import LinearSchedule, linear_layers
+from quadruped_env.training.models import LinearSchedule, check_finite, linear_layers, resuming
 
 # isort: split
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.arguments import task_config
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError
 from quadruped_env.policies import Policy
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
@@ -143,13 +143,10 @@ class WarpModel:
             QuadrupedError: if its file cannot be read.
         """
         path = parent.directory / RSL_FILE
-        try:
+        with resuming(path):
             state = torch.load(path, map_location=self._env.device, weights_only=True)
+            check_finite(state)
             self.ppo.load(state, None, strict=True)
-        except Exception as error:
-            # Torch and rsl-rl each fail in their own way on a damaged file, and torch then advises to unpickle it.
-            reason = type(error).__name__
-            raise QuadrupedError(f"{path}: cannot be read ({reason}); start a new training") from error
         self.num_timesteps = parent.timesteps
         self.budget_left_at_start = parent.budget_left
 

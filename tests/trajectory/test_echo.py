@@ -65,8 +65,15 @@ class TestYaml:
 
     @pytest.mark.parametrize("text", [BLOCK.replace("2.5\n---", "2.5---"), FLOW.replace("inf]\n---", "inf]---")])
     def test_a_separator_at_the_end_of_a_value_is_damage(self, tmp_path, text):
-        for damaged in (text, BLOCK + text, BLOCK + LOST + text, text.replace("---", "--- ").replace("2.5", "-0.7944---")):
-            with pytest.raises(QuadrupedError, match=r"a: line \d+: '.*---' ends in ---, which .* may be cut off; fix it"):
+        for damaged in (
+            text,
+            BLOCK + text,
+            BLOCK + LOST + text,
+            text.replace("---", "--- ").replace("2.5", "-0.7944---"),
+        ):
+            with pytest.raises(
+                QuadrupedError, match=r"a: line \d+: '.*---' ends in ---, which .* may be cut off; fix it"
+            ):
                 load(tmp_path / "a", damaged)
 
     def test_a_recording_may_begin_with_a_lost_message(self, tmp_path):

@@ -138,7 +138,7 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
 
 
 def _check_metadata(path: Path) -> None:
-    """Raise a QuadrupedError if rosbags would take very long to read by the metadata; it reports other damage itself."""
+    """Raise a QuadrupedError if the metadata would keep rosbags busy for long; it reports other damage itself."""
     yaml = yaml_module()
     try:
         text = path.read_text(encoding="utf-8")

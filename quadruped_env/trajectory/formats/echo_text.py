@@ -122,8 +122,8 @@ def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
         # Nothing ends the line of a notice before the separator.
         if ends and part and not (parts or [part])[0].startswith(LOST):
             raise QuadrupedError(
-                f"{reading.name}: line {number}: {short(line.strip())} ends in ---, which belongs on a line of its own, "
-                f"so what is before it may be cut off; fix it, or delete the message"
+                f"{reading.name}: line {number}: {short(line.strip())} ends in ---, which belongs on a line of "
+                f"its own, so what is before it may be cut off; fix it, or delete the message"
             )
         parts.append(part)
         size += len(part)
