@@ -13,12 +13,21 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.seeds import check_training_seeds
 from quadruped_env.sweep.space import TASK, Dimension, check_distinct, of_dict
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.config import check_fields
 
 FORMAT_VERSION: Final = 1
 SEARCHES: Final = ("random", "optuna", "grid")
 SCHEDULERS: Final = ("none", "asha")
 SCORES: Final = ("quick", "suite", "none")
 MAX_TRIALS: Final = 100_000
+_BOUNDS: Final = {
+    "seeds": (1, 10**9),
+    "settings": (1, 10**9),
+    "cores_per_trial": (1, 10_000),
+    "reduction": (2, 100),
+    "rungs": (1, 20),
+}
+"""Lowest and highest value of each number of a sweep."""
 MakeConfig = Callable[[Mapping[str, Any]], TrainConfig]
 """The settings of a training from fields of `TrainConfig` that a user set, with those of recipe and algorithm."""
 
@@ -53,12 +62,7 @@ class SweepConfig:
     """SHA-256 of that file."""
 
     def __post_init__(self) -> None:
-        for name in ("seeds", "settings", "cores_per_trial", "rungs"):
-            value = getattr(self, name)
-            if value < 1:
-                raise QuadrupedError(f"{_OPTIONS[name]}: expected 1 or more; found {value}")
-        if self.reduction < 2:
-            raise QuadrupedError(f"--reduction: expected 2 or more; found {self.reduction}")
+        self._check_fields()
         if len(self) > MAX_TRIALS:
             raise QuadrupedError(f"--trials: {len(self)} trainings are more than {MAX_TRIALS}; lower it, or --seeds")
         check_distinct(self.space)
@@ -89,6 +93,23 @@ class SweepConfig:
         if self.score == "none" and (self.scheduler == "asha" or self.search == "optuna"):
             option = "--scheduler asha" if self.scheduler == "asha" else "--search optuna"
             raise QuadrupedError(f"--score: found none with {option}, which compares scores; give --score quick")
+
+    def _check_fields(self) -> None:
+        """Check each field by itself; their values may be those of a file."""
+        for name, (low, high) in _BOUNDS.items():
+            value = getattr(self, name)
+            if type(value) is not int or not low <= value <= high:
+                option = "--trials" if name == "settings" else f"--{name.replace('_', '-')}"
+                raise QuadrupedError(f"{option}: expected {low} or more, and at most {high}; found {short(value)}")
+        for name, valid in (("search", SEARCHES), ("scheduler", SCHEDULERS), ("score", SCORES)):
+            if getattr(self, name) not in valid:
+                raise QuadrupedError(
+                    f"--{name}: expected one of {', '.join(valid)}; found {short(getattr(self, name))}"
+                )
+        for text in (*self.whole, self.task_file or "", self.task_sha256 or ""):
+            if not isinstance(text, str):
+                raise QuadrupedError(f"whole, task_file, task_sha256: expected texts; found {short(text)}")
+        check_fields(self.training)
 
     def _check_grid(self) -> None:
         ranges = [dimension.field for dimension in self.space if not dimension.choices]
@@ -173,6 +194,9 @@ class SweepConfig:
             training = dict(values["training"])
             if "hidden" in training:
                 training["hidden"] = tuple(training["hidden"])
+            for dimension in space:
+                for end in dimension.ends() if not dimension.field.startswith(TASK) else ():
+                    check_fields({dimension.field: end})
             return cls(**{**values, "space": space, "training": training, "whole": tuple(values["whole"])})
         except QuadrupedError as error:
             raise QuadrupedError(f"{where}: {error}") from error
@@ -180,14 +204,6 @@ class SweepConfig:
             raise QuadrupedError(
                 f"{where}: not the definition of a sweep ({short(str(error))}); start a new one"
             ) from error
-
-
-_OPTIONS: Final = {
-    "seeds": "--seeds",
-    "settings": "--trials",
-    "cores_per_trial": "--cores-per-trial",
-    "rungs": "--rungs",
-}
 
 
 def sha256_of(path: Path) -> str:

@@ -189,10 +189,18 @@ class TrialBook:
         make: makes the settings of a training.
         source: source of the settings.
         say: prints a line.
+
+    Raises:
+        QuadrupedError: if a damaged trial cannot be put aside.
     """
 
     def __init__(self, folder: SweepFolder, make: MakeConfig, source: Proposals, say: Say) -> None:
         self.folder, self.say = folder, say
+        for number, _, _ in folder.config.trials():
+            try:
+                folder.trial(number).check()
+            except QuadrupedError as error:
+                say(f"trial {number} begins again, and its files are in {folder.put_aside(number)}: {error}")
         self._make, self._source = make, source
         self._numbers = {number: (setting, seed) for number, setting, seed in folder.config.trials()}
         self._waiting = [number for number in self._numbers if folder.trial(number).result() is None]
@@ -312,11 +320,12 @@ class TrialBook:
 
 def _outcome(result: Mapping[str, Any]) -> str:
     if result["state"] == "failed":
-        return f"failed ({result['error']})"
+        return f"failed ({result.get('error', 'unknown error')})"
     if result["state"] == "stopped":
         return "stopped by ASHA"
     score = "" if result.get("score") is None else f", score {result['score']['total']:.3f}"
-    return f"finished after {result['training_seconds'] + result['scoring_seconds']:.0f} s{score}"
+    seconds = sum(result.get(name, 0.0) for name in ("training_seconds", "scoring_seconds"))
+    return f"finished after {seconds:.0f} s{score}"
 
 
 def clock(seconds: float) -> str:

@@ -17,16 +17,21 @@ import json
 import os
 import time
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.documents import read_json
+from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.files import unwritable, whole, write_json, write_whole
+from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
+from quadruped_env.evaluation.suite.suite import read_results
+from quadruped_env.files import free_path, unwritable, whole, write_json, write_whole
+from quadruped_env.parameters import is_quantity
 from quadruped_env.provenance import git_commit, machine, versions
 from quadruped_env.sweep.definition import FORMAT_VERSION, SweepConfig
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.config import field_rule
 from quadruped_env.training.run import CONFIG_FILE
 
 SWEEP_FILE: Final = "sweep.json"
@@ -39,6 +44,24 @@ STATES: Final = ("finished", "stopped", "failed")
 """States of a result: the whole budget was used; ASHA stopped the trial; it ended with an error."""
 SCORE_COLUMNS: Final = ("rung", "timesteps", "seconds", "score")
 _LOCK_FILE: Final = ".lock"
+_AGAIN: Final = "resume the sweep, which puts this trial aside and trains it again"
+
+
+def _is_score(value: Any) -> bool:
+    parts = value.get("components") if isinstance(value, dict) else None
+    return isinstance(parts, dict) and all(map(is_quantity, (value.get("total"), *parts.values())))
+
+
+_AMOUNT: Final = (lambda value: is_quantity(value, 0.0, 1e15), "a number, 0 or more")
+_RESULT: Final[dict[str, tuple[Callable[[Any], bool], str]]] = {
+    "state": (lambda value: value in STATES, f"one of {', '.join(STATES)}"),
+    "score": (lambda value: value is None or _is_score(value), "null, or numbers: total and components"),
+    "run": (lambda value: isinstance(value, str) and value == Path(value).name, "the name of a directory"),
+    **{name: (lambda value: isinstance(value, str), "a text") for name in ("node", "error")},
+    **dict.fromkeys(("timesteps", "training_seconds", "scoring_seconds", "peak_memory_mb"), _AMOUNT),
+}
+"""Field of a result -> check, and valid values in words."""
+_OPTIONAL: Final = _RESULT.keys() - {"state"}
 
 
 @dataclass(frozen=True)
@@ -111,7 +134,20 @@ class SweepFolder:
 
     def trial(self, number: int) -> "TrialFolder":
         """The folder of a trial."""
-        return TrialFolder(self.path / TRIALS / f"{number:04d}", self.identity)
+        return TrialFolder(self.path / TRIALS / f"{number:04d}", self.identity, number, self.config)
+
+    def put_aside(self, number: int) -> Path:
+        """Give the folder of a damaged trial another name, so that the trial begins again; the new path.
+
+        Raises:
+            QuadrupedError: if the system refuses that.
+        """
+        path = self.trial(number).path
+        aside = free_path(path.with_name(f"{path.name}.damaged"))
+        try:
+            return path.rename(aside)
+        except OSError as error:
+            raise unwritable(aside, error) from error
 
     @contextlib.contextmanager
     def locked(self) -> Iterator[None]:
@@ -142,6 +178,8 @@ class TrialFolder:
     path: Path
     sweep: str
     """Identity of the sweep."""
+    number: int
+    config: SweepConfig
 
     def write_settings(self, settings: Mapping[str, Any]) -> None:
         """Write trial.json."""
@@ -151,31 +189,75 @@ class TrialFolder:
         """Content of trial.json; None if the trial has not begun.
 
         Raises:
-            QuadrupedError: if it belongs to another sweep.
+            QuadrupedError: if it is damaged, or belongs to another sweep or trial.
         """
-        return self._read(TRIAL_FILE, ("number", "setting", "seed", "values", "training"))
+        seeds, first = self.config.seeds, self.config.training.get("seed", TrainConfig.seed)
+        own = {"number": self.number, "setting": self.number // seeds, "seed": first + self.number % seeds}
+        fields = {dimension.field: dimension for dimension in self.config.space}
+        training = TrainConfig.__dataclass_fields__.keys()
+        return self._read(
+            TRIAL_FILE,
+            {
+                **{name: (lambda found, value=value: found == value, str(value)) for name, value in own.items()},
+                "values": (
+                    lambda found: (
+                        isinstance(found, dict)
+                        and found.keys() == fields.keys()
+                        and all(fields[name].holds(value) for name, value in found.items())
+                    ),
+                    f"values within the sweep's space, of {', '.join(fields) or 'no field'}",
+                ),
+                "training": (
+                    lambda found: (
+                        isinstance(found, dict)
+                        and found.keys() == training
+                        and field_rule("hidden", found["hidden"]) is None
+                    ),
+                    "the settings of a training",
+                ),
+            },
+        )
 
     def result(self) -> dict[str, Any] | None:
         """Content of result.json; None if the trial has not ended.
 
         Raises:
-            QuadrupedError: if it belongs to another sweep.
+            QuadrupedError: if it is damaged, or belongs to another sweep.
         """
-        return self._read(RESULT_FILE, ("state",))
+        return self._read(RESULT_FILE, _RESULT)
 
-    def _read(self, name: str, fields: tuple[str, ...]) -> dict[str, Any] | None:
+    def check(self) -> None:
+        """Check all that a sweep goes on from, also the results of the suite.
+
+        Raises:
+            QuadrupedError: if a file is damaged or missing.
+        """
+        settings, result = self.settings(), self.result()
+        self.scores()
+        if result is None:
+            return
+        if settings is None:
+            raise QuadrupedError(f"{self.path / TRIAL_FILE}: missing next to a result; {_AGAIN}")
+        if result.get("score") is not None and result.get("run") is not None:
+            read_results(self.path / result["run"] / "evaluation" / SUITE_FILE)
+
+    def _read(self, name: str, fields: Mapping[str, tuple[Callable[[Any], bool], str]]) -> dict[str, Any] | None:
+        """Content of a file; `fields`: field -> check and valid values of a field that is there."""
         path = self.path / name
-        if not path.is_file():
+        if not os.path.lexists(path):
             return None
-        document = read_json(path, f"remove {self.path} to train this trial again")
-        missing = [field for field in ("sweep", *fields) if not isinstance(document, dict) or field not in document]
-        if missing:
-            raise QuadrupedError(f"{path}: field {missing[0]!r} is missing; remove {self.path} to train it again")
+        document = read_json(path, _AGAIN)
+        for field in ("sweep", *fields):
+            if not isinstance(document, dict) or (field not in document and field not in _OPTIONAL):
+                raise QuadrupedError(f"{path}: field {field!r} is missing; {_AGAIN}")
         if document["sweep"] != self.sweep:
             raise QuadrupedError(
                 f"{path}: this is a trial of another sweep ({short(document['sweep'])} in place of "
-                f"{short(self.sweep)}); move {self.path} away"
+                f"{short(self.sweep)}); {_AGAIN}"
             )
+        for field, (valid, rule) in fields.items():
+            if field in document and not valid(document[field]):
+                raise QuadrupedError(f"{path}: {field}: expected {rule}; found {short(document[field])}; {_AGAIN}")
         return dict(document)
 
     def finish(self, result: Mapping[str, Any]) -> dict[str, Any]:
@@ -219,15 +301,17 @@ class TrialFolder:
             QuadrupedError: if it is damaged.
         """
         path = self.path / SCORES_FILE
-        if not path.is_file():
+        if not os.path.lexists(path):
             return []
+        check_regular(path, _AGAIN)
         try:
             with path.open(newline="", encoding="utf-8") as file:
-                return [{name: float(row[name]) for name in SCORE_COLUMNS} for row in csv.DictReader(file)]
-        except (OSError, ValueError, KeyError, TypeError) as error:
-            raise QuadrupedError(
-                f"{path}: damaged ({short(str(error))}); remove {self.path} to train it again"
-            ) from error
+                rows = [{name: float(row[name]) for name in SCORE_COLUMNS} for row in csv.DictReader(file)]
+        except (OSError, ValueError, KeyError, TypeError, csv.Error) as error:
+            raise QuadrupedError(f"{path}: damaged ({short(str(error))}); {_AGAIN}") from error
+        if not all(map(is_quantity, (value for row in rows for name, value in row.items() if name != "timesteps"))):
+            raise QuadrupedError(f"{path}: a value is not finite; {_AGAIN}")
+        return rows
 
     def write_error(self, text: str) -> None:
         """Write the traceback of a failed trial."""

@@ -40,7 +40,7 @@ def collect(folder: SweepFolder, command: str) -> dict[str, Any]:
     """
     trials = [entry for number, _, _ in folder.config.trials() if (entry := _trial(folder, number)) is not None]
     settings = _settings(folder, trials)
-    scored = [trial for trial in trials if trial["state"] == "finished" and trial["score"] is not None]
+    scored = [trial for trial in trials if trial["state"] == "finished" and None not in (trial["score"], trial["run"])]
     best = max(scored, key=lambda trial: trial["score"], default=None)
     return {
         "sweep": folder.identity,
@@ -109,7 +109,7 @@ def _settings(folder: SweepFolder, trials: Sequence[Mapping[str, Any]]) -> list[
     found = []
     for setting in sorted({trial["setting"] for trial in trials}):
         own = [trial for trial in trials if trial["setting"] == setting]
-        scored = [trial for trial in own if trial["state"] == "finished" and trial["score"] is not None]
+        scored = [trial for trial in own if trial["state"] == "finished" and None not in (trial["score"], trial["run"])]
         documents = [
             {**read_results(folder.path / trial["run"] / "evaluation" / SUITE_FILE), "name": f"trial {trial['trial']}"}
             for trial in scored

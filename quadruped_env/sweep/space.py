@@ -17,6 +17,7 @@ import numpy as np
 
 from quadruped_env.documents import read_json, read_toml
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.parameters import is_quantity
 from quadruped_env.training import TrainConfig
 
 FIXED: Final = {
@@ -44,6 +45,20 @@ class Dimension:
     log: bool = False
     """True to draw the logarithm uniformly."""
     choices: tuple[Any, ...] = ()
+
+    def __post_init__(self) -> None:
+        numbers = is_quantity(self.low) and is_quantity(self.high)
+        if not self.choices and not (numbers and (0 if self.log else -math.inf) < self.low < self.high):  # type: ignore[operator]
+            raise QuadrupedError(
+                f"{short(self.field)}: expected choices, or low below high{', above 0' if self.log else ''}; found "
+                f"{short(self.low)} and {short(self.high)}"
+            )
+
+    def holds(self, value: Any) -> bool:
+        """True if `draw` could have given a value, which is from JSON."""
+        if self.choices:
+            return self.of_json(value) in self.choices
+        return is_quantity(value, self.low, self.high)  # type: ignore[arg-type]
 
     @property
     def whole(self) -> bool:

@@ -7,6 +7,7 @@ import sys
 import time
 import traceback
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -52,7 +53,7 @@ def run(sweep: Path, identity: str, number: int, report: Report) -> dict[str, An
             f"share under the same name, with --output"
         )
     folder = SweepFolder.open(sweep)
-    trial = TrialFolder(folder.trial(number).path, identity)
+    trial = replace(folder.trial(number), sweep=identity)
     result = trial.result()
     if result is None:
         result = trial.finish(_attempt(folder, trial, report))

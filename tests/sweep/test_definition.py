@@ -42,8 +42,8 @@ def test_fields_of_a_trial_are_those_of_the_training_with_its_values():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"seeds": 0}, r"--seeds: expected 1 or more; found 0"),
-        ({"settings": 0}, r"--trials: expected 1 or more; found 0"),
+        ({"seeds": 0}, r"--seeds: expected 1 or more, and at most 1000000000; found 0"),
+        ({"settings": 0}, r"--trials: expected 1 or more, and at most 1000000000; found 0"),
         ({"cores_per_trial": 0}, r"--cores-per-trial: expected 1 or more"),
         ({"settings": 3}, r"--trials: found 3 without a field that varies; .*--seeds 3"),
         ({"search": "optuna"}, r"--search: found optuna without a field that varies"),
@@ -52,7 +52,7 @@ def test_fields_of_a_trial_are_those_of_the_training_with_its_values():
         ({"scheduler": "asha"}, r"--scheduler: asha compares trials, and this sweep has one"),
         ({"scheduler": "asha", "seeds": 4, "training": {"seconds": 5.0}}, r"give --timesteps in place of --seconds"),
         ({"scheduler": "asha", "seeds": 4, "score": "none"}, r"--score: found none with --scheduler asha"),
-        ({"reduction": 1}, r"--reduction: expected 2 or more; found 1"),
+        ({"reduction": 1}, r"--reduction: expected 2 or more, and at most 100; found 1"),
         ({"space": (RATE, RATE), "settings": 2}, r"--vary learning_rate: found twice"),
         ({"seeds": 100_001}, r"--trials: 100001 trainings are more than 100000"),
         ({"seeds": 9, "training": {"seed": 999_800}}, r"--seeds: found 999800 to .*reserved for evaluation"),

@@ -46,7 +46,7 @@ def fails(tmp_path, capsys):
         ),
         (("--vary", "learning_rate=1e-2..1e-4"), "swap the ends: 0.0001..0.01"),
         (("--vary", "tau=0.1..0.2"), "--tau"),
-        (("--seeds", 0), "--seeds: expected 1 or more; found 0"),
+        (("--seeds", 0), "--seeds: expected 1 or more, and at most 1000000000; found 0"),
         (("--trials", 5), "--trials: found 5 without a field that varies"),
         (("--scheduler", "asha"), "--scheduler: asha compares trials"),
         (("--cores", 0), "--cores: expected 1 or more; found 0"),

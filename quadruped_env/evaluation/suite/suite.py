@@ -18,6 +18,7 @@ from quadruped_env.evaluation.suite import (
 )
 from quadruped_env.evaluation.suite.contender import Contender, conditions
 from quadruped_env.evaluation.suite.definition import Suite, full_suite
+from quadruped_env.parameters import is_quantity
 from quadruped_env.progress import Progress, part_of
 
 RESULTS_FILE: Final = "suite.json"
@@ -132,6 +133,17 @@ def read_results(path: Path) -> dict[str, Any]:
     missing = [name for name in COMPONENTS if not isinstance(document.get(name), dict)]
     if missing:
         raise QuadrupedError(f"{path}: lacks the part {missing[0]!r} of the suite; evaluate the policy with --suite")
+    for kind, entry in document["terrain"].items():
+        level = entry.get("highest_level") if isinstance(entry, dict) else None
+        if type(level) is not int:
+            raise QuadrupedError(
+                f"{path}: terrain.{short(kind)[1:-1]}.highest_level: expected a whole number; found {short(level)}; "
+                f"evaluate the policy with --suite"
+            )
+    if not isinstance(document.get("policy", {}), dict):
+        raise QuadrupedError(
+            f"{path}: policy: expected a table; found {short(document['policy'])}; evaluate the policy with --suite"
+        )
     result: dict[str, Any] = document
     return result
 
@@ -146,7 +158,9 @@ def check_results(document: Any, where: str) -> None:
         identity = document["suite"]
         known = {name: identity[name] for name in ("name", "version", "quick", "sha256")}
         numbers = [document["score"]["total"], *(document["score"]["components"][name] for name in COMPONENTS)]
-        complete = all(isinstance(value, float | int) for value in numbers) and isinstance(document["name"], str)
+        complete = all(map(is_quantity, numbers)) and isinstance(document["name"], str)
+        kinds = {"name": str, "version": int, "quick": bool, "sha256": str}
+        complete = complete and all(type(known[name]) is kind for name, kind in kinds.items())
         conditions_known = isinstance(document["conditions"]["robot"], dict)
     except (KeyError, TypeError) as error:
         raise QuadrupedError(
@@ -182,6 +196,8 @@ def _check_pair(one: str, a: Mapping[str, Any], other: str, b: Mapping[str, Any]
                 f"{one} and {other} cannot be compared: suite.{field} is {short(x)} in one and {short(y)} in the "
                 f"other; {fix}"
             )
+    if a.get("terrain", {}).keys() != b.get("terrain", {}).keys():
+        raise QuadrupedError(f"{one} and {other} cannot be compared: their terrains differ; evaluate both again")
     for field in sorted({*a["conditions"], *b["conditions"]}):
         x, y = a["conditions"].get(field), b["conditions"].get(field)
         if x != y:
