@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Final, TypeVar
 
+from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -129,6 +130,7 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
         QuadrupedError: if the file cannot be read, differs from the expected one, or raises an error.
     """
     file = Path(path)
+    check_regular(file, "name the Python file of your terms")
     try:
         content = file.read_bytes()
     except OSError as error:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Final, Literal
 
 from quadruped_env._plain import plain
+from quadruped_env.documents import check_regular
 from quadruped_env.envs.arguments import changed, task_config
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.seeds import check_training_seeds
@@ -200,7 +201,7 @@ class SweepConfig:
             return cls(**{**values, "space": space, "training": training, "whole": tuple(values["whole"])})
         except QuadrupedError as error:
             raise QuadrupedError(f"{where}: {error}") from error
-        except (KeyError, TypeError, AttributeError) as error:
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
             raise QuadrupedError(
                 f"{where}: not the definition of a sweep ({short(str(error))}); start a new one"
             ) from error
@@ -213,6 +214,7 @@ def sha256_of(path: Path) -> str:
         QuadrupedError: if it cannot be read.
     """
     try:
+        check_regular(path, "name the Python file of --task")
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:
         raise QuadrupedError(f"{path}: cannot be read ({error.strerror}); name the Python file of --task") from error

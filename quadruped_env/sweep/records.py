@@ -17,7 +17,7 @@ import json
 import os
 import time
 import uuid
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -52,11 +52,16 @@ def _is_score(value: Any) -> bool:
     return isinstance(parts, dict) and all(map(is_quantity, (value.get("total"), *parts.values())))
 
 
-_AMOUNT: Final = (lambda value: is_quantity(value, 0.0, 1e15), "a number, 0 or more")
-_RESULT: Final[dict[str, tuple[Callable[[Any], bool], str]]] = {
+_Check = tuple[Callable[[Any], bool], str]
+"""Function that is true of valid values of a field, and these in words."""
+_AMOUNT: Final[_Check] = (lambda value: is_quantity(value, 0.0, 1e15), "a number, 0 or more")
+_RESULT: Final[dict[str, _Check]] = {
     "state": (lambda value: value in STATES, f"one of {', '.join(STATES)}"),
     "score": (lambda value: value is None or _is_score(value), "null, or numbers: total and components"),
-    "run": (lambda value: isinstance(value, str) and value == Path(value).name, "the name of a directory"),
+    "run": (
+        lambda value: isinstance(value, str) and value == Path(value).name and value not in ("", ".."),
+        "the name of a directory",
+    ),
     **{name: (lambda value: isinstance(value, str), "a text") for name in ("node", "error")},
     **dict.fromkeys(("timesteps", "training_seconds", "scoring_seconds", "peak_memory_mb"), _AMOUNT),
 }
@@ -192,29 +197,27 @@ class TrialFolder:
             QuadrupedError: if it is damaged, or belongs to another sweep or trial.
         """
         seeds, first = self.config.seeds, self.config.training.get("seed", TrainConfig.seed)
-        own = {"number": self.number, "setting": self.number // seeds, "seed": first + self.number % seeds}
-        fields = {dimension.field: dimension for dimension in self.config.space}
-        training = TrainConfig.__dataclass_fields__.keys()
+        space = {dimension.field: dimension for dimension in self.config.space}
+
+        def only(expected: int) -> _Check:
+            return lambda found: type(found) is int and found == expected, str(expected)
+
+        def table_of(names: Collection[str], valid: Callable[[str, Any], bool]) -> _Check:
+            return (
+                lambda found: (
+                    isinstance(found, dict) and found.keys() == set(names) and all(map(valid, found, found.values()))
+                ),
+                f"valid values of {', '.join(names) or 'no field'}",
+            )
+
         return self._read(
             TRIAL_FILE,
             {
-                **{name: (lambda found, value=value: found == value, str(value)) for name, value in own.items()},
-                "values": (
-                    lambda found: (
-                        isinstance(found, dict)
-                        and found.keys() == fields.keys()
-                        and all(fields[name].holds(value) for name, value in found.items())
-                    ),
-                    f"values within the sweep's space, of {', '.join(fields) or 'no field'}",
-                ),
-                "training": (
-                    lambda found: (
-                        isinstance(found, dict)
-                        and found.keys() == training
-                        and field_rule("hidden", found["hidden"]) is None
-                    ),
-                    "the settings of a training",
-                ),
+                "number": only(self.number),
+                "setting": only(self.number // seeds),
+                "seed": only(first + self.number % seeds),
+                "values": table_of(space, lambda name, value: space[name].holds(value)),
+                "training": table_of(TrainConfig.__dataclass_fields__, lambda *field: field_rule(*field) is None),
             },
         )
 
@@ -241,7 +244,7 @@ class TrialFolder:
         if result.get("score") is not None and result.get("run") is not None:
             read_results(self.path / result["run"] / "evaluation" / SUITE_FILE)
 
-    def _read(self, name: str, fields: Mapping[str, tuple[Callable[[Any], bool], str]]) -> dict[str, Any] | None:
+    def _read(self, name: str, fields: Mapping[str, _Check]) -> dict[str, Any] | None:
         """Content of a file; `fields`: field -> check and valid values of a field that is there."""
         path = self.path / name
         if not os.path.lexists(path):
@@ -309,7 +312,7 @@ class TrialFolder:
                 rows = [{name: float(row[name]) for name in SCORE_COLUMNS} for row in csv.DictReader(file)]
         except (OSError, ValueError, KeyError, TypeError, csv.Error) as error:
             raise QuadrupedError(f"{path}: damaged ({short(str(error))}); {_AGAIN}") from error
-        if not all(map(is_quantity, (value for row in rows for name, value in row.items() if name != "timesteps"))):
+        if not all(is_quantity(value, -1e15, 1e15) for row in rows for value in row.values()):
             raise QuadrupedError(f"{path}: a value is not finite; {_AGAIN}")
         return rows
 
