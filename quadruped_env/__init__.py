@@ -6,11 +6,12 @@ import quadruped_env
 env = gymnasium.make("MiniQuadruped-v0")
 """
 
-from quadruped_env._opengl import choose_opengl
+from quadruped_env._opengl import choose_opengl, import_mujoco
 from quadruped_env._python import check_python
 
 check_python()  # before anything is imported that the wrong Python does not have
 choose_opengl()  # before anything imports MuJoCo, which reads the choice when it is imported
+import_mujoco()
 
 from quadruped_env import envs, policies  # noqa: E402
 from quadruped_env._mujoco_log import log_to_console_only  # noqa: E402

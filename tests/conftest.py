@@ -1,14 +1,18 @@
 # Imported first: it chooses the OpenGL backend, which MuJoCo reads when it is imported.
 import quadruped_env  # noqa: F401  # isort: skip
 
+import functools
+
 import browser
 import domains
 import live_nodes
+import missing_opengl
 import mujoco
 import pytest
 import ros2_peers
 
 from quadruped_env import asset_path
+from quadruped_env.envs import rendering
 from quadruped_env.simulation import build_model
 
 
@@ -119,9 +123,17 @@ def page(chromium):
 
 
 @pytest.fixture
-def opengl(model):
+def opengl():
     """Skips the test if OpenGL cannot render here."""
-    try:
-        mujoco.Renderer(model, 8, 8).close()
-    except Exception as error:  # every backend fails in its own way
-        pytest.skip(f"no OpenGL: {type(error).__name__}: {error}")
+    if failure := rendering.opengl_failure():
+        pytest.skip(failure)
+
+
+@pytest.fixture
+def without_opengl(tmp_path):
+    """Function that returns a command which runs another one without OpenGL libraries."""
+    scratch = tmp_path / "without_opengl"
+    scratch.mkdir()
+    if obstacle := missing_opengl.obstacle(scratch):
+        pytest.skip(f"OpenGL cannot be hidden: {obstacle}")
+    return functools.partial(missing_opengl.command, scratch)

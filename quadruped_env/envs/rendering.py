@@ -1,7 +1,9 @@
 """Rendering of the robot, offscreen or in a window."""
 
+import functools
 import os
 import sys
+import threading
 import warnings
 from typing import Final
 
@@ -9,20 +11,24 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._opengl import has_display
+from quadruped_env._opengl import has_display, import_errors
 from quadruped_env.errors import QuadrupedError
 
 NO_OPENGL: Final = (
     "no OpenGL to render with: install a software renderer (Debian and Ubuntu: 'apt-get install libegl1 "
-    "libgl1-mesa-dri', or 'libosmesa6'), or set MUJOCO_GL to a backend that works here"
+    "libgl1-mesa-dri', or 'libosmesa6'), or set MUJOCO_GL to a backend that works here, such as 'egl' without a display"
 )
 _CAMERA: Final = "track"
 _PROBE_SIZE: Final = 8
 """Width and height of an image that any working OpenGL can render, pixels."""
 _OFF: Final = ("disable", "disabled", "off", "false", "0")
 """Values of MUJOCO_GL that disable rendering in MuJoCo."""
-_SETTINGS: Final = ("PYOPENGL_PLATFORM", "MUJOCO_EGL_DEVICE_ID")
-"""Environment variables that MuJoCo's error messages explain."""
+_WITHOUT_DISPLAY: Final = ("egl", "osmesa")
+"""Values of MUJOCO_GL for which no display is needed."""
+_WRONG_VARIABLE: Final = (
+    "an environment variable keeps OpenGL from starting; change or unset it (MUJOCO_GL: 'egl', 'osmesa' or 'glfw')"
+)
+_PROBING: Final = threading.Lock()
 
 
 class SceneRenderer:
@@ -69,31 +75,49 @@ class SceneRenderer:
             self._renderer.close()
 
 
+@functools.cache
+def opengl_failure() -> str:
+    """Why OpenGL cannot render in this process, with the fix; empty if it can.
+
+    Tried once, before any other image: a `mujoco.Renderer` after a failed one can abort the process.
+    """
+    chosen = os.environ.get("MUJOCO_GL", "").lower().strip()
+    if chosen in _OFF:
+        return f"rendering is switched off: MUJOCO_GL is {chosen!r}; unset it"
+    error = next(iter(import_errors), None)
+    if error is None and chosen not in _WITHOUT_DISPLAY and not has_display():
+        if chosen in ("glfw", "glx"):
+            return f"MUJOCO_GL is {chosen!r}, which needs a display, and there is none; unset it, or set it to 'egl'"
+        return NO_OPENGL
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            if error is None:
+                mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), _PROBE_SIZE, _PROBE_SIZE).close()
+                return ""
+        except Exception as failure:  # backends raise various errors, even AttributeError for a missing library
+            error = failure
+    reasons = "; ".join(dict.fromkeys([*(str(entry.message) for entry in caught), f"{type(error).__name__}: {error}"]))
+    cause = _WRONG_VARIABLE if "environment variable" in reasons else NO_OPENGL
+    return f"{cause} ({reasons})"
+
+
 def _make_renderer(model: mujoco.MjModel, width: int, height: int) -> mujoco.Renderer:
+    with _PROBING:
+        failure = opengl_failure()
+    if failure:
+        raise QuadrupedError(failure)
     buffer = model.vis.global_
     before = buffer.offwidth, buffer.offheight
     buffer.offwidth, buffer.offheight = max(before[0], width), max(before[1], height)
     try:
         return mujoco.Renderer(model, height, width)
-    except Exception as error:  # backends raise various errors, even AttributeError for a missing library
+    except Exception as error:  # as above
         buffer.offwidth, buffer.offheight = before
-        raise QuadrupedError(f"{_cause(model, width, height, error)} ({type(error).__name__}: {error})") from error
-
-
-def _cause(model: mujoco.MjModel, width: int, height: int, error: Exception) -> str:
-    """Message with the cause of a rendering failure and the fix."""
-    chosen = os.environ.get("MUJOCO_GL", "").lower().strip()
-    if chosen in _OFF:
-        return f"rendering is switched off: MUJOCO_GL is {chosen!r}; unset it"
-    if any(name in str(error) for name in _SETTINGS):
-        return "an environment variable keeps OpenGL from starting; change or unset it"
-    try:
-        mujoco.Renderer(model, _PROBE_SIZE, _PROBE_SIZE).close()
-    except Exception:  # as above
-        if chosen in ("glfw", "glx") and not has_display():
-            return f"MUJOCO_GL is {chosen!r}, which needs a display, and there is none; unset it, or set it to 'egl'"
-        return NO_OPENGL
-    return f"OpenGL works here, but not for images of {width} x {height} pixels; use a smaller width or height"
+        raise QuadrupedError(
+            f"OpenGL works here, but not for images of {width} x {height} pixels; use a smaller width or height "
+            f"({type(error).__name__}: {error})"
+        ) from error
 
 
 def _check_display() -> None:

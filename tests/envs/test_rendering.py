@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 
-import mujoco
+import missing_opengl
 import numpy as np
 import pytest
 from environments import (
@@ -19,7 +19,18 @@ from gymnasium.utils.passive_env_checker import env_render_passive_checker
 from waiting import output_of
 
 from quadruped_env import QuadrupedError, _opengl
-from quadruped_env.envs import rendering
+
+RENDER_TWICE = """
+import gymnasium, quadruped_env
+for _ in range(2):
+    env = gymnasium.make("MiniQuadruped-v0", render_mode="rgb_array")
+    env.reset(seed=0)
+    env.step(env.action_space.sample())
+    try:
+        print("rendered:", env.render().shape)
+    except quadruped_env.QuadrupedError as error:
+        print("refused:", error)
+"""
 
 # --- pictures ---
 
@@ -36,16 +47,50 @@ def test_a_window_shows_one_robot_only():
         make_native(2, render_mode="human")
 
 
-def test_missing_opengl_error_names_the_packages_to_install(monkeypatch):
-    def broken(*args, **kwargs):
-        raise AttributeError("'NoneType' object has no attribute 'eglQueryString'")
+@pytest.mark.parametrize(
+    ("variables", "reason"),
+    [
+        ({}, "no OpenGL to render with: install a software renderer (Debian and Ubuntu: 'apt-get install libegl1"),
+        ({"MUJOCO_GL": "egl"}, "no OpenGL to render with: install"),
+        ({"MUJOCO_GL": "osmesa"}, "no OpenGL to render with: install"),
+        ({"DISPLAY": ":4711"}, "no OpenGL to render with: install"),
+        ({"MUJOCO_GL": "glfw"}, "MUJOCO_GL is 'glfw', which needs a display"),
+    ],
+    ids=["unset", "egl", "osmesa", "display", "glfw"],
+)
+def test_env_without_opengl_libraries_steps_and_refuses_each_picture(without_opengl, variables, reason):
+    assert_refused_twice(without_opengl(sys.executable, "-c", RENDER_TWICE), variables, reason)
 
-    monkeypatch.setattr(mujoco, "Renderer", broken)
-    env = make(render_mode="rgb_array", disable_env_checker=True)
-    env.reset(seed=0)
-    with pytest.raises(QuadrupedError, match=r"no OpenGL.*apt-get install libegl1.*MUJOCO_GL.*eglQueryString"):
-        env.render()
-    env.close()
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems have other backends")
+@pytest.mark.parametrize(
+    ("variables", "reason"),
+    [
+        ({"MUJOCO_GL": "foo"}, "an environment variable keeps OpenGL from starting; change or unset it (MUJOCO_GL: "),
+        ({"MUJOCO_GL": "glfw"}, "MUJOCO_GL is 'glfw', which needs a display, and there is none; unset it"),
+        ({"MUJOCO_GL": "disable"}, "rendering is switched off: MUJOCO_GL is 'disable'; unset it"),
+    ],
+    ids=["foo", "glfw", "disable"],
+)
+def test_env_with_an_unusable_backend_steps_and_refuses_each_picture(variables, reason):
+    assert_refused_twice([sys.executable, "-c", RENDER_TWICE], variables, reason)
+
+
+@pytest.mark.usefixtures("opengl")
+def test_environment_variable_that_keeps_opengl_from_starting_is_named():
+    variables = {"MUJOCO_GL": "egl", "MUJOCO_EGL_DEVICE_ID": "4711"}
+    assert_refused_twice([sys.executable, "-c", RENDER_TWICE], variables, "an environment variable keeps OpenGL from")
+
+
+def assert_refused_twice(command, variables, reason):
+    environment = missing_opengl.environment(**variables)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    refused = done.stdout.splitlines()
+    assert len(refused) == 2
+    assert refused[0] == refused[1]
+    assert refused[0].startswith(f"refused: {reason}")
+    assert "GLFW" not in done.stderr
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a display")
@@ -64,40 +109,6 @@ except quadruped_env.QuadrupedError as error:
     )
     out, _ = output_of(process)
     assert "refused: render_mode 'human': no window can be opened on the display (DISPLAY=:4711)" in out
-
-
-def test_rendering_that_is_switched_off_error_names_the_variable(monkeypatch):
-    def broken(*args, **kwargs):
-        raise AttributeError("module has no attribute 'GLContext'")
-
-    monkeypatch.setattr(mujoco, "Renderer", broken)
-    monkeypatch.setenv("MUJOCO_GL", "disable")
-    env = make_native(1, render_mode="rgb_array")
-    with pytest.raises(QuadrupedError, match="switched off: MUJOCO_GL is 'disable'; unset it"):
-        env.render()
-
-
-def test_backend_without_the_display_that_it_needs_error_names_the_backend(monkeypatch):
-    def broken(*args, **kwargs):
-        raise mujoco.FatalError("an OpenGL platform library has not been loaded into this process")
-
-    monkeypatch.setattr(mujoco, "Renderer", broken)
-    monkeypatch.setattr(rendering, "has_display", lambda: False)
-    monkeypatch.setenv("MUJOCO_GL", "glfw")
-    env = make_native(1, render_mode="rgb_array")
-    with pytest.raises(QuadrupedError, match=r"MUJOCO_GL is 'glfw', which needs a display.*platform library"):
-        env.render()
-
-
-def test_environment_variable_that_keeps_opengl_from_starting_is_named(monkeypatch):
-    def broken(*args, **kwargs):
-        raise RuntimeError("The MUJOCO_EGL_DEVICE_ID environment variable must be an integer between 0 and 0, got 7.")
-
-    monkeypatch.setattr(mujoco, "Renderer", broken)
-    env = make_native(1, render_mode="rgb_array")
-    with pytest.raises(QuadrupedError, match=r"environment variable keeps OpenGL from.*MUJOCO_EGL_DEVICE_ID") as caught:
-        env.render()
-    assert "install" not in str(caught.value)
 
 
 @pytest.mark.usefixtures("opengl")

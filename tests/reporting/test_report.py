@@ -131,23 +131,6 @@ def without_figures(monkeypatch):
     monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
 
 
-def test_without_opengl_the_report_is_made_and_names_the_package(
-    run_directory, comparison, tmp_path, monkeypatch, without_figures
-):
-    def broken(*args):
-        raise AttributeError("no context")
-
-    monkeypatch.setattr("mujoco.Renderer", broken)
-    page, _, missing = write_report(find_subject(str(run_directory), tmp_path / "out"), comparison, "")
-    html = page.read_text()
-    assert len(missing) == 1
-    assert missing[0].startswith("No video: no OpenGL")
-    assert "No video: no OpenGL" in html
-    assert "srcdoc=" in html
-    assert "libegl1" in html
-    assert "<video" not in html
-
-
 def test_without_viser_the_report_is_made_and_names_the_extra(
     run_directory, comparison, tmp_path, monkeypatch, without_figures
 ):

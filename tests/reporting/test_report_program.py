@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import missing_opengl
 import pytest
 from comparisons import random_policy
 from paths import ROOT
@@ -80,3 +81,24 @@ def test_program_evaluates_a_run(run_directory, tmp_path):
     assert json.loads((tmp_path / "out" / "metrics.json").read_text())["command_line"] == (
         "mini-quadruped evaluate runs/20260101-000000-ppo --seeds 1 --seconds 2"
     )
+
+
+@pytest.mark.parametrize("command", [["evaluate", "flat"], ["compare", "flat", "rough"]], ids=lambda words: words[0])
+def test_report_without_opengl_is_written_and_says_so_once_with_the_fix(without_opengl, command, tmp_path):
+    options = ["--seeds", "1", "--seconds", "2", "--output", tmp_path / "out"]
+    result = subprocess.run(
+        without_opengl(sys.executable, "-m", "quadruped_env", *command, *options),
+        env=missing_opengl.environment(),
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert result.returncode == 0, result.stderr
+    (message,) = [line for line in result.stderr.splitlines() if "%" not in line]
+    assert message.startswith("No video: no OpenGL to render with: install")
+    assert "libegl1" in message
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert page.count("No video: no OpenGL") == 1
+    assert ("srcdoc=" in page) == (command[0] == "evaluate")  # the 3D replay needs no OpenGL
+    assert "<video" not in page
