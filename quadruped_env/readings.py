@@ -1,5 +1,6 @@
 """Named readings of a simulated or real robot: the only source of robot data for observations and rewards."""
 
+import math
 from dataclasses import dataclass, fields
 from typing import Final, Self
 
@@ -7,7 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 
 Floats = NDArray[np.float64]
@@ -19,8 +20,18 @@ def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
     """Columns of the model's sensor data for each field of `Readings`.
 
     Raises:
-        QuadrupedError: if the model lacks a sensor of the robot, or has them in another order.
+        QuadrupedError: if the robot names no sensors for a field, or for an unknown one, or the model lacks a sensor,
+            or has them in another order, or they have more or fewer values than the field.
     """
+    shapes = _shapes(robot)
+    if missing := [field for field in shapes if not robot.sensors.get(field)]:
+        raise QuadrupedError(
+            f"robot {robot.name!r}: sensors: missing {', '.join(missing)}; name the sensors of the model for each"
+        )
+    if unknown := [field for field in robot.sensors if field not in shapes]:
+        raise QuadrupedError(
+            f"robot {robot.name!r}: sensors: unknown field {short(unknown[0])}; valid fields are {', '.join(shapes)}"
+        )
     columns = {}
     address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
     for field, sensors in robot.sensors.items():
@@ -34,6 +45,11 @@ def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
                     f"{'is missing in the model' if i < 0 else 'must follow the one before it in the model'}"
                 )
             stop += width[i]
+        if stop - start != math.prod(shapes[field]):
+            raise QuadrupedError(
+                f"robot {robot.name!r}: sensors of {field}: expected {math.prod(shapes[field])} values; found "
+                f"{stop - start} of {len(sensors)} sensors"
+            )
         columns[field] = slice(start, stop)
     return columns
 
@@ -92,19 +108,23 @@ class Readings:
         A real robot measures joint positions, joint velocities, attitude and angular velocity. All other readings are
         NaN, so that a value computed from them is noticed.
         """
-        shapes = {
-            "orientation": (4,),
-            "foot_force": (robot.num_legs,),
-            "trunk_force": (1 + robot.num_legs,),
-            **dict.fromkeys(_FOOT_VECTORS, (robot.num_legs, 3)),
-        }
-        views = {}
-        for field in fields(cls):
-            shape = (robot.num_joints,) if field.name.startswith("joint") else shapes.get(field.name, (3,))
-            views[field.name] = np.full((1, *shape), np.nan)
+        views = {field: np.full((1, *shape), np.nan) for field, shape in _shapes(robot).items()}
         views["joint_position"][:] = robot.stance
         views["joint_velocity"][:] = 0.0
         views["orientation"][:] = (1.0, 0.0, 0.0, 0.0)
         views["up_b"][:] = (0.0, 0.0, 1.0)
         views["angular_velocity_b"][:] = 0.0
         return cls(**views)
+
+
+def _shapes(robot: Robot) -> dict[str, tuple[int, ...]]:
+    """Shape of each reading of one robot, by its field of `Readings`."""
+    shapes = {
+        "orientation": (4,),
+        "foot_force": (robot.num_legs,),
+        "trunk_force": (1 + robot.num_legs,),
+        **dict.fromkeys(_FOOT_VECTORS, (robot.num_legs, 3)),
+    }
+    joints = (robot.num_joints,)
+    names = [entry.name for entry in fields(Readings)]
+    return {name: joints if name.startswith("joint") else shapes.get(name, (3,)) for name in names}

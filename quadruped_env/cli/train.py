@@ -28,6 +28,7 @@ from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.program import shorten_help
 from quadruped_env.robot import Robot
+from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training import TrainConfig
@@ -200,6 +201,10 @@ def task_change(text: str) -> Path | dict[str, Any]:
         if not isinstance(values, dict):
             raise argparse.ArgumentTypeError(f"{text}: expected a JSON object of changes to the task's config")
         return values
+    try:
+        check_no_description(text)
+    except QuadrupedError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
     return json_object(text)
 
 

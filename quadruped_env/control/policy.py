@@ -22,6 +22,7 @@ from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, did_you_mean, short
 from quadruped_env.files import write_whole
 from quadruped_env.provenance import TaskFile
+from quadruped_env.robot.description import check_no_description
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
 
@@ -266,6 +267,7 @@ def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
     # Not Path.is_dir, which raises for names that are too long and for directories without rights.
     if not os.path.isdir(directory):
+        check_no_description(directory)
         raise QuadrupedError(
             f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
             f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"

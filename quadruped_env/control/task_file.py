@@ -14,6 +14,7 @@ from typing import Any, Final, TypeVar
 from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.provenance import TaskFile
+from quadruped_env.robot.description import description_problem
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
@@ -137,6 +138,8 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
         raise QuadrupedError(
             f"{file}: cannot be read ({error.strerror}); name the Python file of your terms"
         ) from error
+    if problem := description_problem(content):
+        raise QuadrupedError(f"{file}: {problem}")
     found = TaskFile(file.name, hashlib.sha256(content).hexdigest())
     if expected is not None and found.sha256 != expected.sha256:
         raise QuadrupedError(

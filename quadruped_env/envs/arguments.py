@@ -14,6 +14,7 @@ from quadruped_env._plain import whole_number
 from quadruped_env.control.velocity_command import check_command
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import QuadrupedDesign, Robot
+from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.definition import BUILT_IN, load_task_file
 
@@ -81,6 +82,8 @@ def as_robot(value: Any) -> Robot:
         return value.robot()
     if isinstance(value, dict):
         return Robot.from_dict(value)
+    if isinstance(value, (str, os.PathLike)):
+        check_no_description(value)
     if not isinstance(value, Robot):
         raise QuadrupedError(f"robot: expected a Robot, a QuadrupedDesign, or Robot.to_dict(); found {short(value)}")
     return value

@@ -75,7 +75,7 @@ def find_subject(run: str | None, output: Path | None = None, task_file: Path | 
     if run is None:
         run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]
     if run in SHIPPED:
-        return Subject(run, load_policy(run), shipped_directory(run), output or Path("results", run))
+        return Subject(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
     directory = finished_directory(Path(run)).resolve()
     return Subject(
         run_name(directory), load_policy(directory, task_file), directory, output or Path(run) / "evaluation"

@@ -85,7 +85,13 @@ class Robot:
                 )
             values.flags.writeable = False
             object.__setattr__(self, name, values)
-        object.__setattr__(self, "sensors", {key: tuple(names) for key, names in self.sensors.items()})
+        try:
+            sensors = {key: tuple(names) for key, names in self.sensors.items()}
+        except (AttributeError, TypeError) as error:
+            raise self._error(
+                f"sensors must be a dict of field -> names of the model's sensors; found {short(self.sensors)}"
+            ) from error
+        object.__setattr__(self, "sensors", sensors)
         for name, length, what in (
             ("foot_sites", self.num_legs, "leg"),
             ("foot_mirror", self.num_legs, "leg"),
@@ -179,12 +185,19 @@ class Robot:
         """A new specification of the robot alone, to be changed and compiled.
 
         Raises:
-            QuadrupedError: if MuJoCo cannot read the MJCF.
+            QuadrupedError: if MuJoCo cannot read the MJCF, or it has a ground or another geom of the world.
         """
         try:
-            return mujoco.MjSpec.from_string(self.mjcf)
+            spec = mujoco.MjSpec.from_string(self.mjcf)
         except ValueError as error:
             raise self._error(f"MuJoCo cannot read its MJCF ({error})") from error
+        if fixed := _fixed_geoms(spec.worldbody, self.base_name):
+            raise self._error(
+                f"its MJCF must hold the robot alone, because the scene adds the ground, and a second one would double "
+                f"every contact; found a {fixed[0].type.name[7:].lower()} {fixed[0].name!r} fixed to the world: "
+                f"remove it, and choose the ground with terrain=... or --terrain"
+            )
+        return spec
 
     @functools.cached_property
     def skeleton(self) -> Skeleton:
@@ -367,6 +380,15 @@ class Robot:
 
     def _error(self, message: str) -> QuadrupedError:
         return QuadrupedError(f"robot {self.name!r}: {message}")
+
+
+def _fixed_geoms(body: mujoco.MjsBody, base: str) -> list[mujoco.MjsGeom]:
+    """Geoms of a body and of all that is fixed to it, except the robot's base."""
+    fixed = list(body.geoms)
+    for child in body.bodies:
+        if child.name != base and not child.joints:
+            fixed += _fixed_geoms(child, base)
+    return fixed
 
 
 def check_same_robot(recorded: Any, robot: Robot) -> None:

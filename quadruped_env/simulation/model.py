@@ -93,11 +93,8 @@ def _compiled(
 
 def scene(robot: Robot) -> mujoco.MjSpec:
     """A robot on a plane, with light and camera."""
-    try:
-        return mujoco.MjSpec.from_string(asset_path(_SCENE).read_text(), include={_ROBOT: robot.mjcf.encode()})
-    except ValueError:
-        robot.spec()  # whose error names the robot
-        raise
+    robot.spec()  # whose errors name the robot
+    return mujoco.MjSpec.from_string(asset_path(_SCENE).read_text(), include={_ROBOT: robot.mjcf.encode()})
 
 
 def _lay(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float, float]) -> None:

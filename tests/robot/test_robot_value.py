@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from tutorial import random_positions
 
-from quadruped_env import QuadrupedError, forward_kinematics
+from quadruped_env import QuadrupedError, build_model, forward_kinematics
+from quadruped_env.readings import sensor_columns
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, QuadrupedDesign, Robot
 
 OTHER = QuadrupedDesign(name="other", leg_names=("RH", "LH", "RF", "LF"), leg_length=0.2, base_mass=3.0)
@@ -184,3 +185,50 @@ class TestDesign:
     def test_dimensions_that_make_no_robot_are_refused(self, change, message):
         with pytest.raises(QuadrupedError, match=message):
             QuadrupedDesign(**change)
+
+
+class TestGround:
+    @pytest.mark.parametrize(
+        ("element", "found"),
+        [
+            ('<geom name="floor" type="plane" size="5 5 0.1"/>', "a plane 'floor'"),
+            ('<geom name="ground" type="plane" size="5 5 0.1" contype="0" conaffinity="0"/>', "a plane 'ground'"),
+            ('<frame pos="1 0 0"><geom name="step" type="box" size="1 1 0.1"/></frame>', "a box 'step'"),
+            ('<body><body><geom name="step" type="box" size="1 1 0.1"/></body></body>', "a box 'step'"),
+        ],
+        ids=["plane", "drawn plane", "frame", "fixed body"],
+    )
+    def test_model_with_a_ground_of_its_own_is_refused(self, element, found):
+        # Two planes double every contact.
+        mjcf = MINI_QUADRUPED.mjcf.replace("<worldbody>", f"<worldbody>{element}", 1)
+        robot = dataclasses.replace(MINI_QUADRUPED, mjcf=mjcf)
+        for use in (lambda: robot.model, lambda: build_model(robot=robot)):
+            with pytest.raises(QuadrupedError, match=f"the robot alone.*found {found} fixed to the world: remove it"):
+                use()
+
+    def test_lights_cameras_and_sites_of_the_world_are_accepted(self):
+        elements = '<light name="sun"/><camera name="above"/><site name="origin"/><body mocap="true" name="goal"/>'
+        mjcf = MINI_QUADRUPED.mjcf.replace("<worldbody>", f"<worldbody>{elements}", 1)
+        assert dataclasses.replace(MINI_QUADRUPED, mjcf=mjcf).model.ngeom == MINI_QUADRUPED.model.ngeom
+
+
+class TestSensors:
+    @pytest.mark.parametrize(
+        ("changes", "message"),
+        [
+            (dict.fromkeys(MINI_QUADRUPED.sensors, ()), "missing joint_position, .*, foot_angular_velocity; name"),
+            ({"foot_force": ()}, "sensors: missing foot_force; name the sensors of the model"),
+            ({"foot_forces": ("LF_foot_force",)}, "sensors: unknown field 'foot_forces'; valid fields are joint_pos"),
+            ({"foot_force": ("LF_foot_force",)}, "sensors of foot_force: expected 4 values; found 1 of 1 sensors"),
+        ],
+        ids=["none", "missing", "unknown", "too few"],
+    )
+    def test_sensors_that_do_not_fill_the_readings_are_refused_by_field(self, changes, message):
+        robot = dataclasses.replace(MINI_QUADRUPED, sensors={**MINI_QUADRUPED.sensors, **changes})
+        with pytest.raises(QuadrupedError, match=message):
+            sensor_columns(robot.model, robot)
+
+    @pytest.mark.parametrize("sensors", [None, [], {"foot_force": 3}])
+    def test_sensors_that_are_no_names_by_field_are_refused(self, sensors):
+        with pytest.raises(QuadrupedError, match="sensors must be a dict of field -> names"):
+            dataclasses.replace(MINI_QUADRUPED, sensors=sensors)

@@ -7,6 +7,7 @@ from typing import Final
 
 from quadruped_env.documents import check_regular
 from quadruped_env.errors import short
+from quadruped_env.robot.description import description_problem
 from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, salvage
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC
 from quadruped_env.trajectory.reading import Reading
@@ -85,6 +86,8 @@ def _reader(head: bytes, reading: Reading) -> Reader:
 
 def _text_reader(head: bytes, reading: Reading) -> Reader:
     """The reader for the output of `ros2 topic echo` with these first bytes."""
+    if problem := description_problem(head):
+        raise reading.error(None, problem)
     try:
         # The last character may be cut in two.
         text = head.decode("utf-8-sig", errors="strict" if len(head) < _HEAD else "ignore")
