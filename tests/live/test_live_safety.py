@@ -73,6 +73,18 @@ def test_lost_state_does_not_shift_the_control_times():
     assert late.count(0) > 35
 
 
+@pytest.mark.parametrize(("early", "answered"), [(4_000_000, -4_000_000), (6_000_000, 10_000_000)])
+def test_state_with_an_early_timestamp_is_answered_up_to_a_quarter_of_a_control_step(early, answered):
+    """Timestamps of real robots jitter. A state that is too early leaves its tick to the next one, 10 ms later."""
+    bench = Bench().walk()
+    grid = bench.answers[-1].stamp
+    for i in range(1, 101):
+        bench.now += PERIOD
+        bench.feed(grid + 10_000_000 * i - (early if i % 4 == 2 else 0))
+    off = [answer.stamp - grid - 20_000_000 * tick for tick, answer in enumerate(bench.answers[-50:], start=1)]
+    assert off == [answered, 0] * 25
+
+
 @pytest.mark.parametrize("mode", [Mode.RAMPING, Mode.WALKING])
 def test_live_controller_holds_after_a_fifth_of_a_second_without_states(mode):
     bench = Bench()
