@@ -2,6 +2,7 @@
 import quadruped_env  # noqa: F401  # isort: skip
 
 import functools
+import os
 
 import browser
 import domains
@@ -14,6 +15,9 @@ import ros2_peers
 from quadruped_env import asset_path
 from quadruped_env.envs import rendering
 from quadruped_env.simulation import build_model
+
+# Without the fixture `domain_id`, no test joins a DDS domain, in which somebody's robot may listen.
+os.environ["ROS_DOMAIN_ID"] = "none in tests; take the fixture domain_id"
 
 
 @pytest.fixture(scope="session")
@@ -44,7 +48,7 @@ def mjcf():
 
 @pytest.fixture
 def domain_id(monkeypatch):
-    """A DDS domain that only this test uses; processes that it starts join it too."""
+    """A DDS domain that only this test and no other program uses; processes that it starts join it too."""
     with domains.claimed() as number:
         monkeypatch.setenv("ROS_DOMAIN_ID", str(number))
         yield number

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import time
 
+import domains
 import numpy as np
 import psutil
 import pytest
@@ -170,6 +171,29 @@ def test_sockets_are_bound_to_this_machine_only(nodes, domain_id):
         assert connection.laddr.ip == "127.0.0.1" or device == b"lo", connection
         found += connection.laddr.port in ports
     assert found >= 2
+
+
+def test_domain_in_which_another_program_takes_part_is_not_claimed(monkeypatch):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        with domains.claimed() as number:
+            # The unicast port of a domain's first participant, in any DDS.
+            other.bind(("127.0.0.1", 7410 + 250 * number))
+        monkeypatch.setattr(domains, "FIRST", number)
+        monkeypatch.setattr(domains, "LAST", number)
+        with pytest.raises(RuntimeError, match="is used by another"), domains.claimed():
+            pass
+
+
+def test_claimed_domain_is_not_claimed_again(domain_id, monkeypatch):
+    monkeypatch.setattr(domains, "FIRST", domain_id)
+    monkeypatch.setattr(domains, "LAST", domain_id)
+    with pytest.raises(RuntimeError, match="is used by another"), domains.claimed():
+        pass
+
+
+def test_node_of_a_test_without_a_claimed_domain_is_refused():
+    with pytest.raises(QuadrupedError, match="found 'none in tests; take the fixture domain_id'"):
+        Node("test")
 
 
 def test_joining_domains_leaves_no_files_open(nodes):

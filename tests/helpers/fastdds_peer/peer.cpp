@@ -125,7 +125,12 @@ fast::DomainParticipant* join() {
         udp->interfaceWhiteList.emplace_back("127.0.0.1");
         qos.transport().use_builtin_transports = false;
         qos.transport().user_transports.push_back(udp);
-    } else if (how != "subnet") {
+    } else if (how == "subnet") {
+        auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+        udp->TTL = 0;  // Multicast reaches this machine only: there may be a robot in the network.
+        qos.transport().use_builtin_transports = false;
+        qos.transport().user_transports.push_back(udp);
+    } else {
         std::cerr << "PEER_DISCOVERY: " << how << std::endl;
         std::exit(2);
     }
