@@ -3,8 +3,10 @@
 import copy
 import json
 import os
+import pickle
 import subprocess
 import sys
+from functools import partial
 
 import missing_opengl
 import numpy as np
@@ -19,6 +21,7 @@ from gymnasium.utils.passive_env_checker import env_render_passive_checker
 from waiting import output_of
 
 from quadruped_env import QuadrupedError, _opengl
+from quadruped_env.envs import make_sb3_vec_env
 
 RENDER_TWICE = """
 import gymnasium, quadruped_env
@@ -152,15 +155,24 @@ def test_picture_has_the_requested_size_and_is_not_blank():
     for _ in range(20):
         env.step(np.full(8, -1.0, dtype=np.float32))
     assert (env.render() != picture).any()
-    copied = copy.deepcopy(env)
-    assert_same_picture(copied.render(), env.render())
-    for e in (env, copied):
-        e.close()
-        e.close()
+    env.close()
+    env.close()
     small = make(render_mode="rgb_array", width=64, height=48)
     small.reset(seed=0)
     assert small.render().shape == (48, 64, 3)
     small.close()
+
+
+@pytest.mark.usefixtures("opengl")
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])  # noqa: S301
+@pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(2, **kwargs), partial(make_sb3_vec_env, 2)])
+def test_copy_of_an_env_that_has_rendered_renders_the_same_picture(maker, duplicate):
+    env = maker(render_mode="rgb_array", width=64, height=48)
+    env.reset()
+    env.render()
+    copied = duplicate(env)
+    assert_same_picture(np.array(copied.render()), np.array(env.render()))
+    env.close(), copied.close()
 
 
 @pytest.mark.usefixtures("opengl")
@@ -180,8 +192,6 @@ def test_vector_environment_renders_one_picture_per_env_equal_to_the_single_envi
 
 @pytest.mark.usefixtures("opengl")
 def test_stable_baselines3_tiles_the_pictures():
-    from quadruped_env.envs import make_sb3_vec_env
-
     env = make_sb3_vec_env(2, render_mode="rgb_array", width=64, height=48)
     env.reset()
     assert env.render().shape == (96, 64, 3)

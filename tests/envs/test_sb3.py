@@ -58,6 +58,16 @@ def test_stable_baselines3s_view_gives_the_native_numbers(sb3):
     assert time_outs > 0
 
 
+@pytest.mark.parametrize(("max_tilt", "fallen"), [(3.1, False), (1e-6, True)])
+def test_env_that_falls_in_the_step_of_its_time_limit_is_not_bootstrapped(sb3, max_tilt, fallen):
+    config = {"termination": {"max_tilt": max_tilt}, "randomization": {"start_tilt": 0.2}}
+    env = sb3.make(2, seed=0, config=config, max_episode_steps=1)
+    env.reset()
+    done, infos = env.step(np.zeros((2, 8), dtype=np.float32))[2:]
+    assert done.all()
+    assert [info["TimeLimit.truncated"] for info in infos] == [not fallen] * 2
+
+
 def test_episodes_reported_to_stable_baselines3_equal_those_of_its_monitor(sb3):
     from stable_baselines3.common.vec_env import VecMonitor
 
