@@ -1,15 +1,16 @@
 """Where numbers come from: the machine, the libraries' versions, the commit of the checkout, a user's files."""
 
-import dataclasses
 import os
 import platform
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import metadata
 from pathlib import Path
 from typing import Final
 
 _LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "sb3-contrib", "torch")
+TERRAIN_FILE: Final = "terrain_file"
+"""Field of configs and results that names the user's file that defines the terrain."""
 
 
 @dataclass(frozen=True)
@@ -18,10 +19,12 @@ class TaskFile:
 
     name: str
     sha256: str
+    content: bytes = field(default=b"", repr=False, compare=False)
+    """The file's bytes, which a run keeps; empty if only its name and hash are known."""
 
     def to_dict(self) -> dict[str, str]:
         """Plain values, as stored in configs and results."""
-        return dataclasses.asdict(self)
+        return {"name": self.name, "sha256": self.sha256}
 
 
 def versions() -> dict[str, str]:

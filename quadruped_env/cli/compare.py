@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.results import prepare_output
 
     output = arguments.output or free_path(Path("results", "comparison"))
-    subjects = find_subjects(arguments.runs, output, arguments.task)
+    subjects = find_subjects(arguments.runs, output, arguments.task, arguments.trust_task)
     ranked = ranking(subjects) if arguments.suite else None
     prepare_video(arguments.video, arguments.overwrite)
     prepare_output(output)
@@ -64,7 +64,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         subjects,
         comparison,
         output,
-        f"{invocation.program} {sources} {task_option(arguments.task)}{terrain_option(arguments)}"
+        f"{invocation.program} {sources} {task_option(arguments)}{terrain_option(arguments)}"
         f"{randomization_option(arguments.randomization)}"
         f"{'--suite ' if arguments.suite else ''}--seeds {arguments.seeds} --seconds {arguments.seconds:g}",
         with_video=not arguments.no_video,

@@ -58,7 +58,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     if arguments.quick and not arguments.suite:
         raise QuadrupedError("--quick: found without --suite; it makes the suite shorter, so give both")
-    subject = find_subject(arguments.run, arguments.output, arguments.task)
+    subject = find_subject(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     prepare_output(subject.output)
     prepare_video(arguments.video, arguments.overwrite)
     print(f"evaluating {subject.name}")
@@ -75,7 +75,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     report, numbers, missing = write_report(
         subject,
         comparison,
-        f"{invocation.program} {subject.source} {task_option(arguments.task)}{terrain_option(arguments)}"
+        f"{invocation.program} {subject.source} {task_option(arguments)}{terrain_option(arguments)}"
         f"{randomization_option(arguments.randomization)}"
         f"{'--suite ' if arguments.suite else ''}{'--quick ' if arguments.quick else ''}"
         f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}",

@@ -33,7 +33,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.export import export_policy
     from quadruped_env.export.folder import check_output
 
-    subject = find_subject(arguments.run, None, arguments.task)
+    subject = find_subject(arguments.run, None, arguments.task, arguments.trust_task)
     shipped = subject.name in SHIPPED
     default = Path("results", f"{subject.name}-export") if shipped else subject.output.with_name("export")
     output = arguments.output or default

@@ -57,14 +57,21 @@ def add_video(parser: argparse.ArgumentParser) -> None:
 
 
 def add_task_file(parser: argparse.ArgumentParser) -> None:
-    """Add `--task`, for commands that read policies."""
-    parser.add_argument(
+    """Add `--task` and `--trust-task`, for commands that read policies."""
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
         "--task",
         type=Path,
         metavar="FILE",
-        help="Python file of the terms or the robot that a run was trained with, if it was; it is executed "
-        "(docs/make-it-yours.md)",
+        help="Python file of the terms or the robot that a run was trained with, if it was, also another version of "
+        "it; it is executed (docs/make-it-yours.md)",
     )
+    add_trust_task(group, "execute the copy of that file that the run keeps, in place of --task FILE")
+
+
+def add_trust_task(parser: argparse._ActionsContainer, text: str) -> None:
+    """Add `--trust-task`."""
+    parser.add_argument("--trust-task", action="store_true", help=text)
 
 
 def add_robot_file(parser: argparse.ArgumentParser, terrain: bool = False) -> None:
@@ -150,9 +157,11 @@ def randomization_option(preset: str | None) -> str:
     return "" if preset is None else f"--randomization {preset} "
 
 
-def task_option(task_file: Path | None) -> str:
-    """The option `--task` as a user types it again, and a space; nothing without a file."""
-    return "" if task_file is None else f"--task {shlex.quote(str(task_file))} "
+def task_option(arguments: argparse.Namespace) -> str:
+    """The option `--task` or `--trust-task` as a user types it again, and a space; nothing without a file."""
+    if arguments.trust_task:
+        return "--trust-task "
+    return "" if arguments.task is None else f"--task {shlex.quote(str(arguments.task))} "
 
 
 def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:

@@ -61,7 +61,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.sim2sim.engines import check_drake
     from quadruped_env.sim2sim.transfer import COMMANDS, run_transfer
 
-    subject = find_subject(arguments.run, arguments.output, arguments.task)
+    subject = find_subject(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     check_drake()
     commands = COMMANDS if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
     transfer = run_transfer(
@@ -84,6 +84,6 @@ def _options(arguments: argparse.Namespace) -> str:
     commands = "".join(f"--command {v:g} {w:g} " for v, w in arguments.velocities or ())
     friction = "" if arguments.friction is None else f"--friction {arguments.friction:g} "
     return (
-        f"{task_option(arguments.task)}{commands}--seeds {arguments.seeds} --seconds {arguments.seconds:g} "
+        f"{task_option(arguments)}{commands}--seeds {arguments.seeds} --seconds {arguments.seconds:g} "
         f"{friction}--contact {arguments.contact}"
     )

@@ -21,11 +21,19 @@ from typing import Any, Final, get_args
 
 from quadruped_env._python import module_command, program_command
 from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_randomization, add_terrain, check_level_has_terrain
+from quadruped_env.cli.options import (
+    add_output,
+    add_randomization,
+    add_terrain,
+    add_trust_task,
+    check_level_has_terrain,
+)
 from quadruped_env.control.config import ACTION_MODES
+from quadruped_env.control.policy import CARD_FILE, kept_file
 from quadruped_env.documents import read_json
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.policies import kept_definition
 from quadruped_env.program import shorten_help
 from quadruped_env.robot import Robot
 from quadruped_env.robot.description import check_no_description
@@ -55,7 +63,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--resume",
         type=Path,
         metavar="RUN",
-        help="run or checkpoint to continue, with its task, network and other settings; options change the others. "
+        help="run or checkpoint to continue, with its task, network and other settings; options change the others, "
+        "and --task the reward. "
         "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
         "from where they were",
     )
@@ -71,6 +80,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--address",
         metavar="HOST:PORT",
         help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
+    )
+    add_trust_task(
+        parser, "with --resume: execute the copy of the task file that the run keeps, in place of --task FILE"
     )
     shorten_help(parser, *_SHOWN, "--resume", "--output")
 
@@ -122,18 +134,27 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
     if resume is None:
+        if arguments.trust_task:
+            raise QuadrupedError("--trust-task: found without --resume; a new training names its file with --task FILE")
         config = TrainConfig(**with_recipe(typed, definition.robot, whole))
     else:
         from quadruped_env.training.resume import Parent
 
+        if arguments.trust_task:
+            if task_file is not None:
+                raise QuadrupedError(f"--trust-task: found next to --task {task_file}; give one of them")
+            kept = kept_file(resume)
+            task_file = None if kept is None else kept[0]
+            definition = kept_definition(resume)
         parent = Parent.load(resume, definition)
         config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         if here is None or here.rank == 0:
             print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+            for difference in filter(None, (parent.task_changes, parent.reward_changes(config))):
+                print(f"note: {difference}", flush=True)
     check_used(config.algo, typed)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
-    from quadruped_env.policies import load_policy
     from quadruped_env.training.config import shortness
 
     job = Job(config, runs, invocation.line, resume, task_file)
@@ -141,7 +162,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if result is None:
         return 0  # one of torchrun's other ranks
     directory, finished = result
-    card = load_policy(directory, task_file).card
+    card = read_json(directory / CARD_FILE)["card"]
     steps = card["timesteps"]
     advice = shortness(config.action_mode, steps) if config.algo == TrainConfig.algo else ""
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
@@ -149,7 +170,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     if advice:
         print(advice)
-    task = [] if task_file is None else ["--task", task_file]
+    task = ["--trust-task"] if arguments.trust_task else [] if task_file is None else ["--task", task_file]
     print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
     print(f"see it walk:  {program_command('view', directory, *task)}")
     print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")

@@ -70,6 +70,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.task,
         named_terrain(arguments),
         arguments.randomization,
+        arguments.trust_task,
     )
     return run_show(show, arguments.host, arguments.port, arguments.measure)
 

@@ -17,11 +17,22 @@ from safetensors.numpy import load, save
 from quadruped_env._python import program_command
 from quadruped_env.control.config import COMMANDS, ActionConfig, Command, ControlConfig
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.task_file import TASK_FILE, check_task_file, execute, merged, robot_in
+from quadruped_env.control.task_file import (
+    KEPT_FILE,
+    TASK_FILE,
+    TaskFileError,
+    changed_definitions,
+    execute,
+    merged,
+    needs_file,
+    recorded_file,
+    recorded_terms,
+    robot_in,
+)
 from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, did_you_mean, short
 from quadruped_env.files import write_whole
-from quadruped_env.provenance import TaskFile
+from quadruped_env.provenance import TERRAIN_FILE, TaskFile
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
@@ -230,13 +241,13 @@ class Terms:
     """File that defines what is not built in."""
 
 
-def load_terms(path: str | os.PathLike[str]) -> Terms:
+def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
     """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
 
     Raises:
         QuadrupedError: as `execute` and `robot_in`.
     """
-    file, module = execute(path)
+    file, module = execute(path, expected)
     values = list(vars(module).values())
     return Terms(
         merged(OBSERVATIONS, [value for value in values if isinstance(value, ObservationField)]),
@@ -250,7 +261,8 @@ def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
-    stable-baselines3 is needed. A file of terms that a run names is not executed; pass its terms in `terms`.
+    stable-baselines3 is needed. A file of terms that a run names is not executed. It is needed only if it defines the
+    policy's observations, commands or robot; pass them in `terms`.
 
     Args:
         source: name or directory.
@@ -258,25 +270,13 @@ def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
 
     Raises:
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
-            robot, observation layout or scripted gait; the message names the file and the fix.
+            robot, observations or scripted gait; the message names the file and the fix.
 
     Warns:
         QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
     """
-    directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
+    directory = policy_directory(source)
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
-    # Not Path.is_dir, which raises for names that are too long and for directories without rights.
-    if not os.path.isdir(directory):
-        check_no_description(directory)
-        raise QuadrupedError(
-            f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
-            f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"
-        )
-    for path in (card_path, tensors_path):
-        if not os.path.exists(path):
-            raise QuadrupedError(
-                f"{path}: missing, so the run is incomplete; name a finished run, or one of its checkpoints"
-            )
     document = read_json(card_path, "the file is damaged, train again")
     check_regular(tensors_path, "name the directory of a finished run")
     try:
@@ -290,6 +290,95 @@ def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     except (SafetensorError, TypeError, AttributeError, ValueError) as error:
         raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
     return _from_document(document, tensors, (card_path, tensors_path), terms or Terms())
+
+
+def policy_directory(source: str | Path) -> Path:
+    """Directory of the policy that a name or a directory means; that of a checkpoint if a run was killed.
+
+    Raises:
+        QuadrupedError: if there is no such policy, or one of its files is missing.
+    """
+    directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
+    # Not Path.is_dir, which raises for names that are too long and for directories without rights.
+    if not os.path.isdir(directory):
+        check_no_description(directory)
+        raise QuadrupedError(
+            f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
+            f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"
+        )
+    for path in (directory / CARD_FILE, directory / TENSORS_FILE):
+        if not os.path.exists(path):
+            raise QuadrupedError(
+                f"{path}: missing, so the run is incomplete; name a finished run, or one of its checkpoints"
+            )
+    return directory
+
+
+def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
+    """The copy of the user's file that a run keeps, with the file's name and hash; None for a run without a file.
+
+    Raises:
+        QuadrupedError: as `policy_directory`, or if the run keeps no copy.
+    """
+    directory = policy_directory(source)
+    document = read_json(directory / CARD_FILE, "the file is damaged, train again")
+    task = document.get("config") if isinstance(document, dict) else None
+    task = task if isinstance(task, dict) else {}
+    file = recorded_file(task.get(TASK_FILE)) or recorded_file(task.get(TERRAIN_FILE), TERRAIN_FILE)
+    if file is None:
+        return None
+    path = directory / KEPT_FILE
+    if not os.path.exists(path):
+        raise QuadrupedError(
+            f"{path}: missing, so there is no copy of {short(file.name)} to trust; name the file with --task FILE"
+        )
+    check_regular(path, "name the file with --task FILE")
+    return path, file
+
+
+def code_changes(directory: Path, recorded: TaskFile, file: TaskFile) -> tuple[str, ...] | None:
+    """Names whose code in a file differs from that in a run's copy; None if the run has no such copy.
+
+    No code is executed.
+    """
+    path = directory / KEPT_FILE
+    if recorded.sha256 == file.sha256:
+        return ()
+    kept = path.read_bytes() if path.is_file() else b""
+    return changed_definitions(kept, file.content) if hashlib.sha256(kept).hexdigest() == recorded.sha256 else None
+
+
+def _check_terms(document: dict[str, Any], terms: Terms, file: TaskFile, directory: Path) -> None:
+    """Refuse terms with which a policy that was trained with a user's file would get wrong observations."""
+    robot, defined = document.get("robot"), recorded_terms(document["config"][TASK_FILE])
+    if terms.file is None:
+        if isinstance(robot, dict) and robot != terms.robot.identity:
+            raise needs_file(f"this policy has the robot {short(robot.get('name'))}", file)
+        if defined is None:
+            raise needs_file("this policy was trained by an earlier version with terms", file)
+        if defined.get("observations"):
+            raise needs_file(f"this policy has the observation {', '.join(defined['observations'])}", file)
+        return
+    if terms.file.sha256 == file.sha256:
+        return
+    here = [entry.name for entry in terms.observations if not any(entry is other for other in OBSERVATIONS)]
+    own = here if defined is None else {*here, *defined.get("observations", ())}
+    changed = code_changes(directory, file, terms.file)
+    other = [name for name in own if changed is None or name in changed]
+    if other and document["observation_layout"] == ObservationLayout(terms.robot, terms.observations).document():
+        found = "may compute" if changed is None else "computes"
+        raise TaskFileError(
+            f"{terms.file.name} {found} the observation {', '.join(sorted(other))} differently from the version of "
+            f"{short(file.name)} with which the policy was trained (SHA-256 {short(file.sha256)[:13]}...), so the "
+            f"policy would read other values; use that version, or the run's copy of it with --trust-task "
+            f"(trust_task=True in Python)"
+        )
+
+
+def unusable(path: Path | str, error: QuadrupedError) -> QuadrupedError:
+    """The error for a policy's file whose task cannot be used here."""
+    fix = "" if isinstance(error, TaskFileError) else "; train again, or install the version that made it"
+    return QuadrupedError(f"{path}: {error}{fix}")
 
 
 def _check_robot(document: dict[str, Any], robot: Robot) -> None:
@@ -323,14 +412,15 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
             raise QuadrupedError(f"{card_path}: field {key!r} is missing; the file is damaged, train again")
     try:
         task = document["config"]
-        named = task.get(TASK_FILE) if isinstance(task, dict) else None
-        check_task_file(named, terms.file)
-        if named is None:
+        file = recorded_file(task.get(TASK_FILE)) if isinstance(task, dict) else None
+        if file is None:
             terms = Terms(robot=terms.robot)
+        else:
+            _check_terms(document, terms, file, card_path.parent)
         _check_robot(document, terms.robot)
         control = ControlConfig.of_task(task, terms.commands)
     except QuadrupedError as error:
-        raise QuadrupedError(f"{card_path}: {error}; train again, or install the version that made it") from error
+        raise unusable(card_path, error) from error
     robot = terms.robot
     layout = ObservationLayout(robot, terms.observations)
     if document["observation_layout"] != layout.document():

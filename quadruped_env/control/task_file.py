@@ -1,12 +1,13 @@
 """A user's Python file of terms and robots: read, verified, and executed only if the user names it."""
 
+import ast
 import functools
 import hashlib
 import importlib.util
 import os
 import sys
 import traceback
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Final, TypeVar
@@ -24,35 +25,77 @@ Term = TypeVar("Term")
 
 TASK_FILE: Final = "task_file"
 """Field of a config's plain values that names the user's file of terms."""
+KEPT_FILE: Final = "task.py"
+"""Copy of the user's file in a run, as data."""
 
 
-def check_task_file(recorded: Any, file: TaskFile | None, field: str = TASK_FILE, what: str = "terms") -> None:
-    """Check that a config is loaded with the user's file that it was created with.
+def recorded_file(recorded: Any, field: str = TASK_FILE) -> TaskFile | None:
+    """The user's file that a config's plain values name; None if they name none.
 
     Args:
-        recorded: file according to the config: None, or a dict with `name` and `sha256`.
-        file: file to load the config with; None for what is built in.
+        recorded: None, or a dict with `name` and `sha256`.
         field: field of the config that names the file.
-        what: what the file defines, in words.
 
     Raises:
-        QuadrupedError: if they are not the same.
+        QuadrupedError: if it is something else.
     """
     if recorded is None:
-        return
+        return None
     if not isinstance(recorded, dict) or not {"name", "sha256"} <= set(recorded):
         raise QuadrupedError(f"config.{field}: expected name and sha256; found {short(recorded)}")
-    name, sha256 = short(str(recorded["name"])), str(recorded["sha256"])
-    if file is None:
-        raise QuadrupedError(
-            f"this task has {what} from {name}, which is not executed automatically: check the file, then name it with "
-            f"--task FILE, or task_file=... in Python"
-        )
-    if file.sha256 != sha256:
-        raise QuadrupedError(
-            f"this task was made with another version of {name} (SHA-256 {sha256[:12]}..., and {file.name} has "
-            f"{file.sha256[:12]}...); name that version with --task FILE"
-        )
+    return TaskFile(str(recorded["name"]), str(recorded["sha256"]))
+
+
+def recorded_terms(recorded: Mapping[str, Any]) -> dict[str, list[str]] | None:
+    """Names of what the user's file that a config names defines, by kind; None in configs of earlier versions."""
+    terms = recorded.get("terms")
+    if not isinstance(terms, dict) or not all(isinstance(names, list) for names in terms.values()):
+        return None
+    return {kind: list(map(str, names)) for kind, names in terms.items()}
+
+
+class TaskFileError(QuadrupedError):
+    """The code of a user's file is needed, or another version of it."""
+
+
+def needs_file(what: str, file: TaskFile) -> TaskFileError:
+    """The error for something, in words, that needs the code of a user's file."""
+    return TaskFileError(
+        f"{what} from {short(file.name)}, which is not executed automatically: check the file, then name it with "
+        f"--task FILE, or task_file=... in Python; --trust-task, or trust_task=True, executes the copy that a run keeps"
+    )
+
+
+def changed_definitions(old: bytes, new: bytes) -> tuple[str, ...]:
+    """Names that two versions of a file define differently, or that only one of them defines, at the top level.
+
+    Comments, docstrings, layout, and what the decorators of terms say (but for `mirror`) do not count: the config and
+    the observation layout have it. No code is executed.
+    """
+    try:
+        before, after = _definitions(old), _definitions(new)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ("the whole file",)
+    return tuple(name for name in {**before, **after} if before.get(name) != after.get(name))
+
+
+def _definitions(content: bytes) -> dict[str, str]:
+    """Name of each top-level statement, and its code without what does not count."""
+    tree = ast.parse(content)
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+            node.body = node.body[ast.get_docstring(node) is not None :]
+        if isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+            calls = [entry for entry in node.decorator_list if isinstance(entry, ast.Call)]
+            node.decorator_list = [word.value for call in calls for word in call.keywords if word.arg == "mirror"]
+    return {_name_of(statement): ast.dump(statement) for statement in tree.body}
+
+
+def _name_of(statement: ast.stmt) -> str:
+    if isinstance(statement, (ast.Assign, ast.AnnAssign)):
+        targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
+        return ", ".join(map(ast.unparse, targets))
+    return getattr(statement, "name", None) or short(ast.unparse(statement))
 
 
 def names_of(term: Any) -> tuple[str, ...]:
@@ -140,11 +183,12 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
         ) from error
     if problem := description_problem(content):
         raise QuadrupedError(f"{file}: {problem}")
-    found = TaskFile(file.name, hashlib.sha256(content).hexdigest())
+    name = file.name if expected is None else expected.name
+    found = TaskFile(name, hashlib.sha256(content).hexdigest(), content)
     if expected is not None and found.sha256 != expected.sha256:
         raise QuadrupedError(
-            f"{file}: its SHA-256 is {found.sha256[:12]}..., and the task was made with {expected.name} of "
-            f"{expected.sha256[:12]}...; name that version of the file"
+            f"{file}: its SHA-256 is {found.sha256[:12]}..., and the task was made with {short(expected.name)} of "
+            f"{short(expected.sha256)[:12]}...; name that version of the file with --task FILE"
         )
     return found, _executed(file, content)
 

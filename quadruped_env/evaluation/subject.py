@@ -58,13 +58,17 @@ class Subject:
         return path if path.is_file() else None
 
 
-def find_subject(run: str | None, output: Path | None = None, task_file: Path | None = None) -> Subject:
+def find_subject(
+    run: str | None, output: Path | None = None, task_file: Path | None = None, trust_task: bool = False
+) -> Subject:
     """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
     Args:
         run: directory of a run or name of a shipped policy; None takes the latest run, or else the shipped policy.
         output: directory of the results; None takes `evaluation` in the run's directory, or `results/<name>`.
-        task_file: the user's Python file of task terms that the run was trained with; it is executed.
+        task_file: the user's Python file of task terms that the run was trained with, or another version of it; it is
+            executed.
+        trust_task: execute the copy of that file that the run keeps.
 
     Raises:
         QuadrupedError: if the policy does not exist or is damaged.
@@ -77,6 +81,5 @@ def find_subject(run: str | None, output: Path | None = None, task_file: Path | 
     if run in SHIPPED:
         return Subject(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
     directory = finished_directory(Path(run)).resolve()
-    return Subject(
-        run_name(directory), load_policy(directory, task_file), directory, output or Path(run) / "evaluation"
-    )
+    policy = load_policy(directory, task_file, trust_task=trust_task)
+    return Subject(run_name(directory), policy, directory, output or Path(run) / "evaluation")

@@ -13,7 +13,9 @@ from quadruped_env.policies.policy import (
     Policy,
     find_controller,
     find_controllers,
+    kept_definition,
     load_policy,
+    task_differences,
     task_of,
     with_task,
 )
@@ -29,7 +31,9 @@ __all__ = [
     "ZeroController",
     "find_controller",
     "find_controllers",
+    "kept_definition",
     "load_policy",
+    "task_differences",
     "task_of",
     "with_task",
 ]

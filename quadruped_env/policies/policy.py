@@ -1,6 +1,7 @@
 """A trained policy together with the task that it was trained for."""
 
 import functools
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Self
@@ -14,12 +15,15 @@ from quadruped_env.control import policy as control_policy
 from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import Controller, PolicyController
 from quadruped_env.control.observations import ObservationLayout
-from quadruped_env.control.task_file import TASK_FILE
+from quadruped_env.control.policy import kept_file, policy_directory
+from quadruped_env.control.task_file import TASK_FILE, recorded_file
 from quadruped_env.envs import ENV_ID
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning
+from quadruped_env.files import shown_path
+from quadruped_env.provenance import TERRAIN_FILE
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.simulation.ground import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
+from quadruped_env.task.config import config_differences, for_definition
 
 
 class Policy(control_policy.Policy):
@@ -32,6 +36,8 @@ class Policy(control_policy.Policy):
         config: task that it was trained for.
         card: provenance: command, seed, steps, versions, metrics.
         output: function of the last layer's values, `clip` or `tanh`.
+        task: plain values of the task that it was trained for, if `config` differs from them: with another version of
+            the user's file, or without it.
     """
 
     def __init__(
@@ -42,6 +48,7 @@ class Policy(control_policy.Policy):
         config: TaskConfig,
         card: dict[str, Any],
         output: str = "clip",
+        task: dict[str, Any] | None = None,
     ) -> None:
         super().__init__(
             tuple(weights),
@@ -49,7 +56,7 @@ class Policy(control_policy.Policy):
             activation,
             config.control,
             config.definition.observations,
-            config.to_dict(),
+            config.to_dict() if task is None else task,
             card,
             config.robot,
             output,
@@ -57,11 +64,11 @@ class Policy(control_policy.Policy):
         object.__setattr__(self, "config", config)
 
     config: TaskConfig
-    """Task that it was trained for."""
+    """Task that it was trained for, with the terms that are known here."""
 
     def with_card(self, card: dict[str, Any]) -> Self:
         """The same policy with another card."""
-        return type(self)(self.weights, self.biases, self.activation, self.config, card, self.output)
+        return type(self)(self.weights, self.biases, self.activation, self.config, card, self.output, self.task)
 
     def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
         """The environment that the policy was trained for: its task, action mode and control rate.
@@ -134,7 +141,9 @@ class Policy(control_policy.Policy):
         return arguments if self.config.robot == BUILT_IN.robot else {**arguments, "robot": self.config.robot}
 
 
-def load_policy(source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None) -> Policy:
+def load_policy(
+    source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None, trust_task: bool = False
+) -> Policy:
     """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
@@ -142,21 +151,64 @@ def load_policy(source: str | Path, task_file: str | Path | None = None, robot: 
 
     Args:
         source: name or directory.
-        task_file: the user's file of terms or robot that the policy was trained with; it is executed. A file that only
-            the run names is never executed.
+        task_file: the user's file of terms or robot that the policy was trained with, or another version of it; it is
+            executed. Without it, the task has the built-in terms alone.
         robot: robot that the policy was trained for. None: that of the file, or the built-in one.
+        trust_task: execute the copy of the user's file that the run keeps, if it was trained with one. Without
+            `task_file` and this, no code is executed.
 
     Raises:
-        QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another observation
-            layout, scripted gait, robot or file of terms; the message names the file and the fix.
+        QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another scripted
+            gait, robot, terrain or other observations, also if these need the user's file; the message names the
+            file and the fix.
 
     Warns:
-        QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
+        QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used, or if the policy's
+            task differs from the one in training, because the user's file is not given or is another version.
     """
-    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    if trust_task and task_file is not None:
+        raise QuadrupedError("load_policy: found task_file and trust_task; give one of them")
+    source = policy_directory(source)
+    definition = kept_definition(source) if trust_task else BUILT_IN if task_file is None else load_task_file(task_file)
     if robot is not None:
         definition = definition.with_robot(robot)
-    return with_task(control_policy.load_policy(source, _terms(definition)), definition)
+    policy = with_task(control_policy.load_policy(source, _terms(definition)), definition)
+    differences = task_differences(policy)
+    if differences:
+        warnings.warn(f"{shown_path(Path(source))}: {differences}", QuadrupedWarning, stacklevel=2)
+    return policy
+
+
+def kept_definition(source: str | Path) -> TaskDefinition:
+    """The definition from the copy of the user's file that a run keeps, which is executed; the built-in one without.
+
+    Raises:
+        QuadrupedError: as `kept_file` and `load_task_file`.
+    """
+    kept = kept_file(source)
+    return BUILT_IN if kept is None else load_task_file(*kept)
+
+
+def task_differences(policy: Policy) -> str:
+    """Differences of a policy's task here from the one in training, in a sentence; empty without differences."""
+    recorded = recorded_file(policy.task.get(TASK_FILE)) or recorded_file(policy.task.get(TERRAIN_FILE), TERRAIN_FILE)
+    file = policy.config.file
+    if recorded is None or (file is not None and file.sha256 == recorded.sha256):
+        return ""
+    found = config_differences(policy.task, policy.config)
+    if file is None:
+        return (
+            f"its task is used without {recorded.name}, which is not executed automatically: {'; '.join(found)}. "
+            f"--trust-task (trust_task=True in Python) executes the run's copy, --task FILE a file of yours"
+            if found
+            else ""
+        )
+    code = control_policy.code_changes(Path(policy.source).parent, recorded, file)
+    if code is None:
+        found.append("its code is not compared, as the run keeps no copy")
+    elif code:
+        found.append(f"other code in {', '.join(code)}")
+    return f"the task of {file.name} differs from the run's: {'; '.join(found)}" if found else ""
 
 
 def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_IN) -> Policy:
@@ -168,10 +220,13 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
     try:
         # A policy that needs nothing of a user's file is not affected by one.
         own = definition if {TASK_FILE, TERRAIN_FILE} & policy.task.keys() else BUILT_IN.with_robot(policy.robot)
-        config = TaskConfig.from_dict(policy.task, own)
+        task = policy.task if own.file is not None else for_definition(policy.task, own)
+        config = TaskConfig.from_dict(task, own)
     except QuadrupedError as error:
-        raise QuadrupedError(f"{policy.source}: {error}; train again, or install the version that made it") from error
-    return Policy(policy.weights, policy.biases, policy.activation, config, policy.card, policy.output)
+        raise control_policy.unusable(policy.source, error) from error
+    made = Policy(policy.weights, policy.biases, policy.activation, config, policy.card, policy.output, policy.task)
+    object.__setattr__(made, "source", policy.source)
+    return made
 
 
 def find_controller(text: str, task_file: str | Path | None = None) -> ControllerSpec:
@@ -180,10 +235,13 @@ def find_controller(text: str, task_file: str | Path | None = None) -> Controlle
 
 
 def find_controllers(
-    names: Sequence[str] = (), runs: Path = by_name.RUNS, task_file: str | Path | None = None
+    names: Sequence[str] = (),
+    runs: Path = by_name.RUNS,
+    task_file: str | Path | None = None,
+    trust_task: bool = False,
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """As `quadruped_env.control.by_name.find_controllers`, for policies with their task."""
-    load = functools.partial(load_policy, task_file=task_file)
+    load = functools.partial(load_policy, task_file=task_file, trust_task=trust_task)
     return by_name.find_controllers(names, runs, load, _robot(task_file))
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter, described, parameters_of, stay_importable
-from quadruped_env.provenance import TaskFile
+from quadruped_env.provenance import TERRAIN_FILE, TaskFile
 from quadruped_env.simulation.grid import CELL, MAX_POINTS, SIZE, Grid
 
 Floats = NDArray[np.float64]
@@ -18,8 +18,6 @@ LEVELS: Final = 10
 """Number of levels of a terrain that has levels, from 1 to the hardest."""
 FIELDS: Final = ("name", "seed", "level")
 """Fields of every terrain in the config."""
-TERRAIN_FILE: Final = "terrain_file"
-"""Field of configs and results that names the user's file that defines the terrain."""
 
 
 @dataclass(frozen=True)

@@ -18,13 +18,14 @@ import numpy as np
 from quadruped_env._plain import PlainFields, plain
 from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.control.config import ActionConfig, Command, ControlConfig, check, check_history, check_rates
-from quadruped_env.control.task_file import TASK_FILE, check_task_file
+from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter
+from quadruped_env.provenance import TERRAIN_FILE, TaskFile
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.simulation import build_model
-from quadruped_env.simulation.ground import TERRAIN_FILE, Terrain
+from quadruped_env.simulation.ground import Terrain
 from quadruped_env.task.definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.model_fields import ModelField
 from quadruped_env.task.presets import preset_values, with_preset
@@ -105,13 +106,97 @@ def _schema(name: str, choice: Choice, definition: TaskDefinition) -> Schema:
     return terrain_schema(choice, definition) if name == "terrain" else _schemas(definition)[name]
 
 
-def _terrains_of_file(recorded: Any, section: Any, definition: TaskDefinition) -> list[Terrain]:
-    """The terrains that a section names, itself or as kinds of its tiles, and that must be from the recorded file."""
+def _terrain_names(section: Any) -> list[Any]:
+    """The terrains that a section of plain values names, itself or as kinds of its tiles."""
     values = section if isinstance(section, Mapping) else {}
     kinds = values.get("kinds")
-    names = [values.get("name"), *(kinds if isinstance(kinds, (list, tuple)) else ())]
+    return [values.get("name"), *(kinds if isinstance(kinds, (list, tuple)) else ())]
+
+
+def _terrains_of_file(recorded: Any, section: Any, definition: TaskDefinition) -> list[Terrain]:
+    """The terrains that a section names and that are from a user's file, as they must be if one is recorded."""
+    names = _terrain_names(section)
     found = [entry for entry in definition.terrains if entry.name in names and entry.file is not None]
-    check_task_file(recorded, found[0].file if found else None, TERRAIN_FILE, f"the terrain {short(names[0])}")
+    file = recorded_file(recorded, TERRAIN_FILE)
+    if file is not None and not found:
+        raise needs_file(f"this task has the terrain {short(names[0])}", file)
+    return found
+
+
+def _defaults(definition: TaskDefinition) -> dict[str, Any]:
+    """Default of every field of the sections that depend on the task's terms, by its path (see `flat`)."""
+    schemas = _schemas(definition).items()
+    return flat({section: {name: entry.default for name, entry in schema.items()} for section, schema in schemas})
+
+
+def _own_defaults(definition: TaskDefinition) -> dict[str, Any]:
+    """The same of what a user's file defines."""
+    built_in = _defaults(BUILT_IN.with_robot(definition.robot))
+    return {path: value for path, value in _defaults(definition).items() if built_in.get(path, flat) != value}
+
+
+def for_definition(values: Mapping[str, Any], definition: TaskDefinition) -> dict[str, Any]:
+    """Plain values of a config for another version of the user's file that they name, or for the built-in terms.
+
+    What the user changed stays. What had its default by that file gets the present default, and what the definition
+    does not have is left out.
+    """
+    file = recorded_file(values.get(TASK_FILE))
+    recorded = {} if file is None else values[TASK_FILE]
+    own_terrains = (recorded_terms(recorded) or {}).get("terrains", [])
+    for name in _terrain_names(values.get("terrain")):
+        if file is not None and name in own_terrains and name not in [entry.name for entry in definition.terrains]:
+            raise needs_file(f"this task has the terrain {short(name)}", file)
+    before, known, own = recorded.get("defaults"), _defaults(definition), _own_defaults(definition)
+    built_in = _defaults(BUILT_IN.with_robot(definition.robot))
+    old = before if isinstance(before, dict) else {}
+
+    def stays(path: str, value: Any) -> bool:
+        if path not in known:
+            return False
+        if path not in old and path not in own:
+            return True
+        return isinstance(before, dict) and plain(value) != plain(old.get(path, built_in.get(path)))
+
+    def kept(section: Mapping[str, Any], path: str) -> dict[str, Any]:
+        return {
+            name: kept(value, f"{path}.{name}") if isinstance(value, Mapping) else value
+            for name, value in section.items()
+            if isinstance(value, Mapping) or stays(f"{path}.{name}", value)
+        }
+
+    schemas = _schemas(definition)
+    return {
+        name: kept(value, name) if name in schemas and isinstance(value, Mapping) else value
+        for name, value in values.items()
+        if name != TASK_FILE
+    }
+
+
+def flat(values: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+    """Nested values by their path, such as `reward.weights.upright`."""
+    found: dict[str, Any] = {}
+    for name, value in values.items():
+        found |= flat(value, f"{path}{name}.") if isinstance(value, Mapping) else {f"{path}{name}": value}
+    return found
+
+
+def config_differences(values: Mapping[str, Any], config: "TaskConfig") -> list[str]:
+    """Differences of a config from the plain values of another one in its sections of terms, in words."""
+    recorded, terms = recorded_terms(values.get(TASK_FILE) or {}) or {}, config.definition.own_terms()
+    found = []
+    for kind in terms.keys() - {"privileged"}:  # which no policy observes
+        old, new = recorded.get(kind, []), terms[kind]
+        found += [f"{kind.removesuffix('s')} {name} left out" for name in old if name not in new]
+        found += [f"{kind.removesuffix('s')} {name} added" for name in new if name not in old]
+    sections = _sections(config.definition)
+    then, now = (
+        flat({name: section for name in sections if isinstance(section := entry.get(name), Mapping)})
+        for entry in (plain(dict(values)), plain(config.to_dict()))
+    )
+    for path in then.keys() & now.keys() if recorded else then.keys() | now.keys():
+        if then.get(path) != now.get(path):
+            found.append(f"{path} {now.get(path)} (the run: {then.get(path)})")
     return found
 
 
@@ -206,6 +291,11 @@ class TaskConfig(PlainFields):
                 # A section of the built-in task, in a task with other terms.
                 values = {} if section is None else _known(section.to_dict(), schema)
                 object.__setattr__(self, name, _section(name, values, self.definition))
+
+    @property
+    def file(self) -> TaskFile | None:
+        """The user's file of the terms or the robot, or else of the terrain; None for what is built in."""
+        return self.definition.file or self.ground.file
 
     @property
     def robot(self) -> Robot:
@@ -319,7 +409,8 @@ class TaskConfig(PlainFields):
                 values[entry.name] = value.to_dict()
             elif isinstance(value, TaskDefinition):
                 if value.file is not None:
-                    values[TASK_FILE] = value.file.to_dict()
+                    own = {"terms": value.own_terms(), "defaults": _own_defaults(value)}
+                    values[TASK_FILE] = {**value.file.to_dict(), **own}
                 terrain_file = self.ground.file
                 if terrain_file is not None and terrain_file != value.file:
                     values[TERRAIN_FILE] = terrain_file.to_dict()
@@ -341,14 +432,20 @@ class TaskConfig(PlainFields):
 
         Raises:
             QuadrupedError: if a field is unknown or a value has the wrong type (the message names the field and what
-                is valid), or if the values name another file of terms or of the terrain, or another robot, than the
-                definition.
+                is valid), or if the values name a file of terms or of the terrain and the definition has none, or they
+                name another robot than the definition's.
+
+        With another version of the file, `for_definition` says what counts.
         """
         values = plain(values)
         if isinstance(values, dict):
-            values = dict(values)
-            file, terrain_file = values.pop(TASK_FILE, None), values.pop(TERRAIN_FILE, None)
-            check_task_file(file, definition.file)
+            file = recorded_file(values.get(TASK_FILE))
+            if file is not None and definition.file is None:
+                raise needs_file("this task has terms", file)
+            if file is not None and definition.file is not None and file.sha256 != definition.file.sha256:
+                values = for_definition(values, definition)
+            values = {name: value for name, value in values.items() if name != TASK_FILE}
+            terrain_file = values.pop(TERRAIN_FILE, None)
             check_same_robot(values.pop(ROBOT, None), definition.robot)
             if terrain_file is not None:
                 terrains = _terrains_of_file(terrain_file, values.get("terrain"), definition)

@@ -10,7 +10,7 @@ from typing import Any, Final, Self
 
 from quadruped_env.control.config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
-from quadruped_env.control.task_file import execute, merged, robot_in
+from quadruped_env.control.task_file import execute, merged, names_of, robot_in
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -52,6 +52,18 @@ class TaskDefinition:
     def weights(self) -> dict[str, float]:
         """Default weight of every reward term, per second, in the order in which they are added."""
         return {name: weight for term in self.rewards for name, weight in term.weights.items()}
+
+    def own_terms(self) -> dict[str, list[str]]:
+        """Names of what the user's file defines, by kind, as in the lists above."""
+        return {
+            kind: [
+                name
+                for term in getattr(self, kind)
+                if not any(term is other for other in getattr(BUILT_IN, kind)) and term not in self.added_terrains
+                for name in names_of(term)
+            ]
+            for kind in _LISTS
+        }
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, TaskDefinition) and self._identity == other._identity

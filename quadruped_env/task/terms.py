@@ -7,6 +7,8 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env._plain import is_finite_number, plain
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.parameters import Parameter, described, parameters_of, stay_importable
 
 
@@ -22,6 +24,15 @@ class RewardTerm:
     parameters: dict[str, tuple[Parameter, float]]
     description: str
     pure: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "weights", plain(self.weights))
+        for name, weight in self.weights.items():
+            if not is_finite_number(weight):
+                raise QuadrupedError(
+                    f"reward {name}: weight must be a finite number, per second; found {short(weight)}; write, for "
+                    f"example, @reward(weight=-0.5)"
+                )
 
     @property
     def names(self) -> tuple[str, ...]:

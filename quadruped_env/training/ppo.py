@@ -66,10 +66,8 @@ def train(
     check_latest(runs)
     config, parent, env, model = prepare(config, resume, task_file, group, threads)
     task = env.task.config
-    if parent is None:
-        run = Run(runs, config, task.to_dict(), command)
-    else:
-        run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
+    facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
+    run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
     recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
     try:
         record(
@@ -118,7 +116,7 @@ def prepare(
     parent = None if resume is None else Parent.load(resume, definition)
     if parent is not None:
         parent.check(asdict(config))
-        config = replace(config, task=parent.config.task)
+        config = replace(config, task=parent.with_reward(config.task))
     share = config.num_envs // group.ranks
     env = make_sb3_vec_env(
         share,

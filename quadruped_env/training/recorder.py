@@ -18,6 +18,7 @@ from quadruped_env.training.models import NativeModel, export_policy
 
 # isort: split
 from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.files import unwritable, whole, write_whole
@@ -27,7 +28,7 @@ from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.distributed.group import ALONE, DifferentWeightsError, Group, RankLostError
 from quadruped_env.training.polish import Polished, polish_steps
 from quadruped_env.training.reflex import ReflexRound, reflex_steps
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, Run
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.statistics import StepStatistics
 
 try:
@@ -170,13 +171,14 @@ class Recorder(StepStatistics):
             "forward_velocity_error": float(errors[0]),
             "yaw_rate_error": float(errors[1]),
         }
-        self._run.log(row)
+        rates = terms / self._steps / self._task_config.control_timestep
+        by_term = dict(zip(self._task.term_names, rates.tolist(), strict=True))
+        self._run.log(row | {f"{TERM_COLUMN}{name}": value for name, value in by_term.items()})
         for name, value in row.items():
             if name != "timesteps":
                 self.logger.record(f"progress/{name}", value)
-        rate = 1.0 / self._task_config.control_timestep
-        for name, value in zip(self._task.term_names, terms / self._steps * rate, strict=True):
-            self.logger.record(f"reward_per_second/{name}", float(value))
+        for name, value in by_term.items():
+            self.logger.record(f"reward_per_second/{name}", value)
         for name, value in self.mean_levels().items():
             self.logger.record(f"terrain/{name}", value)
         self.logger.dump(self.num_timesteps)
@@ -239,8 +241,9 @@ class Recorder(StepStatistics):
         """Write a checkpoint, which appears when it is complete and does not depend on the run's files."""
         with whole(directory) as part:
             part.mkdir()
-            for name in (CONFIG_FILE, PROGRESS_FILE):
-                shutil.copyfile(self._run.directory / name, part / name)
+            for name in (CONFIG_FILE, PROGRESS_FILE, KEPT_FILE):
+                if (self._run.directory / name).exists():
+                    shutil.copyfile(self._run.directory / name, part / name)
             for name, content in self._files().items():
                 (part / name).write_bytes(content)
 

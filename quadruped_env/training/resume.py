@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -10,13 +11,15 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from quadruped_env._plain import plain
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, finished_directory
-from quadruped_env.control.task_file import TASK_FILE
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, code_changes, finished_directory
+from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_file, recorded_terms
 from quadruped_env.documents import read_json
-from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.policies import load_policy
-from quadruped_env.simulation.ground import TERRAIN_FILE
+from quadruped_env.envs.arguments import changed
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
+from quadruped_env.policies import Policy, load_policy, task_differences
+from quadruped_env.provenance import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
+from quadruped_env.task.config import flat
 from quadruped_env.task.presets import PRESET
 from quadruped_env.training.config import TrainConfig, field_rule
 from quadruped_env.training.run import (
@@ -26,6 +29,7 @@ from quadruped_env.training.run import (
     RESUME_FILE,
     RESUMED_FROM,
     RSL_FILE,
+    TERM_COLUMN,
     run_name,
 )
 
@@ -68,6 +72,8 @@ class Parent:
     """Rows of progress.csv up to `timesteps`"""
     definition: TaskDefinition = BUILT_IN
     """Terms and robot of its task"""
+    task_changes: str = ""
+    """Differences of the task's terms from those that it was trained with, because its file changed; in words."""
 
     @property
     def name(self) -> str:
@@ -95,7 +101,13 @@ class Parent:
                     f"checkpoints/, or start a new training"
                 )
         config, budget_left_at_start = _read_config(directory / CONFIG_FILE, definition)
-        card, path = load_policy(directory, definition.path).card, directory / CARD_FILE
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", QuadrupedWarning)  # it says the same as `task_changes`
+            policy, path = load_policy(directory, definition.path), directory / CARD_FILE
+        card = policy.card
+        differences = task_differences(policy)
+        if config.asymmetric_critic and TASK_FILE in policy.task:
+            _check_privileged(policy)
         timesteps = _number(path, "card", card, "timesteps", whole=True)
         return cls(
             directory,
@@ -106,10 +118,11 @@ class Parent:
             budget_left_at_start,
             _read_curve(directory / PROGRESS_FILE, int(timesteps)),
             definition,
+            differences,
         )
 
     def resumed(self, changes: Mapping[str, Any], whole: Mapping[str, str] = NO_SECTIONS) -> TrainConfig:
-        """Settings of the resumed training: this run's, with changes.
+        """Settings of the resumed training: this run's, with changes. Of the task, the reward may be another one.
 
         Without a budget it is the rest of this run's, or the same amount again if that was complete.
 
@@ -121,7 +134,8 @@ class Parent:
             QuadrupedError: if one of them cannot be changed, or is invalid.
         """
         self.check(changes, whole)
-        changes = {name: value for name, value in changes.items() if name not in KEPT}
+        task = self.with_reward(changes.get("task", {}))
+        changes = {name: value for name, value in changes.items() if name not in KEPT} | {"task": task}
         if "timesteps" in changes:
             changes = {"seconds": None, **changes}
         elif "seconds" not in changes and self.budget_left > 0.0:
@@ -131,8 +145,18 @@ class Parent:
             changes[budget] = max(1, round(left)) if budget == "timesteps" else left
         return replace(self.config, **changes)
 
+    def with_reward(self, task: Mapping[str, Any]) -> dict[str, Any]:
+        """This training's task with the reward of another one, or changes to it."""
+        return changed(self.config.task, {"reward": task.get("reward", {})})
+
+    def reward_changes(self, config: TrainConfig) -> str:
+        """Differences of a resumed training's reward from this one's, in a sentence; empty without differences."""
+        then, now = flat(_as_json(self.config.task["reward"])), flat(_as_json(config.task["reward"]))
+        found = [f"reward.{path} {now[path]} (the run: {then[path]})" for path in now if now[path] != then[path]]
+        return f"the reward differs from the run's: {'; '.join(found)}" if found else ""
+
     def check(self, asked: Mapping[str, Any], whole: Mapping[str, str] = NO_SECTIONS) -> None:
-        """Refuse settings that differ from this training's network or task.
+        """Refuse settings that differ from this training's network or task; its reward may be another one.
 
         Args:
             asked: fields of `TrainConfig`; of `task`, the fields of the config that are given are compared.
@@ -168,6 +192,8 @@ class Parent:
     def _task_difference(self, asked: dict[str, Any], whole: Mapping[str, str]) -> tuple[str, Any, Any] | None:
         """The first field of a task's config that is not as in this run: its option, its value and the run's."""
         for section, changes in asked.items():
+            if section == "reward":
+                continue
             values, kept = _as_json(changes), _as_json(self.config.task.get(section))
             option = whole.get(section)
             preset = section == "randomization" and (isinstance(values, str) or PRESET in values)
@@ -185,7 +211,8 @@ class Parent:
     def facts(self) -> dict[str, Any]:
         """Facts about the parent in a resumed run's files."""
         facts = {"run": self.name, "timesteps": self.timesteps, "seconds": self.seconds}
-        return {**facts, "budget_left": self.budget_left}
+        changes = {"task_changes": self.task_changes} if self.task_changes else {}
+        return {**facts, "budget_left": self.budget_left, **changes}
 
 
 def _as_json(value: Any) -> Any:
@@ -202,6 +229,22 @@ def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] |
         if found is not None:
             return found
     return None
+
+
+def _check_privileged(policy: Policy) -> None:
+    """Refuse another version of a task file whose privileged readings are not those that the run's critic observes."""
+    recorded, definition = policy.task[TASK_FILE], policy.config.definition
+    old, new = (recorded_terms(recorded) or {}).get("privileged", []), definition.own_terms()["privileged"]
+    file = recorded_file(recorded)
+    assert file is not None
+    assert definition.file is not None
+    code = code_changes(Path(policy.source).parent, file, definition.file) or ()
+    other = sorted({*old} ^ {*new} | {*old} & {*code})
+    if other:
+        raise QuadrupedError(
+            f"--task: {definition.file.name} has another privileged reading {', '.join(other)} than the run, whose "
+            f"critic observes it; name the run's version of the file, or start a new training without --resume"
+        )
 
 
 def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, float]:
@@ -233,7 +276,8 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
         config = TrainConfig(**{**values, "hidden": tuple(values["hidden"])})
         whole_task = TaskConfig.from_dict(task, definition)
     except QuadrupedError as error:
-        raise QuadrupedError(f"{path}: {error}; start a new training") from error
+        fix = "" if isinstance(error, TaskFileError) else "; start a new training"
+        raise QuadrupedError(f"{path}: {error}{fix}") from error
     if whole_task.action.mode != config.action_mode:
         raise QuadrupedError(
             f"{path}: training.action_mode is {config.action_mode!r} and task.action.mode is "
@@ -269,16 +313,18 @@ def _read_curve(path: Path, timesteps: int) -> tuple[dict[str, str], ...]:
     try:
         with path.open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file)
-            if tuple(reader.fieldnames or ()) != PROGRESS_COLUMNS:
+            names = reader.fieldnames or ()
+            first, others = tuple(names[: len(PROGRESS_COLUMNS)]), names[len(PROGRESS_COLUMNS) :]
+            if first != PROGRESS_COLUMNS or not all(name.startswith(TERM_COLUMN) for name in others):
                 raise QuadrupedError(
-                    f"{path}: line 1: expected the columns {', '.join(PROGRESS_COLUMNS)}; "
-                    f"found {short(','.join(reader.fieldnames or ()))}; start a new training"
+                    f"{path}: line 1: expected the columns {', '.join(PROGRESS_COLUMNS)}, {TERM_COLUMN}...; "
+                    f"found {short(','.join(names))}; start a new training"
                 )
             for row in reader:
-                if any(row[name] is None for name in PROGRESS_COLUMNS) or float(row["timesteps"]) > timesteps:
+                if any(row[name] is None for name in names) or float(row["timesteps"]) > timesteps:
                     # Later than the checkpoint, or the line that a killed run left unfinished.
                     break
-                rows.append({name: row[name] for name in PROGRESS_COLUMNS})
+                rows.append({name: row[name] for name in names})
     except (ValueError, csv.Error) as error:
         if isinstance(error, QuadrupedError):
             raise

@@ -7,15 +7,16 @@ import io
 import json
 import os
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import unwritable, write_whole
-from quadruped_env.provenance import git_commit, machine, versions
+from quadruped_env.provenance import TaskFile, git_commit, machine, versions
 from quadruped_env.training.config import TrainConfig
 
 CONFIG_FILE: Final = "config.json"
@@ -34,13 +35,14 @@ PROGRESS_COLUMNS: Final = (
     "forward_velocity_error",
     "yaw_rate_error",
 )
-"""Columns of progress.csv: environment steps and s, with those of the run that was resumed; and since the row before:
-reward of a whole episode at the present rate; falls in the time of a whole episode; velocity errors in m/s and rad/s,
-root mean square, with the exploration's noise"""
+"""First columns of progress.csv: environment steps and s, with those of the run that was resumed; and since the row
+before: reward of a whole episode at the present rate; falls in the time of a whole episode; velocity errors in m/s and
+rad/s, root mean square, with the exploration's noise. Runs of earlier versions have these alone."""
+TERM_COLUMN: Final = "reward_"
+"""Prefix of the other columns, one per reward term: its mean, weighted, per second."""
 
 LATEST: Final = "latest"
 """Link to the newest run"""
-_HEADER: Final = dict(zip(PROGRESS_COLUMNS, PROGRESS_COLUMNS, strict=True))
 
 
 class Run:
@@ -55,6 +57,8 @@ class Run:
         command: what the user typed.
         resumed_from: facts about the run that it goes on from, if there is one.
         curve: that run's rows of progress.csv.
+        terms: names of the reward terms.
+        task_file: the user's file of the task, if there is one; the run keeps it as data.
 
     Raises:
         QuadrupedError: if the directory cannot be made, or something else is in the place of `latest`.
@@ -67,7 +71,9 @@ class Run:
         task: dict[str, Any],
         command: str,
         resumed_from: Mapping[str, Any] | None = None,
-        curve: Iterable[Mapping[str, Any]] = (),
+        curve: Sequence[Mapping[str, Any]] = (),
+        terms: Iterable[str] = (),
+        task_file: TaskFile | None = None,
     ) -> None:
         check_latest(parent)
         stamp = time.strftime("%Y%m%d-%H%M%S")
@@ -75,11 +81,17 @@ class Run:
         if resumed_from is not None:
             self.facts[RESUMED_FROM] = dict(resumed_from)
         document = {"training": asdict(config), "task": task, **self.facts}
+        # Terms that only the resumed run had keep their columns.
+        columns = [*PROGRESS_COLUMNS, *(f"{TERM_COLUMN}{name}" for name in terms), *(curve[0] if curve else ())]
+        self._columns = tuple(dict.fromkeys(columns))
         self.directory = _new_directory(parent, f"{stamp}-{config.name}")
+        kept = {} if task_file is None else {self.directory / KEPT_FILE: task_file.content}
+        header = dict(zip(self._columns, self._columns, strict=True))
         try:
             write_whole(
                 {
-                    self.directory / PROGRESS_FILE: "".join(map(_line, (_HEADER, *curve))).encode(),
+                    **kept,
+                    self.directory / PROGRESS_FILE: "".join(map(self._line, (header, *curve))).encode(),
                     self.directory / CONFIG_FILE: (json.dumps(document, indent=2) + "\n").encode(),
                 }
             )
@@ -96,7 +108,7 @@ class Run:
         Raises:
             QuadrupedError: if it cannot be written; the rows before it stay.
         """
-        line, end = _line(row).encode(), self._progress.tell()
+        line, end = self._line(row).encode(), self._progress.tell()
         try:
             if self._progress.write(line) != len(line):
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
@@ -107,6 +119,11 @@ class Run:
     def close(self) -> None:
         """Finish the files."""
         self._progress.close()
+
+    def _line(self, row: Mapping[str, Any]) -> str:
+        text = io.StringIO()
+        csv.DictWriter(text, self._columns).writerow(row)
+        return text.getvalue()
 
 
 def check_latest(parent: Path) -> None:
@@ -121,12 +138,6 @@ def check_latest(parent: Path) -> None:
             f"--output: {link} is not a symbolic link, and the name is reserved for the link to the newest run; "
             f"rename it, or name another place"
         )
-
-
-def _line(row: Mapping[str, Any]) -> str:
-    text = io.StringIO()
-    csv.DictWriter(text, PROGRESS_COLUMNS).writerow(row)
-    return text.getvalue()
 
 
 def run_name(directory: Path) -> str:

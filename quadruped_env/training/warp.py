@@ -187,10 +187,8 @@ def train(
     check_latest(runs)
     config, parent, env, model = prepare(config, resume, task_file, group)
     task = env.task.config
-    if parent is None:
-        run = Run(runs, config, task.to_dict(), command)
-    else:
-        run = Run(runs, config, task.to_dict(), command, parent.facts(), parent.curve)
+    facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
+    run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
     recorder = WarpRecorder(run, config, task, 0.0 if parent is None else parent.seconds, group)
     record(run, model, recorder, lambda: learn(model, recorder))
     return run.directory, not recorder.stopped
@@ -210,7 +208,7 @@ def prepare(
     if resume is not None:
         parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
         parent.check(asdict(config))
-        config = replace(config, task=parent.config.task)
+        config = replace(config, task=parent.with_reward(config.task))
     task = task_config(config.action_mode, config.task, task_file)
     check_training_seeds("config.terrain.seed", task.terrain["seed"])
     device = device_of(config.device, group)

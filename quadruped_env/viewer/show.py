@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.policies import find_controllers
+from quadruped_env.policies import find_controllers, kept_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
+from quadruped_env.training.run import CONFIG_FILE
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, ViewController
 from quadruped_env.viewer.lineup import START
@@ -149,6 +150,7 @@ def open_show(
     task_file: Path | None = None,
     terrain: str | Terrain | None = None,
     randomization: str | None = None,
+    trust_task: bool = False,
 ) -> Show:
     """Open a show of the requested sources, ready to run.
 
@@ -162,6 +164,7 @@ def open_show(
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
         terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
         randomization: preset of the episodes' randomization; None: every episode starts at rest in the stance.
+        trust_task: execute the copies of such files that the runs keep, in place of `task_file`.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -169,8 +172,11 @@ def open_show(
     """
     import_viser()
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    if trust_task:
+        runs = [source for source in asked if (Path(source) / CONFIG_FILE).exists()]
+        definition = kept_definition(runs[0]) if runs else BUILT_IN
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
-    sources, chosen = find_controllers(asked, task_file=task_file)
+    sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task)
     randomized = {None: "off", "none": START}.get(randomization, randomization)
     controller = ViewController(
         sources, chosen, results, definition.robot, ground, str(randomized), definition.terrains

@@ -166,9 +166,7 @@ def test_help_describes_the_options_that_matter_and_help_all_every_one(name, sho
 
 
 @pytest.mark.parametrize("name", BAD)
-def test_command_error_is_one_line_with_the_programs_name_and_status_2(
-    name, domain_id, tmp_path, monkeypatch, capsys
-):
+def test_command_error_is_one_line_with_the_programs_name_and_status_2(name, domain_id, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main([name, *BAD[name]]) == 2
     *log, line = capsys.readouterr().err.splitlines()

@@ -1,4 +1,4 @@
-"""DDS domains for tests: one per test, also where several test suites run on one machine, and without other programs."""
+"""DDS domains for tests: one per test, without other programs, also where several suites run on one machine."""
 
 import contextlib
 import random

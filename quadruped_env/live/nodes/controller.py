@@ -20,7 +20,7 @@ from typing import Any, Final
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, load_policy, load_terms
+from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, kept_file, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.messages.commands import CommandWriter, positions_message
@@ -61,14 +61,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--task",
         metavar="FILE",
-        help="Python file of your robot, or of the custom terms that the policy was trained with; it is executed",
+        help="Python file of your robot, or of the custom terms that the policy was trained with; it is executed. A "
+        "policy needs it if it defines its robot or observations",
+    )
+    parser.add_argument(
+        "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, in place of --task"
     )
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Control the robot until the session ends, then let it go limp."""
-    terms = Terms() if arguments.task is None else load_terms(arguments.task)
+    terms = _terms(arguments)
     load = functools.partial(load_policy, terms=terms)
     robot = terms.robot
     live_controller = LiveController(
@@ -99,6 +103,16 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         )
     outbox.let_go()
     return 0
+
+
+def _terms(arguments: argparse.Namespace) -> Terms:
+    """Robot and terms of `--task`, or of the copy that the run of the policy keeps."""
+    if not arguments.trust_task:
+        return Terms() if arguments.task is None else load_terms(arguments.task)
+    if arguments.task is not None:
+        raise QuadrupedError(f"--trust-task: found next to --task {arguments.task}; give one of them")
+    kept = kept_file(arguments.policy)
+    return Terms() if kept is None else load_terms(*kept)
 
 
 class _Inbox:

@@ -19,7 +19,9 @@ from quadruped_env.reporting.pages.suite_section import interval, ranking_in_wor
 from quadruped_env.reporting.results import prepare_output
 
 
-def find_subjects(runs: Sequence[str], output: Path, task_file: Path | None = None) -> dict[str, Subject]:
+def find_subjects(
+    runs: Sequence[str], output: Path, task_file: Path | None = None, trust_task: bool = False
+) -> dict[str, Subject]:
     """Find policies by name or directory: name -> policy.
 
     Raises:
@@ -27,7 +29,7 @@ def find_subjects(runs: Sequence[str], output: Path, task_file: Path | None = No
     """
     subjects: dict[str, Subject] = {}
     for run in runs:
-        subject = find_subject(run, output, task_file)
+        subject = find_subject(run, output, task_file, trust_task)
         if subject.name in subjects:
             raise QuadrupedError(f"{run}: a policy called {subject.name!r} is named before; name each one once")
         subjects[subject.name] = subject
