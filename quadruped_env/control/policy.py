@@ -47,6 +47,9 @@ SHIPPED: Final = ("flat", "robust", "rough")
 LIVE_POLICY: Final = "robust"
 """The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
 
+_MAX_KEPT_BYTES: Final = 1_000_000
+"""Maximum size of a task file that is shown and compared: far larger than any written by hand."""
+
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
 
 
@@ -336,16 +339,24 @@ def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
     return path, file
 
 
+def kept_content(directory: Path, recorded: TaskFile) -> bytes | None:
+    """Content of the copy that a run keeps of its task file; None without one, or if it is not the recorded file."""
+    path = directory / KEPT_FILE
+    if not path.is_file() or path.stat().st_size > _MAX_KEPT_BYTES:
+        return None
+    content = path.read_bytes()
+    return content if hashlib.sha256(content).hexdigest() == recorded.sha256 else None
+
+
 def code_changes(directory: Path, recorded: TaskFile, file: TaskFile) -> tuple[str, ...] | None:
     """Names whose code in a file differs from that in a run's copy; None if the run has no such copy.
 
     No code is executed.
     """
-    path = directory / KEPT_FILE
     if recorded.sha256 == file.sha256:
         return ()
-    kept = path.read_bytes() if path.is_file() else b""
-    return changed_definitions(kept, file.content) if hashlib.sha256(kept).hexdigest() == recorded.sha256 else None
+    kept = kept_content(directory, recorded)
+    return None if kept is None else changed_definitions(kept, file.content)
 
 
 def _check_terms(document: dict[str, Any], terms: Terms, file: TaskFile, directory: Path) -> None:

@@ -1,13 +1,14 @@
 """The policy to evaluate, and the directory of its results."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.policy import SHIPPED, finished_directory, shipped_directory
+from quadruped_env.control.policy import SHIPPED, finished_directory, kept_content, shipped_directory
 from quadruped_env.documents import read_json
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies import Policy, load_policy, trained_with
+from quadruped_env.provenance import TaskFile
 from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, run_name
 
 LATEST_RUN: Final = Path("runs", "latest")
@@ -50,6 +51,12 @@ class Subject:
             return self.name
         training = {name: value for name, value in config["training"].items() if name not in _OF_THE_RUN}
         return json.dumps([training, config.get("task")], sort_keys=True)
+
+    @property
+    def task_file(self) -> TaskFile | None:
+        """The user's file that the policy was trained with, with the content of the copy that the run keeps."""
+        file = trained_with(self.policy)
+        return None if file is None else replace(file, content=kept_content(self.directory, file) or b"")
 
     @property
     def progress_file(self) -> Path | None:

@@ -17,6 +17,7 @@ from quadruped_env.policies.policy import (
     load_policy,
     task_differences,
     task_of,
+    trained_with,
     with_task,
 )
 
@@ -35,5 +36,6 @@ __all__ = [
     "load_policy",
     "task_differences",
     "task_of",
+    "trained_with",
     "with_task",
 ]

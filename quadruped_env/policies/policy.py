@@ -20,7 +20,7 @@ from quadruped_env.control.task_file import TASK_FILE, recorded_file
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.files import shown_path
-from quadruped_env.provenance import TERRAIN_FILE
+from quadruped_env.provenance import TERRAIN_FILE, TaskFile
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
 from quadruped_env.task.config import config_differences, for_definition
@@ -189,10 +189,14 @@ def kept_definition(source: str | Path) -> TaskDefinition:
     return BUILT_IN if kept is None else load_task_file(*kept)
 
 
+def trained_with(policy: Policy) -> TaskFile | None:
+    """The user's file that a policy was trained with, without its content; None for the built-in task."""
+    return recorded_file(policy.task.get(TASK_FILE)) or recorded_file(policy.task.get(TERRAIN_FILE), TERRAIN_FILE)
+
+
 def task_differences(policy: Policy) -> str:
     """Differences of a policy's task here from the one in training, in a sentence; empty without differences."""
-    recorded = recorded_file(policy.task.get(TASK_FILE)) or recorded_file(policy.task.get(TERRAIN_FILE), TERRAIN_FILE)
-    file = policy.config.file
+    recorded, file = trained_with(policy), policy.config.file
     if recorded is None or (file is not None and file.sha256 == recorded.sha256):
         return ""
     found = config_differences(policy.task, policy.config)

@@ -8,10 +8,12 @@ import pytest
 from comparisons import TINY, random_policy
 from report_page import Page
 
-from quadruped_env import QuadrupedError
+from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.evaluation.comparison import compare, compare_policies
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting.pages import run_comparison
+from quadruped_env.task import load_task_file
 
 
 def test_runs_are_ranked_by_paired_differences(comparison):
@@ -60,6 +62,46 @@ def test_runs_are_compared_on_one_page(run_directory, tmp_path):
     alone = compare(random_policy("position"), 1, 2.0, TINY)
     np.testing.assert_array_equal(alone.values["policy"]["distance"], compared.values["second"]["distance"])
     assert verdict(compared.seen_as("second")) == verdict(alone)
+
+
+TASK = """
+from quadruped_env.task import reward
+
+
+@reward(weight={})
+def hip_usage(context):
+    # <b>Escaped</b>
+    return abs(context.joint_offset[:, 0::2]).sum(axis=1)
+"""
+
+
+def test_runs_of_two_versions_of_a_task_file_are_compared_with_every_term_and_a_diff(tmp_path):
+    for name, weight in (("one", -0.5), ("two", -2.0)):
+        run = tmp_path / name
+        run.mkdir()
+        (run / KEPT_FILE).write_text(TASK.format(weight))
+        random_policy("residual", definition=load_task_file(run / KEPT_FILE)).save(run)
+        curve = "timesteps,seconds,return,reward_hip_usage\n1000,1,2.0,-0.1\n2000,2,5.5,-0.2\n"
+        (run / "progress.csv").write_text(curve)
+    runs = [str(tmp_path / name) for name in ("one", "two")]
+    subjects = run_comparison.find_subjects(runs, tmp_path / "out", trust_task=True)
+    compared = compare_policies({name: found.policy for name, found in subjects.items()}, 1, 2.0, TINY)
+    page, numbers, _ = run_comparison.write_comparison(subjects, compared, tmp_path / "out", "", with_video=False)
+    text, html = " ".join(Page(page.read_text()).text), page.read_text()
+    assert "hip_usage" in text
+    assert "Learning curves by reward term" in text
+    assert "-@reward(weight=-0.5) +@reward(weight=-2.0)" in " ".join(text.split())
+    assert "# &lt;b&gt;Escaped" in html
+    assert "<b>Escaped" not in html
+    terms = {n: entry["reward_terms"] for n, entry in json.loads(numbers.read_text())["policies"].items()}
+    assert terms["one"].keys() == terms["two"].keys() > {"hip_usage", "upright"}
+    one, two = terms["one"]["hip_usage"], terms["two"]["hip_usage"]
+    assert (one["weight"], two["weight"]) == (-0.5, -2.0)
+    assert two["per_second"] == pytest.approx(4.0 * one["per_second"]), "the policies are the same"
+    # All runs with one version: the same reward for both, and what differs is said.
+    with pytest.warns(QuadrupedWarning, match=r"one: .*reward.weights.hip_usage -2.0 \(the run: -0.5\)"):
+        subjects = run_comparison.find_subjects(runs, tmp_path / "out", tmp_path / "two" / KEPT_FILE)
+    assert [found.policy.config.reward.weights["hip_usage"] for found in subjects.values()] == [-2.0, -2.0]
 
 
 def test_runs_that_cannot_be_compared_are_named(run_directory, tmp_path):

@@ -252,8 +252,7 @@ def test_a_missing_file_is_refused_by_name(tmp_path):
         gymnasium.make(ENV_ID, task_file=tmp_path / "gone.py")
 
 
-def test_run_with_own_terms_is_trained_and_requires_its_file(my_task, tmp_path):
-    """Another version of the file is refused."""
+def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
     from quadruped_env.training import TrainConfig
     from quadruped_env.training.ppo import train
@@ -261,7 +260,7 @@ def test_run_with_own_terms_is_trained_and_requires_its_file(my_task, tmp_path):
     config = TrainConfig(num_envs=8, n_steps=8, batch_size=32, timesteps=128, hidden=(8,))
     directory, _ = train(config, tmp_path / "runs", "train", task_file=my_task)
     with pytest.raises(
-        QuadrupedError, match=r"policy.json: this task has terms from 'my_task.py', which is not executed"
+        QuadrupedError, match=r"policy.json: this policy has the robot 'long_legs' from 'my_task.py', which is not exec"
     ):
         load_policy(directory)
     policy = load_policy(directory, my_task)
@@ -270,7 +269,9 @@ def test_run_with_own_terms_is_trained_and_requires_its_file(my_task, tmp_path):
     observation, _ = env.reset(seed=0)
     env.step(policy.predict(observation))
     my_task.write_text(my_task.read_text() + "\n# another version\n")
-    with pytest.raises(QuadrupedError, match=r"another version of 'my_task.py'"):
+    assert load_policy(directory, my_task).config.reward == policy.config.reward
+    my_task.write_text(my_task.read_text().replace("leg_length=0.2", "leg_length=0.21"))
+    with pytest.raises(QuadrupedError, match=r"another version of the robot 'long_legs'"):
         load_policy(directory, my_task)
 
 

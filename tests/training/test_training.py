@@ -62,15 +62,18 @@ def test_run_records_its_settings_and_versions(tiny_run):
 
 def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(tiny_run):
     rows = progress(tiny_run)
-    assert tuple(rows[0]) == PROGRESS_COLUMNS
+    weights = TaskConfig().reward.weights
+    assert tuple(rows[0]) == (*PROGRESS_COLUMNS, *(f"reward_{name}" for name in weights))
     assert int(rows[-1]["timesteps"]) == 2048
     for row in rows:
         values = {name: float(value) for name, value in row.items()}
         assert np.isfinite(list(values.values())).all()
         assert values["forward_velocity_error"] > 0
         assert values["fall_rate"] >= 0
+        # Per second, and the return for an episode of 20 s.
+        assert 20.0 * sum(values[f"reward_{name}"] for name in weights) == pytest.approx(values["return"])
     shown = scalars(tiny_run)
-    for name in TaskConfig().reward.weights:
+    for name in weights:
         assert shown[f"reward_per_second/{name}"] == len(rows), name
     for name in PROGRESS_COLUMNS[1:]:
         assert shown[f"progress/{name}"] == len(rows), name

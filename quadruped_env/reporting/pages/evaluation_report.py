@@ -23,6 +23,7 @@ from quadruped_env.reporting.pages.page import (
     figure,
     leg_legend,
     tables,
+    task_of,
     without_nan,
     words,
     write_page,
@@ -79,7 +80,7 @@ def write_report(
         write_results(subject, suite, command_line)
     document = {
         **circumstances(command_line),
-        "policy": {"name": subject.name, "card": without_nan(subject.policy.card)},
+        "policy": {"name": subject.name, "card": without_nan(subject.policy.card), "task_file": task_of(subject)},
         "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
         "worst_episodes": [without_nan(dataclasses.asdict(failure)) for failure in failures],
         "suite": None if suite is None else summary(suite),

@@ -13,7 +13,9 @@ from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
+from quadruped_env.evaluation.subject import Subject
 from quadruped_env.files import write_json, write_whole
+from quadruped_env.policies import task_differences
 from quadruped_env.provenance import git_commit, machine, versions
 from quadruped_env.reporting.plots.canvas import label
 from quadruped_env.reporting.results import REPORT_FILE
@@ -106,6 +108,15 @@ def _description(robot: Robot) -> str:
         f"base {100.0 * robot.stance_height:.0f} cm above the ground, walks in a physics simulation (MuJoCo) and "
         f"follows commands of forward velocity and yaw rate."
     )
+
+
+def task_of(subject: Subject) -> dict[str, Any] | None:
+    """The user's file that a policy was trained with: name, hash, text, differences of the task here; None without."""
+    file = subject.task_file
+    if file is None:
+        return None
+    text = file.content.decode(errors="replace")
+    return {**file.to_dict(), "text": text, "differences": task_differences(subject.policy)}
 
 
 def leg_legend(robot: Robot) -> str:

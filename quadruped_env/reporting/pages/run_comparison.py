@@ -1,5 +1,6 @@
 """The comparison page of several policies: the best policy for each motion, and their metrics and figures."""
 
+import difflib
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,7 +14,16 @@ from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
 from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
-from quadruped_env.reporting.pages.page import circumstances, figure, leg_legend, tables, without_nan, words, write_page
+from quadruped_env.reporting.pages.page import (
+    circumstances,
+    figure,
+    leg_legend,
+    tables,
+    task_of,
+    without_nan,
+    words,
+    write_page,
+)
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
 from quadruped_env.reporting.results import prepare_output
@@ -103,6 +113,7 @@ def write_comparison(
     names = list(subjects)
     judged = {name: verdict(comparison.seen_as(name)) for name in names}
     head = headline(comparison, names)
+    terms = reward_terms(subjects, comparison)
     if with_video:
         shown = f"{', then '.join(names)}, each under the same commands"
         video = take_pictures(films(comparison, names), shown, progress=progress).video
@@ -115,6 +126,8 @@ def write_comparison(
         "policies": {
             name: {
                 "card": without_nan(subject.policy.card),
+                "task_file": task_of(subject),
+                "reward_terms": without_nan(terms[name]),
                 "verdict": {"level": judged[name].level, "headline": judged[name].headline},
             }
             for name, subject in subjects.items()
@@ -125,6 +138,8 @@ def write_comparison(
         "names": names,
         "headline": head,
         "verdicts": judged,
+        "reward_terms": _term_rows(terms),
+        "diffs": _diffs(subjects),
         "ranking": None if ranked is None else _ranking(ranked),
         "video": video,
         "figures": _figures(subjects, comparison),
@@ -153,6 +168,50 @@ def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:
             for recipe in found["recipes"]
         ],
     }
+
+
+def reward_terms(subjects: Mapping[str, Subject], comparison: Comparison) -> dict[str, dict[str, dict[str, float]]]:
+    """Policy -> reward term of its task -> weight, and weighted mean per second over all commands (NaN: it falls)."""
+    means, found = plots.mean_terms(comparison, None), {}
+    for name, subject in subjects.items():
+        weights, names = subject.policy.config.reward.weights, comparison.rollouts[name].term_names
+        values = means[name].tolist() if name in means else [math.nan] * len(names)
+        found[name] = {
+            term: {"weight": weights[term], "per_second": value} for term, value in zip(names, values, strict=True)
+        }
+    return found
+
+
+def _term_rows(terms: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[dict[str, Any]]:
+    """Rows of the table of reward terms, the terms of all policies in their order."""
+
+    def cell(term: Mapping[str, float] | None) -> dict[str, str]:
+        if term is None or math.isnan(term["per_second"]) or not term["weight"]:
+            return {"value": "-", "parts": "" if term is None else f"weight {term['weight']:g}"}
+        mean = term["per_second"] / term["weight"]
+        return {"value": f"{term['per_second']:.3g}", "parts": f"{term['weight']:g} \N{MULTIPLICATION SIGN} {mean:.3g}"}
+
+    every = dict.fromkeys(term for own in terms.values() for term in own)
+    return [{"label": term, "cells": [cell(own.get(term)) for own in terms.values()]} for term in every]
+
+
+def _diffs(subjects: Mapping[str, Subject]) -> list[dict[str, str]]:
+    """Unified differences of the task files that the runs keep, each from that of the first such run."""
+    files = {name: file for name, subject in subjects.items() if (file := subject.task_file) is not None}
+    (first, old), *others = [(name, file) for name, file in files.items() if file.content] or [("", None)]
+    found = []
+    for name, file in others:
+        assert old is not None
+        assert file is not None
+        lines = difflib.unified_diff(
+            old.content.decode(errors="replace").splitlines(),
+            file.content.decode(errors="replace").splitlines(),
+            f"{first}/{old.name}",
+            f"{name}/{file.name}",
+            lineterm="",
+        )
+        found.append({"title": f"From {first} to {name}", "text": "\n".join(lines) or "No difference."})
+    return found
 
 
 def films(comparison: Comparison, names: Sequence[str]) -> list[Clip]:
@@ -197,4 +256,13 @@ def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[di
                 "Measured during training, with exploration noise.",
             )
         )
+        by_term = plots.term_curves(curves)
+        if by_term is not None:
+            figures.append(
+                figure(
+                    "Learning curves by reward term",
+                    by_term,
+                    "Weighted terms of the reward per second, each with the weight of its run, during training.",
+                )
+            )
     return figures

@@ -1,7 +1,7 @@
 """Figures of a report: functions that turn results into SVG documents in one style (`quadruped.mplstyle`)."""
 
-from quadruped_env.reporting.plots.efforts import cost_over_speed, motor_limits, reward_terms
-from quadruped_env.reporting.plots.learning import LEARNING_CURVES, learning_curve, read_progress
+from quadruped_env.reporting.plots.efforts import cost_over_speed, mean_terms, motor_limits, reward_terms
+from quadruped_env.reporting.plots.learning import LEARNING_CURVES, learning_curve, read_progress, term_curves
 from quadruped_env.reporting.plots.motions import feet, gait_diagram, joint_traces
 from quadruped_env.reporting.plots.velocities import episode, tracking, velocity_over_time
 
@@ -13,9 +13,11 @@ __all__ = [
     "gait_diagram",
     "joint_traces",
     "learning_curve",
+    "mean_terms",
     "motor_limits",
     "read_progress",
     "reward_terms",
+    "term_curves",
     "tracking",
     "velocity_over_time",
 ]

@@ -133,7 +133,7 @@ def reward_terms(comparison: Comparison) -> str:
     motions = motions or [None]
     styles = controller_styles(comparison.rollouts)
     names = np.array(comparison.rollouts["policy"].term_names)
-    means = {motion: _mean_terms(comparison, motion) for motion in motions}
+    means = {motion: mean_terms(comparison, motion) for motion in motions}
     pays = np.fmax.reduce([terms["policy"] for terms in means.values()]) > 0.0
     happens = np.any([np.nan_to_num(terms) != 0.0 for motion in means.values() for terms in motion.values()], axis=0)
     groups = [np.flatnonzero(group & happens) for group in (pays, ~pays) if (group & happens).any()]
@@ -163,7 +163,7 @@ def reward_terms(comparison: Comparison) -> str:
     return draw_figure(len(groups), len(motions), 0.9 + 0.24 * sum(ratios), draw, height_ratios=ratios)
 
 
-def _mean_terms(comparison: Comparison, motion: str | None) -> dict[str, NDArray[np.float64]]:
+def mean_terms(comparison: Comparison, motion: str | None) -> dict[str, NDArray[np.float64]]:
     """Controller -> mean of each term per second (K,); NaN for a policy that always falls during the start-up.
 
     Other controllers that do are left out.

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure
+from quadruped_env.training.run import TERM_COLUMN
 
 LEARNING_CURVES: Final = (
     ("return", "return of\nan episode (1)"),
@@ -39,6 +40,37 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
     if "timesteps" not in columns:
         raise QuadrupedError(f"{path}: expected a column 'timesteps'; found {', '.join(names) or 'an empty file'}")
     return columns
+
+
+def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str | None:
+    """Learning curves of every reward term that is not always 0, a panel each; None for runs without these columns."""
+    columns = dict.fromkeys(
+        column
+        for columns in progress.values()
+        for column, values in columns.items()
+        if column.startswith(TERM_COLUMN) and np.nan_to_num(values).any()
+    )
+    if not columns:
+        return None
+    styles, rows = controller_styles(progress), -(-len(columns) // 2)
+
+    def draw(axes: Any) -> None:
+        for ax, column in zip(axes.flat, columns, strict=False):
+            for name, curve in progress.items():
+                # Empty before a resumed training added the term.
+                known = np.isfinite(curve.get(column, np.empty(0)))
+                if known.any():
+                    steps, colour = curve["timesteps"][known] / 1e6, styles[name]["color"]
+                    ax.plot(steps, curve[column][known], color=colour, marker=".", markersize=3, label=name)
+            ax.set_title(column.removeprefix(TERM_COLUMN).replace("_", " "))
+        for ax in axes.flat[len(columns) :]:
+            ax.set_visible(False)
+        for ax in axes[-1]:
+            ax.set_xlabel("time steps (millions)")
+        handles = {name: line for ax in axes.flat for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+        axes[0, 0].figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=2)
+
+    return draw_figure(rows, 2, 0.7 + 1.1 * rows, draw)
 
 
 def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str:
