@@ -192,7 +192,7 @@ class Parent:
     def _task_difference(self, asked: dict[str, Any], whole: Mapping[str, str]) -> tuple[str, Any, Any] | None:
         """The first field of a task's config that is not as in this run: its option, its value and the run's."""
         for section, changes in asked.items():
-            if section == "reward":
+            if section in ("reward", TASK_FILE):
                 continue
             values, kept = _as_json(changes), _as_json(self.config.task.get(section))
             option = whole.get(section)

@@ -1,5 +1,6 @@
 """A run and the user's file that made it: without the file, with another version of it, and with the run's copy."""
 
+import argparse
 import hashlib
 import json
 import shutil
@@ -12,11 +13,13 @@ pytest.importorskip("stable_baselines3")
 from trainings import SMALL, progress
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.cli import train as cli
 from quadruped_env.control import PolicyController
 from quadruped_env.control import policy as control_policy
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy import CARD_FILE, CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE, changed_definitions
+from quadruped_env.live.nodes import controller
 from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig, load_task_file
 from quadruped_env.training import TrainConfig
@@ -104,16 +107,15 @@ def test_run_and_checkpoints_keep_the_file_as_it_was(rewarded):
 
 
 def test_policy_without_the_file_of_its_reward_walks_and_nothing_is_executed(rewarded):
-    log = rewarded.parent.parent / "log"
-    before = log.read_text()
+    logs = [folder / "log" for folder in (rewarded, rewarded.parent.parent)]
+    before = [log.exists() and log.read_text() for log in logs]
     message = (
         r"without my_task.py, which is not executed automatically: reward hip_usage left out; "
         r"termination too_low left out. --trust-task"
     )
     with pytest.warns(QuadrupedWarning, match=message):
         policy = load_policy(rewarded)
-    assert log.read_text() == before
-    assert not (rewarded / "log").exists()
+    assert [log.exists() and log.read_text() for log in logs] == before
     env = policy.make_env()
     observation, _ = env.reset(seed=0)
     _, _, _, _, info = env.step(policy.predict(observation))
@@ -240,6 +242,32 @@ def test_training_goes_on_with_another_reward_and_says_so(rewarded, tmp_path):
     assert [rows[0]["reward_hips"], rows[-1]["reward_hip_usage"]] == ["", ""]
     assert float(rows[0]["reward_hip_usage"]) <= 0.0
     assert float(rows[-1]["reward_hips"]) <= 0.0
+
+
+def test_program_resumes_with_the_copy_of_the_run(rewarded, tmp_path, capsys):
+    parser = argparse.ArgumentParser()
+    cli.add_arguments(parser)
+    task = '{"reward": {"weights": {"hip_usage": -1}}}'
+    options = ["-o", str(tmp_path), "--resume", str(rewarded), "--trust-task", "--timesteps", "32", "--task", task]
+    assert cli.run(parser.parse_args(options), argparse.Namespace(line="train")) == 0
+    assert (
+        "note: the reward differs from the run's: reward.weights.hip_usage -1 (the run: -0.5)"
+        in capsys.readouterr().out
+    )
+    run = (tmp_path / "latest").resolve()
+    assert load_policy(run, trust_task=True).config.reward.weights["hip_usage"] == -1.0
+
+
+def test_live_controller_takes_the_copy_of_the_run_for_its_observations(observed):
+    def terms(*options):
+        parser = argparse.ArgumentParser()
+        controller.add_arguments(parser)
+        return controller._terms(parser.parse_args([str(observed), *options]))
+
+    assert [entry.name for entry in terms("--trust-task").observations][-1] == "joint_torque"
+    assert terms().file is None
+    with pytest.raises(QuadrupedError, match=r"--trust-task: found next to --task my_task.py"):
+        terms("--trust-task", "--task", "my_task.py")
 
 
 @pytest.mark.parametrize(

@@ -77,6 +77,20 @@ def test_options_of_the_task_that_the_run_has_are_accepted(hard_run, tmp_path, m
         asked_by(tmp_path, "--resume", str(hard_run), *options, "--level", "4")
 
 
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--trust-task",), r"--trust-task: found without --resume; .*--task FILE"),
+        (("--trust-task", "--resume", "RUN", "--task", "FILE.py"), r"--trust-task: found next to --task .*FILE.py"),
+    ],
+)
+def test_trust_task_is_refused_without_a_run_and_next_to_a_file(run, tmp_path, options, message):
+    (tmp_path / "FILE.py").write_text("from quadruped_env.task import Command; height = Command('h', 'm', (0, 1))")
+    places = {"RUN": str(run), "FILE.py": str(tmp_path / "FILE.py")}
+    with pytest.raises(QuadrupedError, match=message):
+        asked_by(tmp_path, *(places.get(option, option) for option in options))
+
+
 def test_file_of_terms_that_the_run_does_not_have_is_refused(run, tmp_path):
     file = tmp_path / "my_terms.py"
     file.write_text(
