@@ -232,10 +232,9 @@ class Replay:
             if error["lag_repeats_after"] is not None
         }
         if repeated:
-            shortest, longest = (f"{end(repeated.values()):.2g}" for end in (min, max))
+            after = dict.fromkeys(f"{end(repeated.values()):.2g}" for end in (min, max))
             remarks.append(
-                f"The motion repeats, so a lag that is longer by "
-                f"{shortest if shortest == longest else f'{shortest} to {longest}'} s fits as well: "
+                f"The motion repeats, so a lag that is longer by {' to '.join(after)} s fits as well: "
                 f"{', '.join(repeated)}."
             )
         if self.motion is not None:

@@ -2,7 +2,7 @@
 
 import codecs
 import os
-from typing import Final
+from typing import Any, Final
 from xml.etree import ElementTree
 
 from quadruped_env.errors import QuadrupedError
@@ -19,7 +19,7 @@ def description_problem(content: bytes) -> str:
     text = content.removeprefix(codecs.BOM_UTF8).lstrip()
     if not text.startswith(b"<"):
         return ""
-    parser = ElementTree.XMLPullParser(["start-ns", "start"])
+    parser: Any = ElementTree.XMLPullParser(["start-ns", "start"])  # whose events typeshed does not tell apart
     parser.feed(text)
     prefixes, kind = [], ""
     try:

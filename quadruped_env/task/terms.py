@@ -7,9 +7,9 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import is_finite_number, plain
+from quadruped_env._plain import plain
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import Parameter, described, parameters_of, stay_importable
+from quadruped_env.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
 
 
 @dataclass(frozen=True)
@@ -28,10 +28,10 @@ class RewardTerm:
     def __post_init__(self) -> None:
         object.__setattr__(self, "weights", plain(self.weights))
         for name, weight in self.weights.items():
-            if not is_finite_number(weight):
+            if not is_quantity(weight):
                 raise QuadrupedError(
-                    f"reward {name}: weight must be a finite number, per second; found {short(weight)}; write, for "
-                    f"example, @reward(weight=-0.5)"
+                    f"reward {name}: weight must be a number from {-LARGEST:g} to {LARGEST:g}, per second; found "
+                    f"{short(weight)}; write, for example, @reward(weight=-0.5)"
                 )
 
     @property

@@ -248,7 +248,7 @@ def test_a_reward_that_is_not_finite_is_refused_with_its_name_and_step(tmp_path)
 
 
 def test_a_missing_file_is_refused_by_name(tmp_path):
-    with pytest.raises(QuadrupedError, match=r"gone.py: cannot be read"):
+    with pytest.raises(QuadrupedError, match=r"gone.py: there is no such file; check its name"):
         gymnasium.make(ENV_ID, task_file=tmp_path / "gone.py")
 
 

@@ -197,12 +197,10 @@ def _term_rows(terms: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[d
 
 def _diffs(subjects: Mapping[str, Subject]) -> list[dict[str, str]]:
     """Unified differences of the task files that the runs keep, each from that of the first such run."""
-    files = {name: file for name, subject in subjects.items() if (file := subject.task_file) is not None}
-    (first, old), *others = [(name, file) for name, file in files.items() if file.content] or [("", None)]
+    files = [(name, file) for name, subject in subjects.items() if (file := subject.task_file) and file.content]
     found = []
-    for name, file in others:
-        assert old is not None
-        assert file is not None
+    for name, file in files[1:]:
+        first, old = files[0]
         lines = difflib.unified_diff(
             old.content.decode(errors="replace").splitlines(),
             file.content.decode(errors="replace").splitlines(),
