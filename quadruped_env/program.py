@@ -42,7 +42,7 @@ class HelpAll(argparse._HelpAction):
     """The option `--help-all`, which also describes what `--help` leaves out."""
 
     hidden: dict[argparse.Action, str | None]
-    """What `--help` leaves out, with its help."""
+    """Options that `--help` leaves out, with their help."""
 
     def __call__(self, parser: argparse.ArgumentParser, *rest: Any, **options: Any) -> None:
         """See `argparse`."""

@@ -1,8 +1,8 @@
 """Evaluate a trained policy against the scripted gaits, and write its report.
 
-mini-quadruped evaluate                    the latest run in runs/, or the shipped policy
+mini-quadruped evaluate                    the latest run in runs/, or the shipped policy flat
 mini-quadruped evaluate runs/<name>        a run; if it was interrupted, its last checkpoint
-mini-quadruped evaluate flat               the shipped policy
+mini-quadruped evaluate flat               a shipped policy
 mini-quadruped evaluate flat --suite       also run the suite mq-eval, whose results can be compared with others'
 """
 

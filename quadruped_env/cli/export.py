@@ -4,9 +4,9 @@ It holds the policy as ONNX, from readings in SI units to joint targets; a manif
 and entry pose; a page with results; the policy's own files; and the robot's URDF and MJCF. The graph is compared with
 the policy on ONNX Runtime first. Nothing is uploaded.
 
-    mini-quadruped export                      the latest run in runs/, or the shipped policy
+    mini-quadruped export                      the latest run in runs/, or the shipped policy flat
     mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
-    mini-quadruped export flat --film          the shipped policy, with a film
+    mini-quadruped export flat --film          a shipped policy, with a film
 """
 
 import argparse

@@ -15,7 +15,7 @@ from quadruped_env.simulation.terrain import NAMES, TERRAINS, find_terrain
 from quadruped_env.task import PRESETS
 
 NEXT_FREE: Final = "or that name with the next free number"
-SHIPPED_POLICIES: Final = " or ".join(map(repr, SHIPPED))
+SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
 """Names of the shipped policies, for a help text."""
 
 

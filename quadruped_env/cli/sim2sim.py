@@ -4,8 +4,8 @@ The robot in Drake is built from its URDF alone. The policy and the tuned gait r
 starts in MuJoCo and in Drake, and the zero action where standing is commanded. The results go into sim2sim.json; the
 next report of 'evaluate' shows them, too.
 
-    mini-quadruped sim2sim                      the latest run in runs/, or the shipped policy
-    mini-quadruped sim2sim flat --seeds 1       the shipped policy, one episode per command
+    mini-quadruped sim2sim                      the latest run in runs/, or the shipped policy flat
+    mini-quadruped sim2sim flat --seeds 1       a shipped policy, one episode per command
     mini-quadruped sim2sim flat --command 0.3 0.5 --command 0 0.5
 """
 

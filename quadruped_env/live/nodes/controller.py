@@ -1,6 +1,6 @@
 """Control the robot with a policy at 50 Hz: /joint_states, /imu/data and /cmd_vel in, /joint_commands out.
 
-    mini-quadruped live controller              the shipped policy
+    mini-quadruped live controller              the shipped policy robust
     mini-quadruped live controller runs/latest  the policy of a training run
     mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
     mini-quadruped live controller --arrays     for a robot with ros2_control
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         default=LIVE_POLICY,
         metavar="POLICY",
-        help=f"{', '.join(SHIPPED)}, a run directory, or a scripted gait: {', '.join(PRESETS)} (%(default)s)",
+        help=f"{', '.join(SHIPPED)}, a run directory, or a scripted gait: {', '.join(PRESETS)} (default: %(default)s)",
     )
     parser.add_argument(
         "--arrays",

@@ -14,8 +14,8 @@ from quadruped_env.viewer import PORT
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the gait preset, the viewer's port and the robot."""
     add_robot_argument(parser)
-    parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (%(default)s)")
-    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
+    parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (default: %(default)s)")
+    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
 
 
 def start(arguments: argparse.Namespace) -> int:

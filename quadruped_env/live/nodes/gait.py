@@ -48,7 +48,7 @@ FADE: Final = 2.0
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the gait preset, the rate, and the output topic."""
-    parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (%(default)s)")
+    parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (default: %(default)s)")
     parser.add_argument(
         "--rate", type=float, metavar="HZ", help=f"publishing rate ({RATE:g}; with --commands {COMMAND_RATE:g})"
     )

@@ -24,7 +24,9 @@ PERIOD = 1.0
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the topics and the window."""
     parser.add_argument("topics", nargs="*", metavar="TOPIC", help="such as /joint_states (default: all)")
-    parser.add_argument("--window", type=int, default=1000, metavar="N", help="messages to measure over (%(default)s)")
+    parser.add_argument(
+        "--window", type=int, default=1000, metavar="N", help="messages to measure over (default: %(default)s)"
+    )
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:

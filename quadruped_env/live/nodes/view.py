@@ -21,7 +21,7 @@ from quadruped_env.viewer.server import import_viser
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the viewer's port, the ground and the robot."""
     add_robot_argument(parser)
-    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
+    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
     add_terrain_arguments(parser, "seed of the terrain")
 
 

@@ -20,9 +20,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy, the terrain, the viewer's port, and the robot."""
     add_robot_argument(parser)
     parser.add_argument(
-        "policy", nargs="?", default=LIVE_POLICY, metavar="POLICY", help="as for 'controller' (%(default)s)"
+        "policy", nargs="?", default=LIVE_POLICY, metavar="POLICY", help="as for 'controller' (default: %(default)s)"
     )
-    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (%(default)s)")
+    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
     add_terrain_arguments(parser, "as for 'sim'")
 
 
