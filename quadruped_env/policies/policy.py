@@ -203,7 +203,7 @@ def task_differences(policy: Policy) -> str:
     if file is None:
         return (
             f"its task is used without {recorded.name}, which is not executed automatically: {'; '.join(found)}. "
-            f"--trust-task (trust_task=True in Python) executes the run's copy, --task FILE a file of yours"
+            f"--trust-task (trust_task=True in Python) executes the run's copy, and --task FILE your file"
             if found
             else ""
         )

@@ -63,14 +63,16 @@ def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> st
                     steps, colour = curve["timesteps"][known] / 1e6, styles[name]["color"]
                     ax.plot(steps, curve[column][known], color=colour, marker=".", markersize=3, label=name)
             ax.set_title(column.removeprefix(TERM_COLUMN).replace("_", " "))
+            ax.locator_params(axis="x", nbins=3)
         for ax in axes.flat[len(columns) :]:
             ax.set_visible(False)
-        for ax in axes[-1]:
+        for ax in axes.flat[: len(columns)][-2:]:
+            ax.tick_params(labelbottom=True)
             ax.set_xlabel("time steps (millions)")
         handles = {name: line for ax in axes.flat for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
         axes[0, 0].figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=2)
 
-    return draw_figure(rows, 2, 0.7 + 1.1 * rows, draw)
+    return draw_figure(rows, 2, 0.7 + 0.9 * rows, draw, sharex=True)
 
 
 def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str:
