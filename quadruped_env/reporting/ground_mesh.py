@@ -16,6 +16,8 @@ FLOOR_PERIOD: Final = 2.0 * SQUARE
 """Distance after which the pattern of the floor repeats along x and y, m."""
 _HALF_SQUARES: Final = 16
 """Half the number of squares along each side of the floor; beyond them it has their mean colour."""
+_SHADE: Final = 3.0
+"""Darkness of the ground where it rises: the browser's light, from all sides, shows no step of one colour."""
 _FADED: Final = 60.0
 """Distance from the middle at which the floor has the colour of the sky, m."""
 
@@ -103,6 +105,18 @@ def ground_mesh(
     corner, right, above, opposite = index[:-1, :-1], index[:-1, 1:], index[1:, :-1], index[1:, 1:]
     faces = np.stack([np.stack([corner, right, opposite], -1), np.stack([corner, opposite, above], -1)])
     squares = np.floor(points[..., :2] / SQUARE).sum(axis=-1).astype(int) % 2
+    colours = _COLOURS[squares].astype(np.float64)
+    colours[..., :3] /= 1.0 + _SHADE * _rise(points)[..., None]
     return trimesh.Trimesh(
-        points.reshape(-1, 3), faces.reshape(-1, 3), vertex_colors=_COLOURS[squares.ravel()], process=False
+        points.reshape(-1, 3),
+        faces.reshape(-1, 3),
+        vertex_colors=colours.reshape(-1, 4).round().astype(np.uint8),
+        process=False,
     )
+
+
+def _rise(points: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Steepest rise from each point of a grid (..., 3) to a neighbour along x or y, as a slope; 0 on level ground."""
+    height = np.pad(points[..., 2], 1, mode="edge")
+    highest = np.max([height[:-2, 1:-1], height[2:, 1:-1], height[1:-1, :-2], height[1:-1, 2:]], axis=0)
+    return np.maximum(highest - points[..., 2], 0.0) / (points[0, 1, 0] - points[0, 0, 0])

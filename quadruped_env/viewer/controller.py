@@ -122,8 +122,9 @@ class ViewController:
             if index == self._watched:
                 self.stop_recording()
             if robot is not None:
+                slot = self._lineup.slot(index, robot, self._time)
                 robot.reset(self._seed, self._command)
-                self._lineup.slots[index : index + 1] = [Slot(robot, self._time)]
+                self._lineup.slots[index : index + 1] = [slot]
             else:
                 del self._lineup.slots[index : index + 1]
                 self.watch(min(self._watched, len(self._lineup.slots) - 1))

@@ -9,6 +9,7 @@ import mujoco
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import ControllerSpec
+from quadruped_env.reporting.films.film import size_of
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import PRESETS, TaskConfig
@@ -16,6 +17,8 @@ from quadruped_env.task.terrain_section import leg_scale
 from quadruped_env.viewer.robot import TaskRobot, ViewedRobot
 
 MAX_ROBOTS: Final = 3
+LANE: Final = 0.6
+"""Distance between robots of size 1 next to each other, m."""
 START: Final = "start"
 RANDOMIZATIONS: Final[dict[str, Callable[[TaskConfig], TaskConfig]]] = {
     "off": TaskConfig.without_randomization,
@@ -72,7 +75,9 @@ class Lineup:
         self.randomization = randomization
         self.terrains = tuple(terrains)
         self._terrain = terrain
-        self.slots = [Slot(self.make(name), 0.0) for name in chosen]
+        self.slots: list[Slot] = []
+        for index, name in enumerate(chosen):
+            self.slots.append(self.slot(index, self.make(name)))
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -106,6 +111,16 @@ class Lineup:
         robot = TaskRobot(source, RANDOMIZATIONS[self.randomization], self.robot, self._terrain)
         self._terrain = robot.terrain
         return robot
+
+    def slot(self, index: int, robot: ViewedRobot, clock: float = 0.0) -> Slot:
+        """The slot of a robot at an index, for which a lane is chosen that no other robot has."""
+        if isinstance(robot, TaskRobot):
+            others = [slot.robot for slot in self.slots[:index] + self.slots[index + 1 :]]
+            taken = [other.lane for other in others if isinstance(other, TaskRobot)]
+            lanes = (LANE * size_of(self.robot) * side for side in (0.0, 1.0, -1.0))
+            robot.lane = next(lane for lane in lanes if lane not in taken)
+            robot.reset(0, (0.0, 0.0))
+        return Slot(robot, clock)
 
     def check_place(self, index: int, remove: bool) -> None:
         """Raise a QuadrupedError if no robot can be put at an index, or removed from there."""
@@ -141,7 +156,7 @@ class Lineup:
         before = getattr(self, attribute)
         setattr(self, attribute, value)
         try:
-            return [Slot(self.make(source), 0.0) for source in self.sources]
+            return [self.slot(index, self.make(source)) for index, source in enumerate(self.sources)]
         except QuadrupedError:
             setattr(self, attribute, before)
             raise

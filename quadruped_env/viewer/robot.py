@@ -16,7 +16,7 @@ from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.simulation import SingleSimulation, Terrain
+from quadruped_env.simulation import SingleSimulation, Terrain, highest_ground
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, Transition
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
@@ -146,6 +146,8 @@ class TaskRobot:
         self.fell_at: float | None = None
         """Episode time of the fall, s; None if it has not fallen."""
         self.diverged = False
+        self.lane = 0.0
+        """Distance of its start on uneven ground to the left of the origin, m."""
         self._force = (0.0, 0.0)
         self._force_steps = 0
         """Number of control steps for which the force is still applied."""
@@ -182,9 +184,9 @@ class TaskRobot:
         return self._controller.complaints() if isinstance(self._controller, HasGait) else []
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
-        """Begin an episode at the origin, facing along x. Robots with the same seed start identically."""
+        """Begin an episode at the origin, or in the lane, facing along x; identically with the same seed."""
         self.task.reset(_ROW, seeds=[seed], command=self._within(command))
-        self._face_ahead()
+        self._place()
         self._force_steps = 0
         self.observation = self.task.observe()
         self.history.clear()
@@ -253,13 +255,17 @@ class TaskRobot:
         (slow, fast), (right, left) = ranges.forward_velocity, ranges.yaw_rate
         return float(np.clip(command[0], slow, fast)), float(np.clip(command[1], right, left))
 
-    def _face_ahead(self) -> None:
-        """Rotate the initial state, which has a random heading, and its base velocity to face along x."""
+    def _place(self) -> None:
+        """Rotate the initial state, which has a random heading, and its base velocity to face along x, in the lane."""
         qpos, qvel = self.data.qpos.copy(), self.data.qvel.copy()
         back = from_yaw(-heading(self.data))
         qpos[3:7] = multiply(back, qpos[3:7])
         # MuJoCo's angular velocity is in the body frame and turns with it.
         qvel[:3] = rotate(back, qvel[:3])
+        if self._simulation.height_field is not None:
+            start = qpos[:2].copy()
+            qpos[1] += self.lane
+            qpos[2] += highest_ground(self._simulation, qpos[:2]) - highest_ground(self._simulation, start)
         self._simulation.reset(_ROW, qpos[None], qvel[None])
 
 

@@ -23,14 +23,13 @@ from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
 from quadruped_env.viewer.legend import CONTACT_FORCES, NAMES, OVERLAYS, TRAILS, VELOCITIES
+from quadruped_env.viewer.lineup import LANE
 from quadruped_env.viewer.snapshot import RobotView, View
 
 if TYPE_CHECKING:
     import viser
 
 # Lengths are for a robot of size 1.
-_LANE: Final = 0.6
-"""Distance between robots next to each other, m."""
 _FOLLOW_TIME: Final = 0.3
 """Time constant of the camera, which filters the sway of each step, s."""
 _JUMP_DISTANCE: Final = 0.6
@@ -59,8 +58,6 @@ _PUSH_SHOWN: Final = 0.8
 """Time for which a push is shown, s."""
 _LABEL_HEIGHT: Final = 0.24
 """Height of labels above the base's centre, m."""
-_LABEL_STEP: Final = 0.05
-"""Distance of labels above each other, m."""
 _LOOK_AT: Final = (0.0, 0.0, 0.1)
 """Point that the camera looks at, relative to the centre of the robots, m."""
 _CAMERAS: Final = ((0.75, -1.45, 0.62), (1.1, -1.9, 1.0), (1.35, -2.3, 1.3))
@@ -150,7 +147,7 @@ class Scene:
         robots = view.robots
         lanes = np.zeros((len(robots), 3))
         if self._field is None:
-            lanes[:, 1] = _LANE * self._size * ((len(robots) - 1) / 2 - np.arange(len(robots)))
+            lanes[:, 1] = LANE * self._size * ((len(robots) - 1) / 2 - np.arange(len(robots)))
         self._go_along(np.array([robot.now.base_position[:2] for robot in robots]), view.watched)
         shift = lanes + self._offsets
         with self._server.atomic():
@@ -290,9 +287,7 @@ class Scene:
             text = f"{robot.name}: {state}"
             if self._labels[i].text != text:
                 self._labels[i].text = text
-            # On uneven ground the robots begin at the same place, and their labels are above each other.
-            height = _LABEL_HEIGHT + (0.0 if self._field is None else i * _LABEL_STEP)
-            self._labels[i].position = robot.now.base_position + shift[i] + (0.0, 0.0, height * self._size)
+            self._labels[i].position = robot.now.base_position + shift[i] + (0.0, 0.0, _LABEL_HEIGHT * self._size)
             self._labels[i].visible = self.visible[NAMES] and len(robots) > 1
 
 

@@ -24,7 +24,7 @@ from quadruped_env.live.robot_option import robot_of
 from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
-from quadruped_env.reporting.films.film import Camera, Clip
+from quadruped_env.reporting.films.film import Camera, Clip, size_of
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
@@ -32,6 +32,7 @@ from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, load_task_file, terrain
 from quadruped_env.trace import Trace
 from quadruped_env.viewer import ViewController
+from quadruped_env.viewer.lineup import LANE
 from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.show import open_show
 
@@ -201,7 +202,7 @@ def test_viewer_shows_a_level_and_the_tiles_of_a_policy(tmp_path, monkeypatch):
     controller = ViewController(sources, ["policy flat"], tmp_path / "results")
     controller.set_source(1, "stand still")
     places = [robot(controller, i).data.qpos[:2].copy() for i in range(2)]
-    np.testing.assert_array_equal(*places)
+    np.testing.assert_allclose(places[1] - places[0], [0.0, LANE * size_of(MINI_QUADRUPED)])
     assert np.abs(on_tiles.ground.centres() - places[0]).max(-1).min() < 1e-9
     controller.close()
     # On other ground a robot does not start where one of its tiles would be.

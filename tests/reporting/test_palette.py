@@ -111,10 +111,17 @@ def test_the_floor_moves_by_less_than_its_period_and_looks_the_same():
     np.testing.assert_allclose(periods, np.round(periods), atol=1e-9)
 
 
-def test_uneven_ground_has_the_colours_of_the_floor():
-    field = HeightField.of(build_model(terrain=find_terrain("rough")))
+def test_uneven_ground_has_the_colours_of_the_floor_and_is_dark_at_the_foot_of_each_step():
+    field = HeightField.of(build_model(terrain=find_terrain("stairs")))
     mesh = ground_mesh(field, np.zeros((1, 2)), 1.0)
-    assert {tuple(colour[:3]) for colour in mesh.visual.vertex_colors} == set(map(scene_rgb, palette.FLOOR))
+    colours = mesh.visual.vertex_colors[:, :3]
+    ring = np.abs(mesh.vertices[:, :2]).max(axis=1)
+    # The level start is a square of 0.8 m, and each tread 0.2 m long: its last point is at the foot of the next one.
+    level = ring < 0.3
+    assert {tuple(colour) for colour in colours[level]} == set(map(scene_rgb, palette.FLOOR))
+    for foot in (0.35, 0.55, 0.75):
+        at_foot, on_tread = (colours[np.abs(ring - at) < 0.01] for at in (foot, foot + 0.1))
+        assert at_foot.max() < 0.5 * on_tread.max()
 
 
 def test_a_film_shows_floor_and_sky_in_these_colours():

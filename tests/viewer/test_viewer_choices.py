@@ -1,5 +1,6 @@
 """Choices in the viewer besides sources (terrain, disturbances), names of robots, offered controls and the legend."""
 
+import itertools
 import math
 
 import mujoco
@@ -49,6 +50,23 @@ def test_a_terrain_is_chosen_with_its_level_and_every_robot_begins_on_it(control
     assert robot(controller, 2).terrain == controller.terrain
     controller.set_terrain("flat")
     assert {robot(controller, index).terrain for index in range(3)} == {flat}
+
+
+def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control):
+    controller = control("stand still", "stand still")
+    for change in (("stand still", 2), (None, 1), ("gait trot", 2)):
+        controller.set_source(change[1], change[0])
+        controller.set_terrain("stairs", 8)
+        robots = [slot.robot for slot in controller._lineup.slots]
+        places = [one.data.qpos[:2] for one in robots]
+        for one, other in itertools.combinations(places, 2):
+            assert np.linalg.norm(one - other) > 0.59
+        for one in robots:
+            field = one.task.simulation.height_field
+            feet = one.history[-1].foot_position
+            assert (feet[:, 2] - one.robot.foot_radius >= field.at(feet) - 1e-6).all()
+        controller.set_terrain("flat")
+        assert all((slot.robot.data.qpos[:2] == 0.0).all() for slot in controller._lineup.slots)
 
 
 def test_a_terrain_of_another_robot_has_the_levels_of_its_size(tmp_path):
