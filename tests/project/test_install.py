@@ -9,6 +9,8 @@ import sys
 import pytest
 from paths import ROOT
 
+from quadruped_env import _python
+
 CPU_INDEX = "https://download.pytorch.org/whl/cpu"
 TORCH = next(line for line in (ROOT / "constraints.txt").read_text().splitlines() if line.startswith("torch=="))
 PRETENDED = f"""#!{sys.executable} -IS
@@ -91,6 +93,12 @@ class Checkout:
 @pytest.fixture
 def checkout(tmp_path):
     return Checkout(tmp_path)
+
+
+@pytest.mark.parametrize("page", ["README.md", "README.zh-CN.md", "docs/install.md", "docs/troubleshooting.md"])
+def test_command_for_the_cpu_build_is_that_of_the_hints(page):
+    assert f"pip install {_python.CPU_TORCH}" in (ROOT / page).read_text()
+    assert CPU_INDEX in _python.CPU_TORCH
 
 
 PACKAGE = "install -c constraints.txt -e .[test]"

@@ -4,6 +4,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 import tomllib
 import venv
@@ -14,6 +15,7 @@ import pytest
 from paths import ROOT
 from tasks import LAYOUT
 
+from quadruped_env import _python
 from quadruped_env.cli.commands import SUMMARIES
 from quadruped_env.envs import MiniQuadrupedEnv
 from quadruped_env.task import TaskConfig
@@ -46,21 +48,48 @@ def test_every_package_is_listed_for_the_wheel():
     assert listed == packages | {"quadruped_env.assets"}
 
 
+def test_notice_names_the_tutorial_and_is_a_licence_file():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    (title,) = re.findall("《.*》", (ROOT / "NOTICE").read_text())
+    assert title in (ROOT / "README.md").read_text()
+    assert project["license-files"] == ["LICENSE", "NOTICE"]
+
+
+def test_ranges_of_the_dependencies():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    oldest = ">={}.{}".format(*_python.OLDEST_MUJOCO)
+    assert {f"mujoco{oldest}", *_python.NEEDED} <= {
+        *project["dependencies"],
+        *(re.split("[><=]", need)[0] for need in project["dependencies"]),
+    }
+    assert extras["identify"] == [f"mujoco[sysid]{oldest}"]
+    # Private parts of these are used.
+    assert "viser>=1.1,<1.2" in extras["viewer"]
+    assert extras["dds"] == ["cyclonedds>=11,<11.1"]
+
+
 @pytest.mark.slow
 def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_repository(tmp_path):
     # From a copy: setuptools would also pack what an earlier build left in the checkout.
     source = tmp_path / "source"
     for name in ("quadruped_env", "assets"):
         shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
+    for name in ("pyproject.toml", "README.md", "LICENSE", "NOTICE"):
         shutil.copy(ROOT / name, source)
     subprocess.run(
-        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(tmp_path), str(source)],
+        [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(tmp_path), str(source)],
         check=True,
         capture_output=True,
     )
+    (sdist,) = tmp_path.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        assert {f"{sdist.name.removesuffix('.tar.gz')}/{name}" for name in ("LICENSE", "NOTICE")} < {
+            *archive.getnames()
+        }
     (wheel,) = tmp_path.glob("*.whl")
     names = zipfile.ZipFile(wheel).namelist()
+    assert {name.split("/")[-1] for name in names if "/licenses/" in name} == {"LICENSE", "NOTICE"}
     assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
     for part in ("assets/mini_quadruped/scene.xml", "control/shipped/flat/policy.safetensors", "py.typed"):
         assert f"quadruped_env/{part}" in names
