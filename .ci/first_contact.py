@@ -1,4 +1,4 @@
-"""Install the package in fresh environments, and walk, as somebody does who tries it: the short set of CI.
+"""Install the package in fresh environments, and walk, as a new user does: the short set of CI.
 
     python .ci/first_contact.py [NAME ...]
 
