@@ -7,15 +7,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
+from quadruped_env.live.middleware.topics import PUSH
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.rotations import from_yaw
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
+from quadruped_env.simulation.push_limit import PushLimit
 
 TIMESTEP: Final = 0.005
 """Duration of a physics step, s."""
 WATCHDOG: Final = 1.0
 """Time without a command after which commanded motors go limp, s."""
+_MAX_OVERTRAVEL: Final = 0.5
+"""Angle of a joint beyond its range above which the simulation has diverged, rad; hard impacts reach 0.01 rad."""
+_MAX_OVERSPEED: Final = 20.0
+"""The same for its speed, relative to the motor's maximum; hard impacts reach 8."""
 _ROW: Final = np.zeros(1, dtype=np.intp)
 
 
@@ -38,6 +44,8 @@ class SimulatedRobot:
         """True if the motors are disabled: they only brake, like motors with shorted windings."""
         self._commanded_for: float | None = None
         """Time since the last command, s; None before the first."""
+        self._time = 0.0
+        self._push_limit = PushLimit(PUSH.name)
         self.reset()
 
     def reset(self) -> None:
@@ -82,12 +90,18 @@ class SimulatedRobot:
         return np.array([math.cos(0.5 * yaw), 0.0, 0.0, math.sin(0.5 * yaw)])
 
     def push(self, velocity: NDArray[np.float64]) -> None:
-        """Add a velocity (3,) in the world frame, m/s, to the base's velocity."""
+        """Add a velocity (3,) in the world frame, m/s, to the base's velocity.
+
+        Raises:
+            QuadrupedError: if it is not finite, or too large together with other pushes, see `PushLimit`.
+        """
+        self._push_limit.check(velocity, self._time)
         self._simulation.push(_ROW, velocity[None])
 
     def step(self) -> bool:
         """Advance by one physics step. Returns True if the watchdog disabled the motors in it."""
         watchdog_tripped = False
+        self._time += TIMESTEP
         if self._commanded_for is not None:
             self._commanded_for += TIMESTEP
             watchdog_tripped = not self.limp and self._commanded_for > WATCHDOG
@@ -100,8 +114,11 @@ class SimulatedRobot:
 
     @property
     def diverged(self) -> bool:
-        """True if the simulation has diverged."""
-        return bool(self._simulation.diverged()[0])
+        """True if the simulation has diverged: its state is not one of a robot."""
+        robot, position, velocity = self.robot, self.state.joint_position[0], self.state.joint_velocity[0]
+        beyond = position - np.clip(position, robot.joint_position_low, robot.joint_position_high)
+        possible = (np.abs(beyond) <= _MAX_OVERTRAVEL) & (np.abs(velocity) <= _MAX_OVERSPEED * robot.velocity_limit)
+        return bool(self._simulation.diverged()[0]) or not possible.all()
 
     @property
     def fallen(self) -> bool:

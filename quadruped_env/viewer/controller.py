@@ -18,6 +18,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain
+from quadruped_env.simulation.push_limit import PushLimit
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.task import CommandConfig
 from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, push_velocity, sustained_force
@@ -78,6 +79,7 @@ class ViewController:
         self._paused = False
         self._speed = 1.0
         self._command: Command = (0.0, 0.0)
+        self._push_limit = PushLimit("push")
         self._watched = 0
         self.restart_after_fall = True
         self._take: Take | None = None
@@ -284,10 +286,15 @@ class ViewController:
         Args:
             direction: direction relative to the robot's heading, positive to the left, rad.
             strength: velocity added to the base, m/s.
+
+        Raises:
+            QuadrupedError: if it is too large together with other pushes, see `PushLimit`.
         """
+        velocity = push_velocity(direction, strength)
         with self._lock:
+            self._push_limit.check(velocity, self._time)
             for slot in self._lineup.slots:
-                slot.robot.push(push_velocity(direction, strength))
+                slot.robot.push(velocity)
 
     def hold_force(self, direction: float, force: float, seconds: float) -> None:
         """Apply a sustained force to the base of all robots.

@@ -1,6 +1,8 @@
 """The simulated robot with the live controller, without a network; its messages; its display in the viewer."""
 
+import io
 import itertools
+import threading
 
 import numpy as np
 import pytest
@@ -10,16 +12,21 @@ from live_nodes import received_from
 from waiting import wait_until
 
 from benchmarks.live import speed_in_environment
+from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
+from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import NAME, LiveRobot
+from quadruped_env.live.messages.joints import JointReader
 from quadruped_env.live.messages.sensors import Sensors
 from quadruped_env.live.messages.stamps import read_stamp
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
+from quadruped_env.live.nodes import node_module
+from quadruped_env.live.session import Session
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
-from quadruped_env.ros import cdr
+from quadruped_env.ros import Qos, cdr
 from quadruped_env.simulation import build_model, find_terrain, flat
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import terrain
@@ -141,6 +148,47 @@ def test_push_adds_its_velocity_and_a_pick_up_ends_a_fall():
     np.testing.assert_allclose(robot.state.base_position[0, :2], place, atol=1e-9)
     assert not robot.fallen
     assert robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT)
+
+
+def test_pushes_that_add_up_are_refused_and_the_robot_stays_whole():
+    """Six pushes of 5 m/s in one step would end in joint positions of 100,000 rad."""
+    robot = SimulatedRobot()
+    robot.push(np.array([0.0, 3.0, 4.0]))
+    for _ in range(5):
+        with pytest.raises(QuadrupedError, match=r"/push: .* of the last 1 s add up to 10 m/s"):
+            robot.push(np.array([0.0, 3.0, 4.0]))
+    for _ in range(400):
+        robot.step()
+        assert not robot.diverged
+    # The time of the limit is the simulated one.
+    robot.push(np.array([0.0, 3.0, 4.0]))
+
+
+def test_simulator_publishes_no_diverged_state(nodes, monkeypatch):
+    """Without the limit on pushes, as after any other cause."""
+    monkeypatch.setattr("quadruped_env.simulation.push_limit.MAX_PUSH", 1e3)
+    node, found = nodes(), []
+    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
+    pushes = node.publish(PUSH)
+    args, log = make_parser().parse_args(["sim"]), io.StringIO()
+
+    def diverged():
+        pushes.send(cdr.message(PUSH.type_name, x=20.0, y=10.0, z=-10.0))
+        found.extend(joints.positions for _, joints in states.messages(pytest.fail))
+        return "the simulation diverged; the robot is back at its start" in log.getvalue()
+
+    with Session("sim", args, log) as session:
+        thread = threading.Thread(target=node_module("sim").run, args=(session, args))
+        thread.start()
+        try:
+            wait_until(diverged, log.getvalue, interval=0.2)
+        finally:
+            session.stop()
+            thread.join()
+    found.extend(joints.positions for _, joints in states.messages(pytest.fail))
+    assert len(found) > 10
+    assert np.max(found - np.array(MINI_QUADRUPED.joint_position_high)) < 0.5
+    assert np.max(np.array(MINI_QUADRUPED.joint_position_low) - found) < 0.5
 
 
 @pytest.fixture

@@ -188,6 +188,16 @@ def test_a_push_changes_the_velocity_as_the_robot_faces(control, heading, direct
     np.testing.assert_array_equal(data.qvel[3:], before[3:])
 
 
+def test_pushes_in_a_pause_add_up_to_a_limit(control):
+    controller = control("stand still")
+    controller.paused = True
+    for _ in range(3):
+        controller.push(0.0, 1.5)
+    with pytest.raises(QuadrupedError, match=r"push: \[1.5, 0.0\] m/s and .* add up to 6 m/s"):
+        controller.push(0.0, 1.5)
+    assert robot(controller).data.qvel[0] == pytest.approx(4.5)
+
+
 def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
     controller = control("gait trot", "stand still")
     controller.advance(0.2)

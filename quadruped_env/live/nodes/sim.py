@@ -3,7 +3,7 @@
     publishes   /joint_states, /imu/data, /odom, /tf (base_link in odom), /clock      100 Hz
     subscribes  /joint_commands   sensor_msgs/JointState: names with positions in rad; only efforts of 0: go limp
                 /forward_position_controller/commands   std_msgs/Float64MultiArray: a position per joint in rad
-                /push             geometry_msgs/Vector3: velocity in m/s, added to the base's
+                /push             geometry_msgs/Vector3: velocity in m/s, added to the base's; 5 m/s within 1 s
 
 Stands until it is commanded. Without a command for 1 s its motors go limp, like the watchdog of a motor driver. It
 accepts commands from one publisher at a time. Timestamps are this machine's time. There can be only one robot on a
@@ -36,8 +36,6 @@ from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_t
 from quadruped_env.timestamps import NS_PER_SECOND
 
 STEPS_PER_STATE: Final = 2
-_MAX_PUSH: Final = 5.0
-"""Maximum velocity change by a push, m/s."""
 _PUSH_LOG_PERIOD: Final = 1.0
 """Minimum time between log lines about pushes, s."""
 _SENDER_TIMEOUT: Final = 0.5
@@ -76,17 +74,21 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         session.wait(pace.remaining)
         commands.take()
         for _, velocity in pushes.messages(session.refuse):
-            if push_log.tick():
-                session.say(f"pushed by {velocity.tolist()} m/s")
-            robot.push(velocity)
+            try:
+                robot.push(velocity)
+            except QuadrupedError as error:
+                session.refuse(str(error))
+            else:
+                if push_log.tick():
+                    session.say(f"pushed by {velocity.tolist()} m/s")
         while pace.tick():
             if robot.step():
                 session.say("limp: no command for 1 s")
+            if robot.diverged:
+                session.say("the simulation diverged; the robot is back at its start")
+                robot.reset()
             if pace.ticks % STEPS_PER_STATE == 0:
                 sensors.send(start + (pace.ticks - 1) * step, robot.state)
-        if robot.diverged:
-            session.say("the simulation diverged; the robot is back at its start")
-            robot.reset()
         if robot.fallen != fell:
             fell, fell_at = robot.fallen, time.monotonic()
             session.say("fallen" if fell else "on its feet")
@@ -148,13 +150,5 @@ def _command(joints: Joints) -> tuple[int, Target]:
 
 
 def _push(vector: Any) -> NDArray[np.float64]:
-    """The velocity (3,) of a `/push` message, m/s.
-
-    Raises:
-        QuadrupedError: if it is not finite or too large.
-    """
-    velocity = np.array([vector.x, vector.y, vector.z])
-    # Check the components first: the squares of large numbers overflow.
-    if not np.abs(velocity).max() <= _MAX_PUSH or np.linalg.norm(velocity) > _MAX_PUSH:
-        raise QuadrupedError(f"{PUSH.name}: {velocity.tolist()} is not a velocity of at most {_MAX_PUSH:g} m/s")
-    return velocity
+    """The velocity (3,) of a `/push` message, m/s."""
+    return np.array([vector.x, vector.y, vector.z])
