@@ -16,7 +16,7 @@ from quadruped_env import asset_path
 from quadruped_env.envs import rendering
 from quadruped_env.simulation import build_model
 
-# Without the fixture `domain_id`, no test joins a DDS domain, in which somebody's robot may listen.
+# Without the fixture `domain_id`, no test joins a DDS domain: a robot may listen there.
 os.environ["ROS_DOMAIN_ID"] = "none in tests; take the fixture domain_id"
 
 

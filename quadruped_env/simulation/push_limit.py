@@ -8,7 +8,7 @@ from typing import Final
 from quadruped_env.errors import QuadrupedError
 
 MAX_PUSH: Final = 5.0
-"""Maximum sum of the pushes within `PERIOD`, m/s. At 10 m/s, impacts make one simulation in five diverge; at 5 m/s none."""
+"""Maximum sum of the pushes within `PERIOD`, m/s. At 10 m/s, one simulation in five diverges; at 5 m/s none."""
 PERIOD: Final = 1.0
 """Simulated time over which pushes add up, s."""
 
@@ -30,13 +30,13 @@ class PushLimit:
 
         Args:
             velocity: its velocity, m/s.
-            time: simulated time, s; it starts again after a reset.
+            time: simulated time, s, not before that of an earlier push.
 
         Raises:
             QuadrupedError: if it is not finite, or too large together with the others; it is not counted then.
         """
         velocity = [float(value) for value in velocity]
-        while self._recent and not self._recent[0][0] <= time < self._recent[0][0] + PERIOD:
+        while self._recent and time >= self._recent[0][0] + PERIOD:
             self._recent.popleft()
         speed = math.hypot(*velocity)
         total = speed + sum(earlier for _, earlier in self._recent)

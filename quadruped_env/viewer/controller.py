@@ -247,6 +247,7 @@ class ViewController:
         with self._lock:
             self.stop_recording()
             self._seed += 1
+            self._push_limit = PushLimit("push")
             self._time = self._budget = self._lag = 0.0
             for slot in self._lineup.slots:
                 slot.robot.reset(self._seed, self._command)

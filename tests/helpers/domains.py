@@ -1,4 +1,4 @@
-"""DDS domains for tests: one per test, without other programs, also where several suites run on one machine."""
+"""DDS domains for tests: one per test, also with several test suites on a machine, and without other programs."""
 
 import contextlib
 import random

@@ -21,16 +21,9 @@ def test_pushes_within_a_second_add_up_to_the_limit():
         limit.check((0.1, 0.0, 0.0), time=11.4)
 
 
-def test_pushes_before_a_reset_of_the_time_do_not_count():
-    limit = PushLimit("push")
-    for _ in range(2):
-        limit.check((3.0, 4.0), time=3.0)
-        limit.check((3.0, 4.0), time=0.0)
-
-
 @pytest.mark.parametrize("velocity", [(math.nan, 0.0, 0.0), (0.0, -math.inf, 0.0), (3.0, 4.0, 0.1), (1e308,) * 3])
 def test_push_that_is_not_finite_or_too_large_is_refused_and_not_counted(velocity):
     limit = PushLimit("/push")
-    with pytest.raises(QuadrupedError, match="expected finite numbers and at most 5 m/s within 1 s; push less, or wait"):
+    with pytest.raises(QuadrupedError, match="expected finite numbers and at most 5 m/s within 1 s"):
         limit.check(velocity, time=0.0)
     limit.check((5.0, 0.0, 0.0), time=0.0)

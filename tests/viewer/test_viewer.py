@@ -196,6 +196,8 @@ def test_pushes_in_a_pause_add_up_to_a_limit(control):
     with pytest.raises(QuadrupedError, match=r"push: \[1.5, 0.0\] m/s and .* add up to 6 m/s"):
         controller.push(0.0, 1.5)
     assert robot(controller).data.qvel[0] == pytest.approx(4.5)
+    controller.reset()
+    controller.push(0.0, 1.5)
 
 
 def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
