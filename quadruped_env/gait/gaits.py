@@ -132,18 +132,34 @@ class SinusoidalGait:
     def violations(self) -> list[str]:
         """Messages about position and velocity limits that the gait exceeds; empty if there are none."""
         amplitude, offset = np.abs(self._amplitude), self._offset
-        low, high = offset - amplitude, offset + amplitude
         speed = abs(self.angular_frequency) * amplitude
-        found = []
-        tolerance = 1e-9
-        robot = self.robot
-        for i, joint in enumerate(robot.joint_names):
-            lower, upper = robot.joint_position_low[i], robot.joint_position_high[i]
-            if low[i] < lower - tolerance or high[i] > upper + tolerance:
-                found.append(f"{joint}: {low[i]:.3f} to {high[i]:.3f} rad is outside {lower:g} to {upper:g} rad")
-            if speed[i] > robot.velocity_limit[i] + tolerance:
-                found.append(f"{joint}: {speed[i]:.3f} rad/s is over {robot.velocity_limit[i]:g} rad/s")
-        return found
+        return limit_violations(self.robot, offset - amplitude, offset + amplitude, speed)
+
+
+def limit_violations(
+    robot: Robot,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+    speed: NDArray[np.float64],
+    tolerance: float = 1e-9,
+) -> list[str]:
+    """Messages about the limits that a motion of the joints exceeds.
+
+    Args:
+        robot: the robot.
+        low: lowest position of each joint, rad (J,).
+        high: highest position of each joint, rad (J,).
+        speed: highest speed of each joint, rad/s (J,).
+        tolerance: excess that counts as none, rad and rad/s.
+    """
+    found = []
+    for i, joint in enumerate(robot.joint_names):
+        lower, upper = robot.joint_position_low[i], robot.joint_position_high[i]
+        if low[i] < lower - tolerance or high[i] > upper + tolerance:
+            found.append(f"{joint}: {low[i]:.3f} to {high[i]:.3f} rad is outside {lower:g} to {upper:g} rad")
+        if speed[i] > robot.velocity_limit[i] + tolerance:
+            found.append(f"{joint}: {speed[i]:.3f} rad/s is over {robot.velocity_limit[i]:g} rad/s")
+    return found
 
 
 def _published(robot: Robot) -> SinusoidalGait:

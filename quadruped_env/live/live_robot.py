@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait.gaits import limit_violations
 from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.live.messages.gaits import read_settings, settings_message
 from quadruped_env.live.messages.joints import JointReader, Joints
@@ -32,12 +33,14 @@ _SMOOTHING: Final = 1.0 - math.exp(-_TIMESTEP / 0.2)
 _CONTACT: Final = 1.0
 """Contact force above which a foot counts as on the ground, N."""
 _ODOMETRY_TIMEOUT: Final = 1.0
-"""Age of the last odometry after which the robot is drawn standing at its last position, s."""
+"""Age of the last odometry after which the robot is drawn standing at its last position, without velocity, s."""
 _STOP_PERIOD: Final = 1.0
 """Time for which a zero command is repeated, so that other publishers may take over afterwards, s."""
 _COMMAND_PERIOD: Final = 0.1
 _SETTINGS_HOLD: Final = 1.0
 """Time after a change of the gait's settings during which received settings are ignored, s."""
+_OVERTRAVEL: Final = 0.02
+"""Angle by which a joint stop may give way, and speed tolerance, rad and rad/s."""
 _MAX_VALUE: Final = 1e6
 """Largest accepted value, m, m/s or rad/s."""
 _MIN_NORM: Final = 1e-3
@@ -171,13 +174,23 @@ class LiveRobot:
         self._settings, self._changed_at = settings, time.monotonic()
 
     def complaints(self) -> list[str]:
-        """An empty list: the `gait` node itself reports the limits that its gait exceeds."""
-        return []
+        """Descriptions of the joint limits that the last states of the `gait` node's gait exceed."""
+        if self.gait is None:
+            return []
+        positions = np.array([moment.joint_position for moment in self.history])
+        speed = np.abs([moment.joint_velocity for moment in self.history]).max(axis=0)
+        return limit_violations(self.robot, positions.min(axis=0), positions.max(axis=0), speed, _OVERTRAVEL)
 
     def offered(self) -> Offered:
-        """The available controls: those with a subscriber; the clock only with a simulation."""
-        commands, pushes = bool(self._velocities.readers), bool(self._pushes.readers)
-        return Offered(command=commands, push=pushes, force=False, clock=pushes, sources=False)
+        """The available controls, those with a subscriber, and readings. No topic pauses or resets a robot."""
+        return Offered(
+            command=bool(self._velocities.readers),
+            push=bool(self._pushes.readers),
+            force=False,
+            clock=False,
+            sources=False,
+            motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,
+        )
 
     @property
     def receives_states(self) -> bool:

@@ -69,7 +69,7 @@ class ViewController:
         self.robot = robot
         self.command_ranges = CommandConfig()
         self.available = Offered()
-        """Controls that have an effect on at least one kind of robot here."""
+        """Controls that have an effect on at least one kind of robot here, and readings that exist."""
         self.terrains = tuple(terrains)
         self._lock = threading.RLock()
         self._messages: deque[str] = deque(maxlen=_MESSAGES)
@@ -105,7 +105,7 @@ class ViewController:
 
     @property
     def offered(self) -> Offered:
-        """The controls that have an effect on the current robots."""
+        """The controls that have an effect on the current robots, and their readings."""
         with self._lock:
             return replace(self.available, command=self.available.command and self._lineup.follows_command)
 
@@ -322,7 +322,9 @@ class ViewController:
             if self._take is None:
                 self._saver.check_room()
                 robot = self._watched_robot
-                self._take = Take(self.names[self._watched], [robot.history[-1]], robot.follows_command)
+                follows_command = robot.follows_command and self.available.command
+                name, motion = self.names[self._watched], self.available.motion
+                self._take = Take(name, [robot.history[-1]], follows_command, motion)
 
     def stop_recording(self) -> None:
         """End the current recording, if any, and save it in the background."""
@@ -367,6 +369,7 @@ class ViewController:
                 self._watched,
                 None if self._take is None else self._take.seconds,
                 self._lag,
+                self.offered,
             )
 
     def model(self) -> mujoco.MjModel:

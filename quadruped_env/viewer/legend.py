@@ -24,15 +24,16 @@ def legend(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> dict[
 
     Args:
         robot: robot that is shown.
-        offered: controls that have an effect; what cannot appear without them has no entry.
+        offered: controls and readings that there are; what cannot appear without them has no entry.
         visible: overlay -> True if it is shown.
     """
     entries: dict[str, list[Mark]] = {}
     if visible[VELOCITIES]:
         if offered.command:
             entries["commanded velocity and turn"] = [(_ARROW, COMMANDED, "")]
-        entries["measured velocity and turn"] = [(_ARROW, ACTUAL, "")]
-    if visible[CONTACT_FORCES]:
+        if offered.motion:
+            entries["measured velocity and turn"] = [(_ARROW, ACTUAL, "")]
+    if visible[CONTACT_FORCES] and offered.motion:
         entries["contact forces"] = [(_ARROW, CONTACT, "")]
     if offered.push:
         entries["push, sustained force" if offered.force else "push"] = [(_ARROW, PUSH, "")]

@@ -13,6 +13,7 @@ from quadruped_env.simulation.ground import LEVELS
 from quadruped_env.viewer.controller import SPEEDS, ViewController
 from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, MAX_PUSH, max_force
 from quadruped_env.viewer.keys import ARROWS_FIRST
+from quadruped_env.viewer.legend import CONTACT_FORCES, VELOCITIES
 from quadruped_env.viewer.lineup import MAX_ROBOTS, RANDOMIZATIONS
 from quadruped_env.viewer.panel_text import keys_html, legend_html, status_html
 from quadruped_env.viewer.paths import without_directories
@@ -202,8 +203,8 @@ class Panel:
 
     def _add_overlays(self) -> None:
         gui = self._server.gui
-        for name in self._scene.visible:
-            box = gui.add_checkbox(name.capitalize(), True)
+        self._overlays = {name: gui.add_checkbox(name.capitalize(), True) for name in self._scene.visible}
+        for name, box in self._overlays.items():
             self._on(box, partial(self._show_overlay, name, box))
         follow = gui.add_checkbox("Camera follows", True)
         abreast = gui.add_checkbox(
@@ -325,6 +326,8 @@ class Panel:
         _set(self._push_folder, "visible", offered.push)
         for control in (self._force, self._seconds, self._hold):
             _set(control, "visible", offered.force)
+        _set(self._overlays[CONTACT_FORCES], "visible", offered.motion)
+        _set(self._overlays[VELOCITIES], "visible", offered.motion or offered.command)
         _set(self._keys, "content", keys_html(offered))
         _set(self._legend, "content", legend_html(self._controller.robot, offered, self._scene.visible))
 

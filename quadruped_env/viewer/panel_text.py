@@ -39,18 +39,18 @@ def keys_html(offered: Offered) -> str:
 
 def status_html(view: View) -> str:
     """The first lines of the panel, as HTML."""
-    robot = view.robots[view.watched]
+    robot, offered = view.robots[view.watched], view.offered
+    commanded = robot.follows_command and offered.command
     (velocity, yaw_rate), (asked_velocity, asked_yaw_rate) = robot.now.smooth_velocity, robot.now.command
-    of_velocity, of_yaw_rate = (
-        f"of {asked:z.2f} " if robot.follows_command else "" for asked in (asked_velocity, asked_yaw_rate)
-    )
+    of_velocity, of_yaw_rate = (f"of {asked:z.2f} " if commanded else "" for asked in (asked_velocity, asked_yaw_rate))
     number = "font-size:22px;font-variant-numeric:tabular-nums"
-    pace = "paused" if view.paused else f"{view.speed:g} &times; real time"
-    lines = [
-        f'<span style="color:{GREY}">{escape(robot.name)} &ensp; {view.time:.1f} s &ensp; {pace}</span>',
-        f'<span style="{number}">{velocity:z.2f}</span> {of_velocity}m/s &ensp; '
-        f'<span style="{number}">{yaw_rate:z.2f}</span> {of_yaw_rate}rad/s',
-    ]
+    pace = "paused" if view.paused else f"{view.speed:g} &times; real time" if offered.clock else ""
+    lines = [f'<span style="color:{GREY}">{escape(robot.name)} &ensp; {view.time:.1f} s &ensp; {pace}</span>']
+    if offered.motion:
+        lines.append(
+            f'<span style="{number}">{velocity:z.2f}</span> {of_velocity}m/s &ensp; '
+            f'<span style="{number}">{yaw_rate:z.2f}</span> {of_yaw_rate}rad/s'
+        )
     warnings = []
     if robot.fell_at is not None:
         warnings.append(f"fell at {robot.fell_at:.1f} s")

@@ -22,7 +22,7 @@ from quadruped_env.reporting.palette import (
 from quadruped_env.robot import Robot
 from quadruped_env.task import Section
 from quadruped_env.viewer.robot import HISTORY_SECONDS
-from quadruped_env.viewer.snapshot import RobotView
+from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 if TYPE_CHECKING:
@@ -40,15 +40,23 @@ _POINTS: Final = 125
 
 
 class Plots:
-    """A panel of charts at the left edge."""
+    """A panel of charts at the left edge.
 
-    def __init__(self, server: "viser.ViserServer", commands: Section, robot: Robot) -> None:
+    Args:
+        server: the server of the page.
+        commands: ranges of the velocity command.
+        robot: the robots.
+        reward: False if their samples have no reward terms.
+    """
+
+    def __init__(self, server: "viser.ViserServer", commands: Section, robot: Robot, reward: bool = True) -> None:
         panel = server.gui.add_panel()
         panel.dock_left()
         panel.set_width(_WIDTH)
         self._shown: tuple[str, float, int] | None = None
         ahead, turn = (_padded(bounds) for bounds in (commands.forward_velocity, commands.yaw_rate))
         with panel.add_tab("Walk"):
+            self._unknown = server.gui.add_html(_NO_MOTION, visible=False)
             self._forward = _Chart(server, "Forward velocity, m/s", _VELOCITY_LINES, ahead)
             self._yaw = _Chart(server, "Yaw rate, rad/s", _VELOCITY_LINES, turn)
             self._gait = server.gui.add_html(gait_diagram(robot, np.zeros((0, robot.num_legs), np.bool_), 0.02))
@@ -58,11 +66,18 @@ class Plots:
             lines: list[_Line] = [(leg, colour, ()) for leg, colour in leg_colours(robot).items()]
             lines.append(("limit", LIMIT, (4, 4)))
             self._speeds = _Chart(server, "Fastest joint of each leg, rad/s", lines, (0.0, 1.2 * self._fastest))
-        with panel.add_tab("Reward"):
-            self._reward = server.gui.add_html("")
+        self._reward = None
+        if reward:
+            with panel.add_tab("Reward"):
+                self._reward = server.gui.add_html("")
 
-    def update(self, robot: RobotView) -> None:
-        """Show the last seconds of a robot."""
+    def update(self, view: View) -> None:
+        """Show the last seconds of the watched robot."""
+        robot, motion = view.robots[view.watched], view.offered.motion
+        if self._unknown.visible == motion:
+            self._unknown.visible = not motion
+            for shown in (*self._forward.handles, *self._yaw.handles, self._gait):
+                shown.visible = motion
         shown = robot.name, float(robot.now.time), len(robot.history)
         if shown == self._shown:
             return
@@ -82,9 +97,9 @@ class Plots:
         self._speeds.show(times, *by_leg, np.full(len(times), self._fastest))
         contact = np.array([sample.contact for sample in robot.history[-round(GAIT_SECONDS / timestep) :]])
         self._gait.content = gait_diagram(description, contact, timestep)
-        recent = [sample.reward_terms for sample in robot.history[-round(_REWARD_SECONDS / timestep) :]]
-        terms = np.mean(recent, axis=0) / timestep
-        self._reward.content = reward_bars(robot.term_names, terms)
+        if self._reward is not None:
+            recent = [sample.reward_terms for sample in robot.history[-round(_REWARD_SECONDS / timestep) :]]
+            self._reward.content = reward_bars(robot.term_names, np.mean(recent, axis=0) / timestep)
 
 
 _Line = tuple[str, str, tuple[int, ...]]
@@ -103,7 +118,7 @@ class _Chart:
     def __init__(
         self, server: "viser.ViserServer", title: str, lines: Sequence[_Line], bounds: tuple[float, float]
     ) -> None:
-        server.gui.add_html(_heading(title, lines))
+        heading = server.gui.add_html(_heading(title, lines))
         series: list[dict[str, Any]] = [{}]
         for _, colour, dashes in lines:
             series.append({"stroke": colour, "width": 1.5, "points": {"show": False}, "dash": list(dashes)})
@@ -123,6 +138,7 @@ class _Chart:
             height=_CHART_HEIGHT,
             padding=(8, 10, 0, 0),
         )
+        self.handles = heading, self._handle
 
     def show(self, times: NDArray[np.floating], *lines: NDArray[np.floating]) -> None:
         """Draw lines over times (s) (T,)."""
@@ -208,6 +224,10 @@ def reward_bars(names: Sequence[str], values: NDArray[np.float64]) -> str:
 
 
 _FONT: Final = "font:12px sans-serif"
+_NO_MOTION: Final = (
+    f'<div style="{_FONT};padding:12px;color:{GREY}" data-unknown>Velocity and contacts of the feet are unknown: '
+    "no /odom arrives.</div>"
+)
 
 
 def _heading(title: str, lines: Sequence[_Line]) -> str:

@@ -27,7 +27,7 @@ _ROW: Final = np.zeros(1, dtype=np.intp)
 
 @dataclass(frozen=True)
 class Offered:
-    """The controls that have an effect. Some have none on a robot that is only observed through messages."""
+    """The controls that have an effect, and the readings that exist: not all for a robot observed through messages."""
 
     command: bool = True
     push: bool = True
@@ -36,7 +36,9 @@ class Offered:
     clock: bool = True
     """Pause, step and reset."""
     sources: bool = True
-    """Choice of controllers, terrain, playback speed and randomization; fixed from the start."""
+    """Choice of controllers, terrain, playback speed and randomization, and reward terms; fixed from the start."""
+    motion: bool = True
+    """Velocity of the base, and contacts of the feet."""
 
 
 class ViewedRobot(Protocol):

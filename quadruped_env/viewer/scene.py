@@ -152,7 +152,7 @@ class Scene:
         shift = lanes + self._offsets
         with self._server.atomic():
             self._draw_robots(robots, shift, self._offsets[view.watched])
-            self._draw_contacts(robots, shift)
+            self._draw_contacts(robots, shift, view.offered.motion)
             self._draw_velocities(robots, shift)
             self._draw_trails(robots, shift)
             self._draw_push(robots, shift)
@@ -204,14 +204,14 @@ class Scene:
             self._robots.fixed_bodies_frame.position = ground
             self._drawn = drawn
 
-    def _draw_contacts(self, robots: tuple[RobotView, ...], shift: Points) -> None:
+    def _draw_contacts(self, robots: tuple[RobotView, ...], shift: Points, known: bool) -> None:
         arrows = []
         for i, robot in enumerate(robots):
             left = _direction(robot.heading + math.pi / 2)
             side = np.sign((robot.contact_points - robot.now.base_position) @ left)
             start = robot.contact_points + _CONTACT_OFFSET * self._size * side[:, None] * left + shift[i]
             arrows.append(np.stack([start, start + self._metres_per_newton * robot.contact_forces], axis=1))
-        _draw(self._contacts, np.concatenate(arrows), visible=self.visible[CONTACT_FORCES])
+        _draw(self._contacts, np.concatenate(arrows), visible=known and self.visible[CONTACT_FORCES])
 
     def _draw_velocities(self, robots: tuple[RobotView, ...], shift: Points) -> None:
         arrows, arcs, heads = [], [], []

@@ -68,7 +68,7 @@ class Show:
         self._server = start_server(host, port)
         self._scene = Scene(self._server, controller.model(), controller.robot, controller.terrain)
         self.panel = Panel(self._server, controller, self._scene)
-        self._plots = Plots(self._server, controller.command_ranges, controller.robot)
+        self._plots = Plots(self._server, controller.command_ranges, controller.robot, controller.available.sources)
         self._server.on_client_disconnect(lambda _: self._left())
         self.draw(controller.view())
 
@@ -90,7 +90,7 @@ class Show:
         """Draw a view: scene, panel and plots."""
         self._draw_scene(view)
         self.panel.update(view)
-        self._plots.update(view.robots[view.watched])
+        self._plots.update(view)
 
     def _draw_scene(self, view: View) -> None:
         if view.terrain != self._scene.terrain:
@@ -113,7 +113,7 @@ class Show:
                 frames += 1
                 if ticks % (TICKS_PER_FRAME * TICKS_PER_PLOT) == 0:
                     self.panel.update(view)
-                    self._plots.update(view.robots[view.watched])
+                    self._plots.update(view)
             ticks += 1
             due = start + ticks * TICK
             late = time.perf_counter() - due

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.gait.settings import GaitSettings
 from quadruped_env.simulation import Terrain
-from quadruped_env.viewer.robot import ViewedRobot, contact_forces, heading
+from quadruped_env.viewer.robot import Offered, ViewedRobot, contact_forces, heading
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 
@@ -64,6 +64,7 @@ class View:
     """Duration of the current recording, s; None if there is none."""
     lag: float
     """Playback time skipped since the last reset because the machine was too slow, s."""
+    offered: Offered
 
 
 def robot_view(robot: ViewedRobot, name: str, scratch: mujoco.MjData) -> RobotView:

@@ -38,6 +38,8 @@ class Take:
     """One or more"""
     follows_command: bool = True
     """False if the velocity command had no effect"""
+    motion: bool = True
+    """False if velocity and contacts are unknown"""
 
     @property
     def seconds(self) -> float:
@@ -47,8 +49,9 @@ class Take:
     def clip(self) -> Clip:
         """The take as a clip of a film, which shows the command if the robot follows it."""
         trace: Trace = ViewedTrace.stack(self.samples)
-        if not self.follows_command:
-            known = {name: getattr(trace, name) for name in Trace.quantities() if name != "command"}
+        unknown = (() if self.follows_command else ("command",)) + (() if self.motion else ("velocity", "contact"))
+        if unknown:
+            known = {name: getattr(trace, name) for name in Trace.quantities() if name not in unknown}
             trace = Trace(robot=trace.robot, timestep=trace.timestep, terrain=trace.terrain, **known)
         return Clip(self.title, trace)
 

@@ -1,8 +1,11 @@
 """The published gait, changed while it runs: by messages, by the viewer, and in the browser."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from browser import fill
+from live_nodes import joint_state, usable
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
@@ -10,10 +13,11 @@ from quadruped_env.gait.settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.gaits import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.messages.joints import JointReader
-from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, PUSH
+from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController
+from quadruped_env.viewer.panel_text import status_html
 from quadruped_env.viewer.robot import Offered
 
 pytest.importorskip("cyclonedds")
@@ -96,14 +100,24 @@ def test_gait_node_applies_settings_and_publishes_them(start, nodes):
 def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
     show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-    assert live.offered() == Offered(command=False, push=False, force=False, clock=False, sources=False)
+    nothing = Offered(command=False, push=False, force=False, clock=False, sources=False, motion=False)
+    assert live.offered() == nothing
     assert show.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
         show.set_gait(CHANGED)
     robot.subscribe(CMD_VEL)
-    wait_until(lambda: live.offered() == Offered(command=True, push=False, force=False, clock=False, sources=False))
+    wait_until(lambda: live.offered() == replace(nothing, command=True))
     robot.subscribe(PUSH)
-    wait_until(lambda: live.offered() == Offered(command=True, push=True, force=False, clock=True, sources=False))
+    # No topic pauses or resets the robot.
+    wait_until(lambda: live.offered() == replace(nothing, command=True, push=True))
+    odometry = robot.publish(ODOMETRY)
+
+    def sends_odometry():
+        odometry.send_bytes(usable(ODOMETRY))
+        show.advance(0.02)
+        return live.offered() == replace(nothing, command=True, push=True, motion=True)
+
+    wait_until(sends_odometry)
     wanted = robot.subscribe(GAIT, read=lambda data: cdr.deserialize(data, GAIT.type_name))
     robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
     wait_until(lambda: show.advance(0.02) and show.gait == CHANGED)
@@ -113,6 +127,31 @@ def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     received = []
     wait_until(lambda: received.extend(wanted.messages(pytest.fail)) or received)
     assert read_settings(received[-1][1], MINI_QUADRUPED) == other
+    show.close()
+
+
+def test_viewer_shows_the_limits_that_a_published_gait_exceeds(nodes, tmp_path):
+    """Without odometry it shows no velocity, contacts or reward."""
+    robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
+    show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
+    states = robot.publish(JOINT_STATES)
+
+    def status(knee, speed):
+        """The status after a joint state with these knees, rad and rad/s."""
+        states.send(joint_state(position=(0.1, knee) * 4, velocity=(0.0, speed) * 4))
+        show.advance(0.02)
+        show.available = live.offered()
+        return status_html(show.view())
+
+    wait_until(lambda: "live robot" in status(0.1, 6.0) and live.receives_states)
+    assert "exceeds" not in status(0.1, 6.0), "without the gait node, the joints may be those of any robot"
+    robot.subscribe(GAIT)
+    robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
+    wait_until(lambda: "The gait exceeds limits: LF_knee_joint: " in status(0.1, 6.0))
+    assert "rad is outside -2 to 0 rad, and 7 more" in status(0.1, 6.0)
+    assert "m/s" not in status(0.1, 6.0)
+    assert "real time" not in status(0.1, 6.0)
+    wait_until(lambda: "exceeds" not in status(-1.0, 1.0))
     show.close()
 
 
@@ -133,6 +172,10 @@ def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, 
         assert not page.get_by_text(label, exact=True).filter(visible=True).count(), label
     assert "record" in page.locator("[data-keys]").inner_text()
     assert not set(page.locator("[data-keys]").inner_text().split()) & {"pause", "push", "turn"}
+    page.get_by_text("Velocity and contacts of the feet are unknown").wait_for()
+    assert not page.get_by_role("tab", name="Reward").count()
+    for reading in ("Feet on the ground, s", "Forward velocity, m/s", "m/s", "contact forces"):
+        assert not page.get_by_text(reading).filter(visible=True).count(), reading
     for button in ("Pause", "Reset", "Step", "Push", "Apply force"):
         assert not page.get_by_role("button", name=button, exact=True).filter(visible=True).count(), button
 
@@ -146,6 +189,8 @@ def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, 
     full = wait_until(amplitude, alive=display.process)
     fill(page, "Amplitude", 0.5)
     wait_until(lambda: abs(amplitude() / full - 0.5) < 0.1, alive=display.process)
+    fill(page, "Amplitude", 2.0)
+    page.get_by_text("The gait exceeds limits: ").wait_for()
     fill(page, "Frequency, Hz", 2.0)
     fill(page, "Phase RF, cycles", 0.3)
     settings = nodes().subscribe(

@@ -206,3 +206,7 @@ def test_legend_leaves_out_what_is_not_drawn():
     live = legend(MINI_QUADRUPED, Offered(command=False, force=False), SHOWN)
     assert "commanded velocity and turn" not in live
     assert "push" in live
+    assert (
+        not {"contact forces", "measured velocity and turn"}
+        & legend(MINI_QUADRUPED, Offered(motion=False), SHOWN).keys()
+    )

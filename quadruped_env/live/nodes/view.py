@@ -39,9 +39,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             began = time.monotonic()
             show.run(POLL_PERIOD)
             controller.available = robot.offered()
-            if controller.paused and not controller.offered.clock:
-                # The simulation has ended while paused, and the button that resumes it is hidden.
-                controller.paused = False
             session.wait_for("" if robot.receives_states else JOINT_STATES.name)
             for message in controller.messages():
                 session.say(message)
