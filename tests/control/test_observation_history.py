@@ -183,6 +183,7 @@ def test_policy_keeps_its_history_and_refuses_other_observations(tmp_path):
 
 @pytest.mark.parametrize("mode", ["position", "residual"])
 def test_exported_graph_stacks_as_the_env_does(mode):
+    pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
     policy = policy_with_history(mode)
     interface = PolicyInterface(policy)
     content = policy_graph(interface, "history")
@@ -208,6 +209,7 @@ def test_exported_graph_stacks_as_the_env_does(mode):
 
 
 def test_code_of_the_exported_page_feeds_the_history_back(tmp_path, monkeypatch):
+    pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
     policy = policy_with_history()
     interface = PolicyInterface(policy)
     (tmp_path / "policy.onnx").write_bytes(policy_graph(interface, "history"))

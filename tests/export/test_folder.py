@@ -28,6 +28,8 @@ from quadruped_env.policies import Policy, find_controller, load_policy
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.task import ActionConfig, TaskConfig
 
+pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
+
 FILES = {"README.md", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors", "robot.urdf", "robot.xml"}
 
 WALK = """

@@ -4,8 +4,6 @@ import math
 
 import gymnasium
 import numpy as np
-import onnx
-import onnxruntime
 import pytest
 import second_robot
 from comparisons import random_policy
@@ -21,6 +19,9 @@ from quadruped_env.export.graph import IR_VERSION, OPSET, policy_graph
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
+
+onnx = pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
+onnxruntime = pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
 
 SAMPLES = 10_000
 TOLERANCE = 1e-5

@@ -32,6 +32,8 @@ from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
 from quadruped_env.robot.motors import fill_command_history
 
+pytest.importorskip("tabulate", reason="mujoco[sysid] is not installed: pip install -e '.[identify]'")
+
 TRUTH = MotorConfig(
     hip=JointMotor(stall_torque=7.5, kp=32.0, kd=0.7, damping=0.12, friction_loss=0.25, armature=0.016),
     knee=JointMotor(stall_torque=8.5, kp=48.0, kd=1.3, damping=0.09, friction_loss=0.15, armature=0.008),
