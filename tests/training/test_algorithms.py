@@ -95,6 +95,7 @@ def test_gradient_steps_keep_a_symmetric_network_symmetric_to_the_last_bit(name)
 
 @pytest.mark.parametrize("name", ["sac", "td3"])
 def test_exported_graph_squashes_as_the_policy_does(name):
+    pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
     model, env = model_of(name)
     interface = PolicyInterface(export_policy(model, env.task.config, "elu", {}))
     assert runtime.largest_difference(interface, policy_graph(interface, name), 2000) < 1e-5
