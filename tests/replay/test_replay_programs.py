@@ -43,7 +43,9 @@ class TestPrograms:
         JointTrajectory(did.stamps, names, *wider).save(tmp_path / "did.csv")
         done = run(tmp_path, "replay.py", "told.csv", "--compare", "did.csv", "--out", "out")
         assert done.returncode == 0, done.stderr
-        assert done.stderr == "replay.py: warning: did.csv: left out joints that this robot does not have: tail_joint\n"
+        assert done.stderr == (
+            "mini-quadruped replay: warning: did.csv: left out joints that this robot does not have: tail_joint\n"
+        )
         assert "efforts (N m)" in done.stdout
         numbers = json.loads((tmp_path / "out" / "tracking.json").read_text())["comparison"]
         assert numbers["efforts"]["joints"]["RH_knee_joint"]["max"] == 0.0
