@@ -80,7 +80,7 @@ def own_env(contender: Contender, progress: Progress, episodes: int = 300, secon
     env = policy.make_vec_env(episodes)
     task, dt = env.unwrapped.task, policy.config.control_timestep
     steps = round(seconds / dt)
-    observation, _ = env.reset(seed=0)
+    observation, _ = env.reset(seed=FIRST_SEED)
     fallen, after_command, age = np.zeros(episodes, bool), np.zeros(episodes, bool), np.zeros(episodes)
     command = task.command.copy()
     for step in range(steps):
