@@ -25,7 +25,7 @@ from quadruped_env.control.joint_command import LIMP, Target, limited
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.control.velocity_command import VELOCITY
+from quadruped_env.control.velocity_command import VELOCITY, out_of_range
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.readings import Readings
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -38,6 +38,8 @@ _MAX_RAMP_STEPS: Final = 2.5
 """Maximum progress of the ramp per command, in control steps, where states were lost."""
 _ROUNDING: Final = 1e-6
 """Tolerance of rounding errors, s."""
+_CLIPPED_PERIOD: Final = 1.0
+"""Time without a command out of range after which the next one is logged again, s."""
 _EARLY_TOLERANCE: Final = 0.25
 """Fraction of a control step by which a state may precede its tick: timestamps of real robots jitter."""
 
@@ -110,7 +112,7 @@ class LiveController:
         controller: computes the joint targets while walking.
         config: time step, clock and commands. None: those of the policy, or the defaults for other controllers.
         safety: conditions for moving and stopping. None: the defaults.
-        say: called with a line of text at every change of mode.
+        say: called with a line of text at every change of mode, and when a command is clipped.
         robot: the robot that is driven. None: that of the policy, or the built-in one for other controllers.
 
     Raises:
@@ -144,7 +146,7 @@ class LiveController:
         self._readings = Readings.of_a_real_robot(robot)
         self._control = ControlInterface(robot, config, fields=OBSERVATIONS if policy is None else policy.fields)
         self._check_observation()
-        self._ranges = [entry.range for entry in config.commands[:VELOCITY]]
+        self._commands = config.commands[:VELOCITY]
         self._defaults = np.array([entry.default for entry in config.commands])
         self.period = config.timestep
         """Time between commands, s."""
@@ -161,7 +163,7 @@ class LiveController:
         self._due: int | None = None
         self._silent_due = 0.0
         self._command = np.zeros(2)
-        self._command_at = -math.inf
+        self._command_at = self._clipped_at = -math.inf
         self._last = robot.stance.copy()
         self._stand_up = StandUp.plan(robot, robot.stance, self.safety.ramp_speed, self.safety.min_ramp_time)
         self._stand_up_time = 0.0
@@ -183,9 +185,12 @@ class LiveController:
         requested = np.array([forward_velocity, yaw_rate])
         if not np.isfinite(requested).all():
             raise QuadrupedError(f"/cmd_vel: {requested.tolist()} is not finite; send finite numbers")
-        self._command = np.array(
-            [min(max(v, low), high) for v, (low, high) in zip(requested, self._ranges, strict=True)]
-        )
+        low, high = np.transpose([entry.range for entry in self._commands])
+        self._command = requested.clip(low, high)
+        if outside := out_of_range(requested, self._commands):
+            if now - self._clipped_at > _CLIPPED_PERIOD:
+                self._say(f"/cmd_vel: {outside}, and is clipped to it")
+            self._clipped_at = now
         self._command_at = now
 
     def moving(self, now: float) -> bool:

@@ -1,6 +1,6 @@
 """Commands: forward velocity in m/s, yaw rate in rad/s, and any further components of a task."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Final
 
 import numpy as np
@@ -38,11 +38,16 @@ def check_command(command: Sequence[float] | NDArray[np.float64], commands: Sequ
         raise QuadrupedError(f"options['command']: expected {count} finite numbers, ({names}); found {command!r}")
     full = np.array([entry.default for entry in commands])
     full[: len(value)] = value
-    for number, entry in zip(full, commands, strict=True):
+    if outside := out_of_range(full, commands):
+        name = outside.split()[0]
+        raise QuadrupedError(f"options['command']: {outside}; widen config['command'][{name!r}] to allow it")
+    return full
+
+
+def out_of_range(command: Iterable[float], commands: Sequence[Command]) -> str:
+    """The first number of a command that is not in the range of its component, in words; empty if all are."""
+    for number, entry in zip(command, commands, strict=False):
         low, high = entry.range
         if not low <= number <= high:
-            raise QuadrupedError(
-                f"options['command']: {entry.name} = {number:g} is outside {low:g} to {high:g}; "
-                f"widen config['command'][{entry.name!r}] to allow it"
-            )
-    return full
+            return f"{entry.name} = {number:g} is outside {low:g} to {high:g} {entry.unit}"
+    return ""

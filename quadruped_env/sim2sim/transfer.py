@@ -1,6 +1,7 @@
 """A policy on the same episodes in two engines, and what it loses in the second one."""
 
 import math
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Self
@@ -8,8 +9,8 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD, out_of_range
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.evaluation.comparison import Command, evaluation_task
 from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
@@ -186,6 +187,9 @@ def run_transfer(
             or Drake cannot simulate the robot.
     """
     checked = _checked(commands, num_seeds, seconds)
+    for command in checked:
+        if outside := out_of_range(command, policy.config.commands):
+            warnings.warn(f"--command: {outside}, for which the policy was not trained", QuadrupedWarning, stacklevel=2)
     engines = here or MuJoCo(), there or Drake()
     config = evaluation_task(policy.config.on_terrain("flat"), checked, "none")
     settings = [{"name": engine.name, **engine.settings(config)} for engine in engines]

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.control.config import COMMANDS
+from quadruped_env.control.velocity_command import out_of_range
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import find_controllers, kept_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
@@ -168,9 +171,11 @@ def open_show(
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
-        QuadrupedError: if a requested source cannot be used, or there is no such terrain.
+        QuadrupedError: if a requested source cannot be used, the command is out of range, or there is no such terrain.
     """
     import_viser()
+    if outside := out_of_range(command, COMMANDS):
+        raise QuadrupedError(f"--command: {outside}; give a command in this range")
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     if trust_task:
         runs = [source for source in asked if (Path(source) / CONFIG_FILE).exists()]

@@ -150,6 +150,11 @@ def test_live_controller_follows_the_command_and_stands_half_a_second_after_the_
 def test_velocity_command_out_of_range_is_clipped():
     bench = Bench().walk((9.0, -9.0))
     assert bench.controller.commands[-1] == [0.6, -0.8]
+    clipped = "/cmd_vel: forward_velocity = 9 is outside -0.3 to 0.6 m/s, and is clipped to it"
+    assert bench.said.count(clipped) == 1
+    bench.pass_time(2.0, command=(0.3, 0.0))
+    bench.pass_time(0.2, command=(9.0, 0.0))
+    assert bench.said.count(clipped) == 2
 
 
 @pytest.mark.parametrize("command", [(math.nan, 0.0), (0.0, math.inf)])

@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import find_subject
@@ -195,6 +195,11 @@ def test_engine_with_a_bad_field_is_an_error_that_names_it(bad):
 def test_bad_episodes_are_an_error_that_names_the_field(policy, arguments, name):
     with pytest.raises(QuadrupedError, match=rf"^{name}: expected .*; found "):
         run_transfer(policy, **{"commands": COMMANDS, "num_seeds": 1, **arguments}, there=MuJoCo())
+
+
+def test_command_that_the_policy_was_not_trained_for_is_a_warning_with_the_range(policy):
+    with pytest.warns(QuadrupedWarning, match="--command: forward_velocity = 5 is outside -0.3 to 0.6 m/s, for which"):
+        run_transfer(policy, [(5.0, 0.0)], 1, 2.0, there=MuJoCo())
 
 
 def test_missing_drake_is_an_error_that_names_the_extra(monkeypatch, tmp_path, capsys):

@@ -1,5 +1,6 @@
 """The viewer's server and its program."""
 
+import math
 import os
 import signal
 import socket
@@ -48,6 +49,19 @@ def test_missing_viser_error_names_the_extra(monkeypatch):
     monkeypatch.setitem(sys.modules, "viser", None)
     with pytest.raises(MissingExtraError, match=r"The viewer needs the 'viewer' extra: .*\[viewer\]"):
         open_show(port=0)
+
+
+@pytest.mark.parametrize(
+    ("command", "found"),
+    [
+        ((5.0, 0.0), "forward_velocity = 5 is outside -0.3 to 0.6 m/s"),
+        ((0.0, -1.0), "yaw_rate = -1 is outside -0.8 to 0.8 rad/s"),
+        ((math.nan, 0.0), "forward_velocity = nan is outside -0.3 to 0.6 m/s"),
+    ],
+)
+def test_initial_command_out_of_range_is_refused_with_the_range(command, found):
+    with pytest.raises(QuadrupedError, match=f"--command: {found}; give a command in this range"):
+        open_show(["flat"], command, port=0)
 
 
 def _program(*arguments, **options):
