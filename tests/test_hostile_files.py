@@ -1,5 +1,9 @@
 """Files that crash, hang or flood a naive reader: every reader refuses them with a short error of this package."""
 
+import argparse
+import ast
+import dataclasses
+import hashlib
 import json
 import os
 import re
@@ -10,29 +14,52 @@ import numpy as np
 import pytest
 from bags import fields, write_bag
 from hanging import bounded
+from mutations import mutated_json, mutated_text
+from paths import ROOT
+from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 
 from quadruped_env import JointTrajectory, QuadrupedError
+from quadruped_env.cli.train import task_change
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, load_policy, shipped_directory
 from quadruped_env.documents import MAX_BYTES, MAX_DEPTH, parse_json, read_json, read_toml
 from quadruped_env.errors import MAX_MESSAGE, cut, short
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.suite.references import read_references
+from quadruped_env.evaluation.suite.suite import check_comparable, read_results
+from quadruped_env.export.folder import check_output
+from quadruped_env.export.manifest import FORMAT
+from quadruped_env.export.results import evaluation_of
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.plots.learning import read_progress
-from quadruped_env.task import TaskConfig
+from quadruped_env.sim2sim import results as sim2sim
+from quadruped_env.sweep.space import read_space
+from quadruped_env.task import TaskConfig, load_task_file
+from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
+from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.trajectory import ColumnMap, JointMap
 
+ECHO = (
+    "header:\n  stamp:\n    sec: 1\n    nanosec: 0\n  frame_id: ''\nname:\n- a\nposition:\n- 0.5\nvelocity: []\n"
+    "effort: []\n---\n"
+)
 DEEP = 30_000
 MEGABYTES = "x" * 4_800_000
 
 
 class Reader:
-    """A reader and the file that it reads."""
+    """A reader and the file that it reads.
 
-    def __init__(self, name, read, prepare=None):
+    `prepare` writes the files around it; `sound` is a content that is read without an error, and None if `prepare`
+    writes it. A reader that is `lenient` may leave a damaged file out.
+    """
+
+    def __init__(self, name, read, prepare=None, sound=None, lenient=False):
         self.name = name
         self.read = read
         self.prepare = prepare
+        self.sound = sound
+        self.lenient = lenient
 
     def path(self, directory):
         if self.prepare is not None:
@@ -57,27 +84,146 @@ def prepare_map(directory):
     (directory / "map.toml").write_text('[columns]\nstamp = "t"\npositions = ["q"]\n')
 
 
+def prepare_whole_run(directory):
+    """A run that can be resumed, but for its network, from the shipped policy."""
+    prepare_policy(directory)
+    card = json.loads((directory / CARD_FILE).read_text())
+    card["card"] |= {"timesteps": 100, "seconds": 1.0, "budget_left": 0.5}
+    (directory / CARD_FILE).write_text(json.dumps(card))
+    training = dataclasses.asdict(TrainConfig(action_mode=card["action_mode"]))
+    (directory / CONFIG_FILE).write_text(json.dumps({"training": training, "task": card["config"]}))
+    row = {**dict.fromkeys(PROGRESS_COLUMNS, "1"), "timesteps": "50"}
+    (directory / PROGRESS_FILE).write_text(f"{','.join(row)}\n{','.join(row.values())}\n")
+    (directory / RESUME_FILE).touch()
+
+
+def prepare_sweep(directory):
+    write_sweep(directory).path.rename(directory / "sweep")
+
+
+def read_task(path):
+    """A file of `--task`, and the config that it changes."""
+    try:
+        TaskConfig.from_dict(task_change(str(path)))
+    except argparse.ArgumentTypeError as error:
+        raise QuadrupedError(str(error)) from error
+
+
+def read_suite(path):
+    check_comparable({"a": read_results(path), "b": SUITE_RESULTS})
+
+
+def read_sim2sim(path):
+    found = sim2sim.load(dataclasses.replace(find_subject("flat"), output=path.parent))
+    for show in () if found is None else (sim2sim.tables, sim2sim.verdict, sim2sim.conditions):
+        show(found[0])
+
+
+def prepare_subject(directory):
+    """A run with the results of its evaluation, and those in a second engine."""
+    prepare_whole_run(directory)
+    card = json.loads((directory / CARD_FILE).read_text())["card"]
+    own = {"command_line": "", "format_version": 1, "verdict": [], "suite": None, "commands": [], "seeds": []}
+    own |= {"seconds": 1.0, "metrics": {}, "controllers": {"policy": {"all": {}, "by_motion": {}}}}
+    (directory / "metrics.json").write_text(json.dumps({"policy": {"card": card}, **own}))
+    engine = {"name": "MuJoCo", "version": "4", "timestep": 0.005}
+    values = {name: [[0.1, 0.2]] for name in ("forward_velocity", "yaw_rate", "base_height", "fallen")}
+    part = {"commands": [[0.3, 0.0]], "engines": [values, values]}
+    digest = hashlib.sha256(find_subject("flat").policy.files()[TENSORS_FILE]).hexdigest()
+    document = {"format_version": 1, "command_line": "", "policy": {"weights_sha256": digest}, "seeds": [1, 2]}
+    document |= {"seconds": 5.0, "engines": [engine, engine], "controllers": {"policy": part}}
+    (directory / sim2sim.RESULTS_FILE).write_text(json.dumps(document))
+
+
+TERMS = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
+MANIFEST = json.dumps({"format": FORMAT})
+MOTORS = json.dumps({"motor": TaskConfig().to_dict()["motor"]})
+COLUMNS = '[columns]\nstamp = "t"\nstamp_unit = "s"\npositions = ["a", "b"]\nmissing = [-1]\n'
+JOINTS = '[joints.LF_hip_joint]\nsource = "a"\nscale = 2.0\noffset = 0.1\nunit = "deg"\n'
+SPACE = "[learning_rate]\nlow = 1e-4\nhigh = 1e-2\nlog = true\n[task.reward.weights.foot_slip]\nchoices = [-1.0, 0.0]\n"
+SPACE_JSON = '{"gamma": {"low": 0.9, "high": 0.99}, "task.reward.weights": {"foot_slip": {"choices": [-1, 0]}}}'
+ROW = {name: SUITE_RESULTS[name] for name in ("suite", "conditions", "name")} | {"score": SCORE}
+TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "command": {"yaw_rate": [-0.4, 0.4]}})
+TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
+
 READERS = {
     "policy": Reader(CARD_FILE, lambda path: load_policy(path.parent), prepare_policy),
-    "config": Reader(CONFIG_FILE, lambda path: Parent.load(path.parent), prepare_run),
-    "motors": Reader("motors.json", read_motors),
-    "columns": Reader("columns.toml", ColumnMap.load),
-    "joints": Reader("joints.toml", JointMap.load),
-    "recording": Reader("recording", JointTrajectory.load),
-    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, salvage=True, drop=True)),
-    "table": Reader("a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map),
+    "config": Reader(CONFIG_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
+    "curve": Reader(PROGRESS_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
+    "recipe": Reader(CONFIG_FILE, lambda path: find_subject(str(path.parent)).recipe, prepare_whole_run, lenient=True),
+    "motors": Reader("motors.json", read_motors, sound=MOTORS),
+    "task": Reader("task.json", read_task, sound=TASK),
+    "terms": Reader("terms.py", load_task_file, sound=TERMS),
+    "sweep": Reader("sweep/sweep.json", lambda path: read_sweep(path.parent), prepare_sweep),
+    "trial": Reader("sweep/trials/0001/trial.json", lambda path: read_sweep(path.parents[2]), prepare_sweep),
+    "result": Reader("sweep/trials/0001/result.json", lambda path: read_sweep(path.parents[2]), prepare_sweep),
+    "scores": Reader("sweep/trials/0001/scores.csv", lambda path: read_sweep(path.parents[2]), prepare_sweep),
+    "suite": Reader("suite.json", read_suite, sound=json.dumps(SUITE_RESULTS)),
+    "references": Reader("references.json", read_references, sound=json.dumps({"rows": [ROW]})),
+    "metrics": Reader(
+        "metrics.json",
+        lambda path: evaluation_of(dataclasses.replace(find_subject(str(path.parent)), output=path.parent)),
+        prepare_subject,
+        lenient=True,
+    ),
+    "second engine": Reader(sim2sim.RESULTS_FILE, read_sim2sim, prepare_subject, lenient=True),
+    "export": Reader(
+        "manifest.json", lambda path: check_output(path.parent, True), sound=json.dumps({"format": FORMAT})
+    ),
+    "space": Reader("space.toml", lambda path: read_space(path, TaskConfig().to_dict()), sound=SPACE),
+    "space as JSON": Reader("space.json", lambda path: read_space(path, TaskConfig().to_dict()), sound=SPACE_JSON),
+    "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
+    "joints": Reader("joints.toml", JointMap.load, sound=JOINTS),
+    "recording": Reader("recording", JointTrajectory.load, sound=ECHO + ECHO.replace("sec: 1", "sec: 2")),
+    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, salvage=True, drop=True), sound=ECHO),
+    "table": Reader(
+        "a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map, TABLE
+    ),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
     "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
     "tensors": Reader(TENSORS_FILE, lambda path: load_policy(path.parent), prepare_policy),
-    "progress": Reader("progress.csv", read_progress),
+    "progress": Reader("progress.csv", read_progress, sound="timesteps,return\n1,2.5\n2,\n"),
 }
+BINARY = ("tensors", "storage")
+"""Readers of files that are no text; tests/trajectory/test_formats_fuzz.py mutates bags."""
 
-JSON = ("policy", "config", "motors")
-TOML = ("columns", "joints")
-ECHO = (
-    "header:\n  stamp:\n    sec: 1\n    nanosec: 0\n  frame_id: ''\nname:\n- a\nposition:\n- 0.5\nvelocity: []\n"
-    "effort: []\n---\n"
-)
+JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON")
+TOML = ("columns", "joints", "space")
+READ_BY = {
+    "cli/train.py": ("task",),
+    "control/policy.py": ("policy", "tensors"),
+    "control/task_file.py": ("terms",),
+    "documents.py": JSON,
+    "evaluation/subject.py": ("recipe",),
+    "evaluation/suite/references.py": ("references",),
+    "evaluation/suite/suite.py": ("suite",),
+    "export/folder.py": ("export",),
+    "export/results.py": ("metrics",),
+    "files.py": "a file that it has just written",
+    "provenance.py": "/proc/cpuinfo",
+    "replay/motors_file.py": ("motors",),
+    "reporting/plots/learning.py": ("progress",),
+    "sim2sim/results.py": ("second engine",),
+    "simulation/model.py": "a file of this package",
+    "sweep/definition.py": ("terms",),
+    "sweep/records.py": ("sweep", "trial", "result", "scores"),
+    "sweep/space.py": ("space", "space as JSON"),
+    "training/distributed/job.py": "a file of its own process",
+    "training/distributed/processes.py": "a file of its own process",
+    "training/models.py": "the network of a run: tests/training/test_resume.py",
+    "training/resume.py": ("config", "curve"),
+    "training/warp.py": "the network of a run: tests/training/test_warp_training.py",
+    "trajectory/formats/bag_reader.py": ("metadata", "storage"),
+    "trajectory/formats/bag_writer.py": "a file that it has just written",
+    "trajectory/formats/delimited.py": ("recording", "table"),
+    "trajectory/formats/recognition.py": ("recording",),
+    "trajectory/formats/salvage/__init__.py": ("salvaged",),
+    "trajectory/formats/salvage/mcap_scanner.py": ("storage",),
+    "trajectory/formats/salvage/ros1_scanner.py": "ROS 1 bags: tests/trajectory/test_formats_fuzz.py",
+    "trajectory/formats/salvage/sqlite3_scanner.py": "sqlite3 bags: tests/trajectory/test_formats_fuzz.py",
+    "trajectory/maps.py": ("columns", "joints"),
+}
+"""Module that reads files -> its readers here, or what else it reads or where that is tested."""
 
 
 def tensors(**header):
@@ -178,6 +324,68 @@ CONTENTS = {
 }
 
 
+MUTATIONS = int(os.environ.get("MUTATIONS", "12"))
+"""Damaged variants of each file; with more, `MUTATIONS=1000 pytest tests/test_hostile_files.py`."""
+
+
+@pytest.mark.filterwarnings("ignore::quadruped_env.errors.QuadrupedWarning")
+@pytest.mark.parametrize("name", sorted(READERS.keys() - set(BINARY)))
+def test_read_damaged_file_is_an_error_of_this_package(tmp_path, name):
+    reader = READERS[name]
+    rng = np.random.default_rng(sorted(READERS).index(name))
+    (sound := tmp_path / "sound").mkdir()
+    file = reader.path(sound)
+    if reader.sound is not None:
+        file.write_text(reader.sound)
+    mutate = mutated_json if file.suffix == ".json" else mutated_text
+    for number in range(MUTATIONS + 1):
+        directory = tmp_path / f"copy{number}"
+        path = shutil.copytree(sound, directory) / file.relative_to(sound)
+        content = path.read_text() if number == 0 else mutate(path.read_text(), rng)
+        path.write_text(content)
+        try:
+            with bounded():
+                reader.read(path)
+        except Exception as error:
+            if number == 0 or not isinstance(error, QuadrupedError):
+                raise AssertionError(f"{name}: {content[:2000]!r}") from error
+        shutil.rmtree(directory)
+
+
+READING = {
+    "read_text", "read_bytes", "read_json", "read_toml", "loadtxt", "genfromtxt", "fromfile", "memmap", "ZipFile",
+    "load_from_zip_file", "safe_open", "load_file", "from_file", "from_xml_path", "np.load", "torch.load",
+}  # fmt: skip
+"""Functions that read a file, besides `open`."""
+WRITING = {"w", "wb", "a", "ab", "x", "xb"}
+CLASSES = {"os", "SweepFolder"}
+"""Their functions `open` open no file to read."""
+
+
+def reading_calls(path):
+    """Calls in a Python file that read a file."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if not isinstance(node, ast.Call):
+            continue
+        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+        of = getattr(getattr(node.func, "value", None), "id", "")
+        arguments = (*node.args, *(keyword.value for keyword in node.keywords))
+        written = any(isinstance(entry, ast.Constant) and entry.value in WRITING for entry in arguments)
+        if name in READING or f"{of}.{name}" in READING or (name == "open" and not written and of not in CLASSES):
+            yield f"line {node.lineno}: {name}"
+
+
+def test_every_module_that_reads_files_stands_in_the_table():
+    package = ROOT / "quadruped_env"
+    found = {str(path.relative_to(package)): list(reading_calls(path)) for path in sorted(package.rglob("*.py"))}
+    found = {name: calls for name, calls in found.items() if calls}
+    missing = {name: calls for name, calls in found.items() if name not in READ_BY}
+    assert not missing, f"add a Reader of what these modules read to READERS, and the modules to READ_BY: {missing}"
+    assert not READ_BY.keys() - found.keys(), "remove these modules from READ_BY: they read nothing"
+    named = {reader for readers in READ_BY.values() if isinstance(readers, tuple) for reader in readers}
+    assert named == READERS.keys()
+
+
 def refused(read, path):
     """The message of the error with which a file is refused."""
     with bounded(), pytest.raises(QuadrupedError) as caught:
@@ -205,7 +413,11 @@ def test_read_hostile_content_is_a_short_error_that_names_the_file(tmp_path, nam
     assert message.isprintable()
 
 
-@pytest.mark.parametrize("name", READERS)
+MISSING_UNLESS_REGULAR = {"config", "curve", "sweep", "export"}
+"""Readers that take what is no regular file for a missing one."""
+
+
+@pytest.mark.parametrize("name", [name for name, reader in READERS.items() if not reader.lenient])
 @pytest.mark.parametrize("kind", ["a pipe", "a directory", "a device", "a loop"])
 def test_read_path_that_is_not_a_regular_file_is_refused_without_waiting(tmp_path, name, kind):
     reader = READERS[name]
@@ -218,11 +430,11 @@ def test_read_path_that_is_not_a_regular_file_is_refused_without_waiting(tmp_pat
     else:
         path.symlink_to("/dev/zero" if kind == "a device" else path)
     message = refused(reader.read, path)
-    if kind in {"a pipe", "a device"} and name != "config":
+    if kind in {"a pipe", "a device"} and name not in MISSING_UNLESS_REGULAR:
         assert f"{path}: is {kind}" in message
 
 
-@pytest.mark.parametrize("name", READERS)
+@pytest.mark.parametrize("name", [name for name in READERS if name not in {"references", "second engine", "export"}])
 def test_read_name_that_no_file_can_have_is_refused(tmp_path, name):
     for bad in ("x" * 5000, "a\0b"):
         refused(READERS[name].read, tmp_path / bad / READERS[name].name)

@@ -87,6 +87,8 @@ def find_subject(
         run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]
     if run in SHIPPED:
         return Subject(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
-    directory = finished_directory(Path(run)).resolve()
+    directory = finished_directory(Path(run))
+    # Its errors are this package's, also for names that no file can have.
     policy = load_policy(directory, task_file, trust_task=trust_task)
+    directory = directory.resolve()
     return Subject(run_name(directory), policy, directory, output or Path(run) / "evaluation")

@@ -118,11 +118,11 @@ class SweepFolder:
             QuadrupedError: if the directory holds none, or its definition is damaged.
         """
         file = path / SWEEP_FILE
-        if not file.is_file():
+        if not os.path.isfile(file):  # Path.is_file raises for a name that is too long
             what = "there is no such directory"
-            if (path / CONFIG_FILE).is_file():
+            if os.path.isfile(path / CONFIG_FILE):
                 what = "this is the run directory of one training: continue it with 'train --resume'"
-            elif path.is_dir():
+            elif os.path.isdir(path):
                 what = f"it has no {SWEEP_FILE}, so no sweep is in it"
             raise QuadrupedError(f"--resume: {path}: {what}; name the directory that 'sweep' printed")
         document = read_json(file, "start a new sweep")
