@@ -389,6 +389,13 @@ def test_a_run_with_a_curve_of_words_is_not_resumed(copy):
         Parent.load(copy)
 
 
+def test_run_whose_parent_had_used_its_whole_budget_is_resumed(copy):
+    config = json.loads((copy / CONFIG_FILE).read_text())
+    (copy / CONFIG_FILE).write_text(json.dumps({**config, "resumed_from": {"budget_left": 0.0}}))
+    edit(copy / CARD_FILE, "card", budget_left=0.5)
+    assert Parent.load(copy).resumed({}).timesteps == 4 * STEPS
+
+
 class Unpickled:
     """An object that runs a function when it is unpickled."""
 
