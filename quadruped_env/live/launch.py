@@ -12,11 +12,12 @@ _GRACE = 5.0
 """Time for a node to end before it is killed, s."""
 
 
-def launch(nodes: Sequence[Sequence[str]]) -> int:
+def launch(nodes: Sequence[Sequence[str]], status: str) -> int:
     """Run each node in its own process until one of them ends or Ctrl-C ends all.
 
     Args:
         nodes: arguments of `python -m quadruped_env.live`, one list per node.
+        status: the node that has a status line if they share a terminal; several would overwrite each other.
 
     Returns:
         0 after Ctrl-C, otherwise the exit status of the node that ended first.
@@ -24,7 +25,9 @@ def launch(nodes: Sequence[Sequence[str]]) -> int:
     signals: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda number, _: signals.append(number))
-    processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in nodes]  # noqa: S603
+    shared = sys.stderr.isatty()
+    commands = [[*node, *["--quiet"] * (shared and node[0] != status)] for node in nodes]
+    processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in commands]  # noqa: S603
     ended: list[tuple[str, int]] = []
     while not signals and not ended:
         time.sleep(POLL_PERIOD)

@@ -1,7 +1,10 @@
 """The nodes as processes: simulator and controller walk, also after one of them is killed, silent or sends noise."""
 
 import json
+import os
+import pty
 import re
+import select
 import signal
 import time
 from itertools import count
@@ -9,8 +12,8 @@ from itertools import count
 import numpy as np
 import pytest
 from built_in import STANCE, STANCE_HEIGHT
-from live_nodes import joint_state, received_from
-from waiting import wait_until
+from live_nodes import joint_state, received_from, started
+from waiting import status_of, wait_until
 
 from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
@@ -318,6 +321,28 @@ def test_display_starts_and_ends_its_nodes(start):
     assert display.interrupt() == 0
     for name in ("gait", "state", "view"):
         assert f"[{name}] ended after" in display.said
+
+
+@pytest.mark.slow
+def test_display_has_one_status_line_on_a_terminal(domain_id):
+    """Three would overwrite each other, once a second each."""
+    ours, terminal = pty.openpty()
+    shown = b""
+    with started("display", "--port", "0", stdout=terminal, stderr=terminal) as display:
+
+        def status_lines():
+            nonlocal shown
+            while select.select([ours], [], [], 0.0)[0]:
+                shown += os.read(ours, 4096)
+            return re.findall(r"\[(\w+)\] \d+ s \|", shown.decode())
+
+        wait_until(lambda: status_lines().count("gait") >= 3 and b"the live robot: http://" in shown, alive=display)
+        seen = set(status_lines())
+        display.send_signal(signal.SIGINT)
+        assert status_of(display) == 0
+    os.close(ours)
+    os.close(terminal)
+    assert seen == {"gait"}
 
 
 def test_node_with_an_invalid_argument_reports_it(start, tmp_path):

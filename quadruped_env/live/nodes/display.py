@@ -27,5 +27,6 @@ def start(arguments: argparse.Namespace) -> int:
             ["gait", "--preset", arguments.preset, *shared],
             ["state", *shared],
             ["view", "--port", str(arguments.port), *shared],
-        ]
+        ],
+        status="gait",
     )

@@ -30,8 +30,7 @@ def start(arguments: argparse.Namespace) -> int:
     """Run all nodes until one ends."""
     chosen_terrain(arguments)  # an unknown terrain is an error before any node starts
     keys = sys.stdin.isatty()
-    # The terminal then shows teleop's status line only.
-    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet or keys)
+    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
     robot = robot_arguments(arguments)
     level = [] if arguments.level is None else ["--level", str(arguments.level)]
     ground = ["--seed", str(arguments.seed), "--terrain", arguments.terrain, *level]
@@ -41,4 +40,4 @@ def start(arguments: argparse.Namespace) -> int:
         ["state", *robot, *shared],
         ["view", "--port", str(arguments.port), *ground, *robot, *shared],
     ]
-    return launch([*nodes, ["teleop", *shared]] if keys else nodes)
+    return launch([*nodes, ["teleop", *shared]], "teleop") if keys else launch(nodes, "controller")
