@@ -4,7 +4,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
+from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE
 from quadruped_env.live.middleware.graph import Endpoint
 from quadruped_env.live.middleware.node import Read, Subscription
 from quadruped_env.live.middleware.topics import TOPICS, Topic
@@ -17,6 +19,12 @@ DISCOVERY: Final = 1.5
 _DEPTH: Final = 1000
 """Queue depth of the subscriptions, messages."""
 _DEFAULT_DEPTH: Final = 10
+_NAMED: Final = 20
+"""Maximum number of topics named in an error."""
+NO_TOPICS: Final = (
+    f"no topic is published there: start a node, such as '{program_command('live', 'display')}', or look in another "
+    f"domain (--domain-id N, or {DOMAIN_VARIABLE}) or on other machines (--subnet)"
+)
 _UPDATE_PERIOD: Final = 0.1
 """Time between checks for new publishers, s."""
 
@@ -61,6 +69,15 @@ class Listener:
             return "" if heard else "any publisher"
         silent = [name for name in self._names if name not in heard]
         return f"a publisher of {' and of '.join(silent)}" if silent else ""
+
+    def nothing_to(self, do: str) -> QuadrupedError:
+        """The error of a tool that has received nothing; `do` is what it does with messages."""
+        session, names = self._session, sorted(self._published())
+        others = f"published there: {', '.join(names[:_NAMED])}{', ...' * (len(names) > _NAMED)}"
+        return QuadrupedError(
+            f"nothing to {do} on {session.node.network}: waited for {self.missing or 'messages'} for "
+            f"{session.elapsed:.1f} s; {others if names else NO_TOPICS}"
+        )
 
     def _published(self) -> dict[str, list[Endpoint]]:
         graph = self._session.node.graph

@@ -121,7 +121,9 @@ class Session:
                 for one in ends
                 if one.count
             ]
-            self.say(f"ended after {self.elapsed:.1f} s; messages: {', '.join(counts) or 'none'}")
+            messages = f"; messages: {', '.join(counts)}" if counts else ""
+            missing = f"; waited for {self._waiting_for}" if self._waiting_for else ""
+            self.say(f"ended after {self.elapsed:.1f} s{messages}{missing}")
         self.node.close()
 
     @property

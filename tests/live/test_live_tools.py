@@ -307,10 +307,34 @@ def test_record_without_messages_reports_it(domain_id, tmp_path):
     with started("record", "/joint_states", "--seconds", "1", "-o", str(tmp_path / "bag")) as process:
         output, _ = output_of(process)
     assert process.returncode == 2
-    assert (
-        f"nothing to record on domain {domain_id}, this machine only: waited for a publisher of /joint_states" in output
-    )
+    waited = f"nothing to record on domain {domain_id}, this machine only: waited for a publisher of /joint_states for "
+    assert waited in output
     assert not (tmp_path / "bag").exists()
+
+
+@pytest.mark.parametrize("tool", [("echo", "nothing", "--once"), ("hz", "nothing")])
+def test_tool_without_messages_ends_with_what_it_waited_for_and_what_there_is(tool, domain_id, nodes):
+    def ended():
+        """Output and last line of the tool, for a second each."""
+        with started(*tool, "--seconds", "1") as process:
+            output, _ = output_of(process)
+        assert process.returncode == 2
+        return output, output.splitlines()[-1]
+
+    output, last = ended()
+    assert f" on domain {domain_id}, this machine only: waited for a publisher of /nothing for 1." in last
+    assert "live display', or look in another domain (--domain-id N, or ROS_DOMAIN_ID)" in last
+    assert "none" not in output
+    nodes().publish(TF)
+    wait_until(lambda: ended()[1].endswith("; published there: /tf"))
+
+
+def test_list_without_topics_says_where_it_looked_and_what_to_do(domain_id):
+    with started("list", "--seconds", "0.1") as process:
+        output, _ = output_of(process)
+    assert process.returncode == 0
+    assert f"no topics on domain {domain_id}, this machine only; no topic is published there: start a node" in output
+    assert re.fullmatch(r"\[list\] ended after \d\.\d s", output.splitlines()[-1])
 
 
 def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path):

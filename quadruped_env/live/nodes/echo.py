@@ -6,7 +6,8 @@
     mini-quadruped live echo /joint_states --csv --seconds 10 > recording.csv
 
 Requests a quality of service that all publishers of the topic offer. Messages that cannot be decoded or lack the field
-are counted in the log. Printed joint states, as YAML or CSV, can be read back: `mini-quadruped replay recording.csv`.
+are counted in the log; if none is printed, the exit status is 2. Printed joint states, as YAML or CSV, can be read
+back: `mini-quadruped replay recording.csv`.
 """
 
 import argparse
@@ -45,13 +46,17 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         # Escape characters that the terminal's encoding does not support.
         sys.stdout.reconfigure(errors="backslashreplace")
+    printed = False
     for _ in session.turns():
         listener.update()
         for subscription in listener.subscriptions:
             for _, text in subscription.messages(session.refuse):
                 print(text, end="", flush=True)
+                printed = True
                 if arguments.once:
                     return 0
         session.wait_for(listener.missing)
         session.report()
+    if not printed:
+        raise listener.nothing_to("print")
     return 0

@@ -44,6 +44,8 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         if pace.tick():
             _print(arrivals)
             printed = _count(arrivals)
+    if not _count(arrivals):
+        raise listener.nothing_to("measure")
     if pace.ticks == 1 or _count(arrivals) > printed:
         _print(arrivals)
     return 0

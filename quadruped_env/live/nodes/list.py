@@ -7,7 +7,7 @@ types, incompatible quality of service, or announced type structures that cannot
 import argparse
 import itertools
 
-from quadruped_env.live.listener import DISCOVERY
+from quadruped_env.live.listener import DISCOVERY, NO_TOPICS
 from quadruped_env.live.middleware.graph import Endpoint, Graph
 from quadruped_env.live.session import Session
 
@@ -38,7 +38,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     for problem in graph.problems(all_processes=True):
         print(f"! {problem}")
     if not endpoints:
-        session.say(f"no topics on {session.node.network}")
+        session.say(f"no topics on {session.node.network}; {NO_TOPICS}")
     return 0
 
 

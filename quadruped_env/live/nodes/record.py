@@ -15,7 +15,6 @@ and `--salvage` recovers it. The recorded motion and the recorded joint targets 
 import argparse
 from pathlib import Path
 
-from quadruped_env.errors import QuadrupedError
 from quadruped_env.files import free_path
 from quadruped_env.live.listener import Listener
 from quadruped_env.live.recorder import Recorder
@@ -50,7 +49,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             session.wait_for(listener.missing)
             session.report(f"{recorder.size / 1e6:.1f} MB")
     if not recorder.count:
-        missing = listener.missing or "messages"
-        raise QuadrupedError(f"nothing to record on {session.node.network}: waited for {missing}; no bag was written")
+        raise listener.nothing_to("record")
     print(f"{recorder.count} messages of {recorder.topics} topics: {path}")
     return 0
