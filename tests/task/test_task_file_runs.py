@@ -313,9 +313,7 @@ def test_weight_that_is_no_finite_number_is_refused_by_the_name_of_its_term(weig
     text = (
         f"from quadruped_env.task import reward, reward_group\n\n\n{decorator.format(weight)}\ndef mine(c):\n    ...\n"
     )
-    with pytest.raises(
-        QuadrupedError, match=r"my_task.py, line 4: .*reward mine: weight must be a number from.*found"
-    ):
+    with pytest.raises(QuadrupedError, match=r"my_task.py, line 4: .*reward mine: weight must be a number from.*found"):
         load_task_file(edited(tmp_path, text))
 
 
