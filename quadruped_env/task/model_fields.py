@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.arrays import NUMPY
 from quadruped_env.control.config import Range
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
@@ -208,18 +209,16 @@ def _joined(
         Shift of the centre of mass (R, 3), moments of inertia (R, 3), and their axes (R, 4).
     """
     total = added + mass
-    turn, moments_before = np.empty((len(mass), 3, 3)), np.zeros((len(mass), 3, 3))
+    turn, moments, turned = np.empty((len(mass), 3, 3)), np.empty((len(mass), 3)), np.empty((len(mass), 4))
     for matrix, quaternion in zip(turn.reshape(-1, 9), axes, strict=True):
         mujoco.mju_quat2Mat(matrix, quaternion)
-    moments_before[:, range(3), range(3)] = inertia
-    tensor = turn @ moments_before @ np.swapaxes(turn, 1, 2)
-    squared = np.vecdot(offset, offset)[:, None, None] * np.eye(3)
+    # Neither `@` nor `np.linalg`: their results depend on the processor, by rounding.
+    tensor = np.einsum("rij,rj,rkj->rik", turn, inertia, turn)
+    squared = NUMPY.dot(offset, offset)[:, None, None] * np.eye(3)
     tensor += (mass * added / total)[:, None, None] * (squared - offset[:, :, None] * offset[:, None, :])
-    moments, principal = np.linalg.eigh(tensor)
-    principal[:, :, 0] *= np.sign(np.linalg.det(principal))[:, None]
-    turned = np.empty((len(mass), 4))
-    for quaternion, matrix in zip(turned, principal.reshape(-1, 9), strict=True):
-        mujoco.mju_mat2Quat(quaternion, matrix)
+    principal = np.empty(9)
+    for moment, quaternion, matrix in zip(moments, turned, tensor.reshape(-1, 9), strict=True):
+        mujoco.mju_eig3(moment, principal, quaternion, matrix)
     return (added / total)[:, None] * offset, moments, turned
 
 

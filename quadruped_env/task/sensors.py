@@ -138,7 +138,7 @@ class Sensors:
             np.add(newer, older, newer)
             for name in _UNIT_VECTORS:
                 vector = getattr(self._readings, name)
-                unit = vector / np.sqrt(np.vecdot(vector, vector))[:, None]
+                unit = vector / np.sqrt(self._simulation.xp.dot(vector, vector))[:, None]
                 np.copyto(vector, unit, where=self._share > 0.0)
         readings = self._readings
         if "encoder_offset" in self._randomized:
