@@ -56,7 +56,7 @@ class SweepConfig:
     score: Literal["quick", "suite", "none"] = "quick"
     """Measure of a finished trial: the quick suite, the full one, or nothing."""
     cores_per_trial: int = 1
-    """Cores, and threads of physics and updates, of each trial; the bits of a policy depend on it."""
+    """Cores, and threads of the physics, of each trial."""
     task_file: str | None = None
     """The user's Python file of terms; every node executes it."""
     task_sha256: str | None = None

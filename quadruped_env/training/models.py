@@ -61,19 +61,13 @@ _DIRECT: Final = frozenset(
 
 
 class NativeModel:
-    """Base of the models: threads where they help, schedules that can follow the wall clock and go on from a run's.
-
-    A policy step for a few hundred envs is faster on one thread. An update is faster on half of them than on all,
-    which often are two per core: on two, those of small networks take half as long on one.
-    """
+    """Base of the models: schedules that can follow the wall clock and go on from a run's."""
 
     budget_seconds: float | None = None
     budget_left_at_start: float = 1.0
     """Share of the schedules that is left at the start; they reach their ends with the budget's"""
     agreed_budget_left: float | None = None
     """The share that all ranks of a training use after a rollout, whatever their own clocks say; None: one rank"""
-    threads: int = 0
-    """Threads of the physics, and twice those of an update; 0: one per core"""
     log_std_bounds: tuple[float, float] | None = None
     """Upper bounds of the exploration's log standard deviation, at the start and at the end of the budget"""
     _started: float = 0.0
@@ -86,21 +80,14 @@ class NativeModel:
 
     def collect_rollouts(self, *args: Any, **kwargs: Any) -> Any:
         """See SB3."""
-        torch.set_num_threads(1)
         if self.log_std_bounds is not None:
             first, final = self.log_std_bounds
             bound = final + (first - final) * self._current_progress_remaining
             self.policy.log_std.data.clamp_(max=bound)
         return super().collect_rollouts(*args, **kwargs)  # type: ignore[misc]
 
-    @property
-    def update_threads(self) -> int:
-        """Threads of an update."""
-        return max(1, (self.threads or os.cpu_count() or 1) // 2)
-
     def train(self, *args: Any, **kwargs: Any) -> None:
         """See SB3."""
-        torch.set_num_threads(self.update_threads)
         super().train(*args, **kwargs)  # type: ignore[misc]
         if isinstance(self.policy, ActorCritic):
             # Where the steps are not elementwise, rounding would add up to a difference between the sides.
@@ -218,6 +205,9 @@ def make_model(config: TrainConfig, env: Any, kind: type[Any] | None = None, **c
         MissingExtraError: if the algorithm is in sb3-contrib, which is not installed.
     """
     torch.distributions.Distribution.set_default_validate_args(False)
+    # The bits of the first weights and of every update depend on the number of threads, and the default is that of the
+    # machine's cores. Two are no faster, in batches up to 1024 samples a third slower.
+    torch.set_num_threads(1)
     entry = algorithm(config.algo)
     layout = env.task.control.layout
     hidden = list(config.hidden)

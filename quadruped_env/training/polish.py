@@ -115,7 +115,6 @@ def polish(
         from cmaes import CMA
     except ImportError as error:  # pragma: no cover
         raise MissingExtraError("polishing a gait", "train") from error
-    torch.set_num_threads(1)  # small batches, next to the physics
     search = _Search(model, generations, report, stopped)
     try:
         search.learn_directions()

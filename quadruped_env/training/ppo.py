@@ -52,7 +52,7 @@ def train(
         task_file: a user's file of terms, which is executed.
         group: rank 0 of the training, if it has several.
         observer: watches the training; the clock stands still meanwhile.
-        threads: threads of the physics, and twice those of an update; 0: one per core, or those of the group.
+        threads: threads of the physics; 0: one per core, or those of the group.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -104,7 +104,7 @@ def prepare(
         resume: a run or checkpoint to go on from.
         task_file: a user's file of terms, which is executed.
         group: this rank.
-        threads: threads of the physics, and twice those of an update; 0: one per core, or those of the group.
+        threads: threads of the physics; 0: one per core, or those of the group.
 
     Returns:
         The settings with the whole task, the run to go on from, the rank's share of the envs, and the model.
@@ -130,7 +130,6 @@ def prepare(
     check_training_seeds("config.terrain.seed", env.task.config.terrain["seed"])
     if group is ALONE:
         model = make_model(config, env)
-        model.threads = threads
     else:
         from quadruped_env.training.distributed.model import DistributedPPO
 

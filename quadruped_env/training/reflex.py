@@ -212,7 +212,6 @@ class _Practice:
 
     def run(self, rounds: int) -> list[ReflexRound]:
         """See `add_reflex`."""
-        torch.set_num_threads(1)
         self._collect(self._first)
         for index in range(rounds if self._falls else 0):
             survived = self._improve(_STEP * min(1.0, max(_LAST_STEP, 1.3 - 0.15 * index)))
@@ -398,7 +397,6 @@ class _Practice:
         """Fit the actor to actions (M, J) for observations (M, width)."""
         policy = self._model.policy
         policy.set_training_mode(True)
-        torch.set_num_threads(self._model.update_threads)
         actor = self._actor()
         optimizer = torch.optim.Adam(actor.parameters(), lr=_LESSON_RATE)
         steps = _LESSON_EPOCHS * math.ceil(len(seen) / _LESSON_BATCH)
@@ -412,4 +410,3 @@ class _Practice:
                 schedule.step()
         # Where the steps are not elementwise, rounding would add up to a difference between the sides.
         policy.project()
-        torch.set_num_threads(1)

@@ -63,6 +63,17 @@ def observations(width, seed=0):
     return np.random.default_rng(seed).uniform(-1.0, 1.0, (200, width)).astype(np.float32)
 
 
+def test_training_has_the_same_bits_whatever_the_number_of_threads():
+    weights = []
+    for threads in (1, 2):
+        torch.set_num_threads(threads)
+        config = TrainConfig(num_envs=64, n_steps=16, batch_size=1024)
+        model = make_model(config, make_sb3_vec_env(config.num_envs, seed=0))
+        model.learn(1024)
+        weights.append([parameter.detach().clone() for parameter in model.policy.parameters()])
+    assert all(map(torch.equal, *weights))
+
+
 @pytest.mark.parametrize("symmetric", [True, False])
 @pytest.mark.parametrize("activation", ["elu", "tanh"])
 @pytest.mark.parametrize("name", ALGORITHMS)

@@ -40,7 +40,7 @@ class Group:
     Args:
         rank: index of this rank.
         ranks: number of ranks.
-        threads: threads of this rank for physics and updates; 0: all cores.
+        threads: threads of this rank for the physics, with Warp also for updates; 0: all cores.
         local_rank: index of this rank among those of its machine, and of its GPU if it uses one.
     """
 

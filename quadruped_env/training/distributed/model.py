@@ -44,7 +44,6 @@ class DistributedPPO(native("ppo")):  # type: ignore[misc]
     def __init__(self, *args: Any, group: Group, **kwargs: Any) -> None:
         self.group = group
         super().__init__(*args, **kwargs)
-        self.threads = group.threads
 
     def _setup_model(self) -> None:
         super()._setup_model()

@@ -32,7 +32,7 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
         RankLostError: if another rank ended or does not answer.
         DifferentWeightsError: if the weights of the ranks differ after an update.
     """
-    # From the beginning, since the bits of the network's first weights depend on it.
+    # Of updates of a training with Warp; on the CPU, `make_model` sets one.
     torch.set_num_threads(group.threads)
     trainer = _trainer(job.config.device)
     if group.rank == 0:
