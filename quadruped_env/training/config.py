@@ -105,7 +105,7 @@ class TrainConfig:
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
     timesteps: int = 600_000
-    """Budget in environment steps, summed over all envs"""
+    """Budget in environment steps, summed over all envs; the same kind of processor repeats the run bit for bit"""
     seconds: float | None = None
     """Budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit"""
     seed: int = 0
