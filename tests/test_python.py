@@ -2,6 +2,7 @@
 
 import os
 import re
+import runpy
 import shlex
 import subprocess
 import sys
@@ -180,11 +181,18 @@ def test_commands_in_help_can_be_pasted(directory, monkeypatch):
 
 @pytest.mark.usefixtures("python_on_path")
 @pytest.mark.parametrize("program", [*PROGRAMS, Path("-m")], ids=str)
-def test_no_help_has_a_command_of_another_python(program):
-    what = ["-m", "quadruped_env.live", "record"] if program == Path("-m") else [ROOT / program]
-    done = run(sys.executable, *what, "--help", cwd=ROOT)
-    assert done.returncode == 0, done.stderr
-    _, _, text = done.stdout.partition("\n\n")  # without the usage
+def test_no_help_has_a_command_of_another_python(program, monkeypatch, capsys):
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    monkeypatch.setattr(sys, "argv", [str(program), *(["record"] if program == Path("-m") else []), "--help"])
+    try:
+        if program == Path("-m"):
+            runpy.run_module("quadruped_env.live", run_name="__main__", alter_sys=True)
+        else:
+            runpy.run_path(str(ROOT / program), run_name="__main__")
+    except SystemExit as ended:
+        assert ended.code == 0  # noqa: PT017
+    _, _, text = capsys.readouterr().out.partition("\n\n")  # without the usage
     assert re.search(r"(?<!/)\b(python (train|evaluate|-m)|mini-quadruped \w)", text) is None
 
 

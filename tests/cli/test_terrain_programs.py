@@ -321,7 +321,7 @@ def test_program_with_an_unknown_terrain_names_the_valid_ones(capsys, tmp_path):
 @pytest.mark.slow
 def test_report_on_a_terrain_says_so_and_its_line_repeats_it(tmp_path):
     pytest.importorskip("matplotlib")
-    arguments = ["--terrain", "hills", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    arguments = ["--terrain", "hills", "--seeds", "1", "--seconds", "2", "--no-video", "-o", str(tmp_path)]
     assert main(["evaluate", "flat", *arguments]) == 0
     document = json.loads(Path(tmp_path, "metrics.json").read_text())
     assert document["config"]["terrain"]["name"] == "hills"
@@ -333,7 +333,7 @@ def test_report_of_a_built_in_policy_on_a_terrain_of_a_file(tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "--no-video", "-o", str(tmp_path)]
     assert main(["evaluate", "flat", *arguments]) == 0
     document = json.loads(Path(tmp_path, "metrics.json").read_text())
     assert document["config"]["terrain"] == {"name": "ridges", "seed": 0, "height": 0.02}

@@ -1,5 +1,7 @@
 """The measurement of a GPU's speed, run on Warp's CPU device with small numbers."""
 
+import argparse
+import importlib
 import json
 import subprocess
 import sys
@@ -7,6 +9,8 @@ import sys
 import pytest
 from paths import ROOT
 from waiting import DEADLINE
+
+from quadruped_env import QuadrupedError
 
 pytest.importorskip("mujoco_warp", reason="MuJoCo Warp is not installed: pip install -e '.[gpu]'")
 pytest.importorskip("rsl_rl", reason="rsl-rl is not installed: pip install -e '.[gpu]'")
@@ -70,7 +74,7 @@ def test_training_to_walk_has_the_budget_of_a_gpu(monkeypatch):
     assert budgets == [GPU_DEFAULTS["timesteps"]] * 2 + [100] * 2
 
 
-def test_number_of_envs_below_one_is_an_error(tmp_path):
-    done = run("--device", "warp-cpu", "--num-envs", 0, "-o", tmp_path / "x.json")
-    assert done.returncode == 2
-    assert "--num-envs: expected 1 or more; found 0" in done.stderr
+def test_number_of_envs_below_one_is_an_error():
+    program = importlib.import_module("gpu_speed")
+    with pytest.raises(QuadrupedError, match="--num-envs: expected 1 or more; found 0"):
+        program.run(argparse.Namespace(num_envs=[4, 0]))
