@@ -333,8 +333,8 @@ def test_report_of_a_built_in_policy_on_a_terrain_of_a_file(tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "my_terrain.py"
     file.write_text(STEPS)
-    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "--no-video", "-o", str(tmp_path)]
-    assert main(["evaluate", "flat", *arguments]) == 0
+    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
+    assert main(["evaluate", "flat", "--no-video", *arguments]) == 0
     document = json.loads(Path(tmp_path, "metrics.json").read_text())
     assert document["config"]["terrain"] == {"name": "ridges", "seed": 0, "height": 0.02}
     assert f"--task {file} --terrain ridges" in json.dumps(document)

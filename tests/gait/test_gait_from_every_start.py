@@ -15,7 +15,7 @@ pytestmark = pytest.mark.skipif(
 )
 
 SPEEDS = (-0.3, -0.2, -0.1, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5)
-STARTS = 16
+STARTS = 8
 
 
 @pytest.mark.parametrize(

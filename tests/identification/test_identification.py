@@ -326,7 +326,7 @@ class TestIdentify:
         assert len(missed) <= 1, missed
 
     @pytest.mark.slow
-    @pytest.mark.parametrize(("seconds", "missing"), [(10.0, ()), (20.0, ("efforts",))])
+    @pytest.mark.parametrize(("seconds", "missing"), [(4.0, ()), (8.0, ("efforts",))])
     def test_known_motors_are_recovered_within_a_tenth(self, seconds, missing):
         """All of them at once, starting from the model file's motors, from noisy recordings."""
         commands = commanded(seconds)
