@@ -1,6 +1,7 @@
 """Metrics, reports, figures, films, replays, bags, identification and the viewer, for another robot."""
 
 import base64
+import importlib.util
 import json
 import re
 from html.parser import HTMLParser
@@ -308,6 +309,9 @@ class TestBags:
             assert set(reader.topics) == {"/joint_states"}
 
 
+@pytest.mark.skipif(
+    importlib.util.find_spec("tabulate") is None, reason="mujoco[sysid] is not installed: pip install -e '.[identify]'"
+)
 class TestIdentification:
     def test_model_of_the_fit_moves_as_the_robot_of_the_task(self, targets, recording):
         fit = MotorFit(align(ROBOT, recording.joints, targets, 0.7, 0.005), "free", ROBOT.motors, ["kp"])
