@@ -197,17 +197,15 @@ def _term_rows(terms: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[d
 
 def _diffs(subjects: Mapping[str, Subject]) -> list[dict[str, str]]:
     """Unified differences of the task files that the runs keep, each from that of the first such run."""
-    files = [(name, file) for name, subject in subjects.items() if (file := subject.task_file) and file.content]
+    texts = {
+        f"{name}/{file.name}": file.content.decode(errors="replace").splitlines()
+        for name, subject in subjects.items()
+        if (file := subject.task_file) is not None and file.content
+    }
     found = []
-    for name, file in files[1:]:
-        first, old = files[0]
-        lines = difflib.unified_diff(
-            old.content.decode(errors="replace").splitlines(),
-            file.content.decode(errors="replace").splitlines(),
-            f"{first}/{old.name}",
-            f"{name}/{file.name}",
-            lineterm="",
-        )
+    for name in list(texts)[1:]:
+        first = next(iter(texts))
+        lines = difflib.unified_diff(texts[first], texts[name], first, name, lineterm="")
         found.append({"title": f"From {first} to {name}", "text": "\n".join(lines) or "No difference."})
     return found
 
