@@ -49,9 +49,14 @@ def mjcf():
 @pytest.fixture
 def domain_id(monkeypatch):
     """A DDS domain that only this test and no other program uses; processes that it starts join it too."""
+    from quadruped_env.live.middleware import dds
+
     with domains.claimed() as number:
         monkeypatch.setenv("ROS_DOMAIN_ID", str(number))
         yield number
+        # Otherwise its sockets would stay open, and the domain taken, as long as this process runs.
+        if joined := dds._DOMAINS.pop(number, None):
+            joined[1]._delete(joined[1]._ref)
 
 
 @pytest.fixture

@@ -23,9 +23,11 @@ class Refusals:
     Args:
         say: writes one line to the log.
         clock: a monotonic clock such as `time.monotonic`.
+        prefix: begins each line.
     """
 
-    def __init__(self, say: Callable[[str], None], clock: Clock = time.monotonic) -> None:
+    def __init__(self, say: Callable[[str], None], clock: Clock = time.monotonic, prefix: str = "refused") -> None:
+        self._prefix = prefix
         self._say = say
         self._clock = clock
         self._counts: dict[str, int] = {}
@@ -47,7 +49,7 @@ class Refusals:
             self._counts[reason] += 1
         elif len(self._counts) < MAX_REASONS:
             self._counts[reason] = 0
-            self._say(f"refused: {reason}")
+            self._say(f"{self._prefix}: {reason}")
         else:
             self._others += 1
 
@@ -62,9 +64,9 @@ class Refusals:
             return
         for reason, count in self._counts.items():
             if count:
-                self._say(f"refused: {reason} ({_messages(count)} in {elapsed:.1f} s)")
+                self._say(f"{self._prefix}: {reason} ({_messages(count)} in {elapsed:.1f} s)")
         if self._others:
-            self._say(f"refused: {_messages(self._others)} for other reasons in {elapsed:.1f} s")
+            self._say(f"{self._prefix}: {_messages(self._others)} for other reasons in {elapsed:.1f} s")
         # A reason that did not occur in this period counts as new when it occurs again.
         self._counts = {reason: 0 for reason, count in self._counts.items() if count}
         self._others = 0

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from types import FrameType, TracebackType
 from typing import Any, Final, Self, TextIO
 
+from quadruped_env.live.middleware import dds_log
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.middleware.node import Node, Publisher, Subscription
 from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
@@ -75,7 +76,8 @@ class Session:
     def __init__(self, name: str, arguments: argparse.Namespace, log: TextIO | None = None) -> None:
         # Before DDS starts its threads, so that they inherit the priority.
         refusal = request_realtime_priority() if getattr(arguments, "realtime", False) else ""
-        self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
+        with dds_log.captured():
+            self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
         self._stopped = False
@@ -87,6 +89,7 @@ class Session:
         self._said: dict[str, None] = {}
         self.refuse = Refusals(self.say)
         """Counts a refused message, and logs the reason once a second"""
+        self._dds_lines = Refusals(self.say, prefix="CycloneDDS")
         self._rates: dict[Any, Rate] = {}
         self._status_pace = Pace(STATUS_PERIOD if self._log.isatty() else STATUS_PERIOD_LOG)
         self._problems_pace = Pace(PROBLEMS_PERIOD)
@@ -110,7 +113,9 @@ class Session:
     ) -> None:
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
-        self.refuse.report(last=True)
+        self._take_dds_lines()
+        for lines in (self.refuse, self._dds_lines):
+            lines.report(last=True)
         if self._log.isatty():
             # Clear the status line before an error is printed.
             self._log.write(CLEAR_LINE)
@@ -142,6 +147,7 @@ class Session:
 
     def wait(self, seconds: float = POLL_PERIOD) -> bool:
         """Wait for a message, for at most `seconds` and `POLL_PERIOD`. Returns True if a message is available."""
+        self._take_dds_lines()
         return self.node.wait(min(seconds, POLL_PERIOD))
 
     def turns(self, seconds: float = POLL_PERIOD) -> Iterator[None]:
@@ -191,11 +197,17 @@ class Session:
     def report(self, *details: str) -> None:
         """Update the status line, and log problems of the ROS graph. Call this often; it limits its own rate."""
         self.refuse.report()
+        self._take_dds_lines()
         if self._problems_pace.tick():
             for problem in self.node.graph.problems():
                 self.say_once(problem)
         if self._status_pace.tick() and not self._quiet:
             self._write_status(self._ends(details))
+
+    def _take_dds_lines(self) -> None:
+        for line in dds_log.lines():
+            self._dds_lines(line)
+        self._dds_lines.report()
 
     def _ends(self, details: Iterable[str]) -> str:
         parts = [f"{self.elapsed:.0f} s", *(detail for detail in details if detail)]

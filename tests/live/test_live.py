@@ -1,6 +1,7 @@
 """Live topics: messages are those of ROS 2, and connections that cannot work are reported in words."""
 
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -194,6 +195,22 @@ def test_claimed_domain_is_not_claimed_again(domain_id, monkeypatch):
 def test_node_of_a_test_without_a_claimed_domain_is_refused():
     with pytest.raises(QuadrupedError, match="found 'none in tests; take the fixture domain_id'"):
         Node("test")
+
+
+def test_lines_of_cyclonedds_are_logged_once_a_second_with_a_count(start, domain_id):
+    """It writes a line to standard error for every damaged packet, which would hide all other lines."""
+    node = start("state")
+    packet = b"RTPS\x02\x01\x01\x10" + bytes(12) + b"\x15\x05\x10\x00" + b"\x01" * 16
+    wait_until(lambda: "waiting for /joint_states" in node.said, alive=node.process)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        for _ in range(300):
+            sender.sendto(packet, ("127.0.0.1", 7410 + 250 * domain_id))
+    counted = r"\[state\] CycloneDDS: malformed packet received .* \(\d+ messages in \d+\.\d s\)"
+    wait_until(lambda: re.search(counted, node.said), lambda: node.said, alive=node.process)
+    assert node.interrupt() == 0
+    lines = [line for line in node.said.splitlines() if "malformed packet" in line]
+    assert all(line.startswith("[state] CycloneDDS: malformed packet received from vendor") for line in lines)
+    assert len(lines) < 30
 
 
 def test_joining_domains_leaves_no_files_open(nodes):

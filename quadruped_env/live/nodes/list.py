@@ -38,7 +38,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     for problem in graph.problems(all_processes=True):
         print(f"! {problem}")
     if not endpoints:
-        session.say(f"no topics on {session.node.network}; {NO_TOPICS}")
+        session.say(f"listened on {session.node.network} for {session.elapsed:.1f} s; {NO_TOPICS}")
     return 0
 
 
