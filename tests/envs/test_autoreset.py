@@ -36,13 +36,13 @@ def results_of(env, mode, steps, seed=0):
 @pytest.mark.parametrize("action_mode", ["position", "residual"])
 def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(mode, action_mode):
     kwargs = {"action_mode": action_mode, **KWARGS}
-    expected = results_of(make_sync(autoreset_mode=mode, **kwargs), mode, 120)
-    assert_same(results_of(make_native(autoreset_mode=mode, num_threads=2, **kwargs), mode, 120), expected)
+    expected = results_of(make_sync(autoreset_mode=mode, **kwargs), mode, 160)
+    assert_same(results_of(make_native(autoreset_mode=mode, num_threads=2, **kwargs), mode, 160), expected)
     steps = [entry for entry in expected if len(entry) == 5]
     falls = sum(terminated.sum() for _, _, terminated, _, _ in steps)
     time_outs = sum(truncated.sum() for _, _, _, truncated, _ in steps)
     assert falls > 10
-    assert time_outs > 2
+    assert time_outs > 1
     assert any("final_info" in info for *_, info in steps) is (mode is AutoresetMode.SAME_STEP)
 
 
