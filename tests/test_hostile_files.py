@@ -24,8 +24,9 @@ from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, load_policy, s
 from quadruped_env.documents import MAX_BYTES, MAX_DEPTH, parse_json, read_json, read_toml
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.suite.aggregate import aggregate
 from quadruped_env.evaluation.suite.references import read_references
-from quadruped_env.evaluation.suite.suite import check_comparable, read_results
+from quadruped_env.evaluation.suite.suite import ranked, read_results
 from quadruped_env.export.folder import check_output
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.export.results import evaluation_of
@@ -110,7 +111,11 @@ def read_task(path):
 
 
 def read_suite(path):
-    check_comparable({"a": read_results(path), "b": SUITE_RESULTS})
+    """Results of the suite as the comparison of runs and sweeps use them."""
+    found = read_results(path)
+    found.get("policy", {}).get("card")
+    aggregate([found, SUITE_RESULTS])
+    ranked([(found["name"], found), ("other", SUITE_RESULTS)])
 
 
 def read_sim2sim(path):

@@ -156,7 +156,7 @@ def load(subject: Subject) -> tuple[Transfer, str] | None:
             problem = "is of another policy"
         else:
             return Transfer.from_dict(document), str(document["command_line"])
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError):
         problem = "lacks fields of such results"
     warnings.warn(f"{path}: {problem}, so it is left out; run sim2sim again", QuadrupedWarning, stacklevel=2)
     return None
