@@ -190,7 +190,7 @@ READERS = {
     "progress": Reader("progress.csv", read_progress, sound="timesteps,return\n1,2.5\n2,\n"),
 }
 BINARY = ("tensors", "storage")
-"""Readers of files that are no text; tests/trajectory/test_formats_fuzz.py mutates bags."""
+"""Readers of binary files; tests/trajectory/test_formats_fuzz.py mutates bags."""
 
 JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON")
 TOML = ("columns", "joints", "space")
@@ -419,7 +419,7 @@ def test_read_hostile_content_is_a_short_error_that_names_the_file(tmp_path, nam
 
 
 MISSING_UNLESS_REGULAR = {"config", "curve", "sweep", "export"}
-"""Readers that take what is no regular file for a missing one."""
+"""Readers that report anything but a regular file as missing."""
 
 
 @pytest.mark.parametrize("name", [name for name, reader in READERS.items() if not reader.lenient])

@@ -211,7 +211,7 @@ WITH_LEVELS = "flat, rough, slope, steps, stairs, gaps, wave"
         ({"name": "tiles", "levels": 11}, "terrain.levels must be a whole number from 1 to 10; found 11"),
         ({"name": "tiles", "levels": None}, "config.terrain.levels: expected a whole number; found None"),
         ({"name": "tiles", "curriculum": 1}, "config.terrain.curriculum: expected true or false; found 1"),
-        ({"name": "tiles", "promote_share": 0.0}, "terrain.promote_share must be positive; found 0.0"),
+        ({"name": "tiles", "promote_share": 0.0}, "terrain.promote_share must be positive, 1e-09 or more; found 0.0"),
         (
             {"name": "tiles", "demote_share": 0.9},
             r"terrain.demote_share must be at most promote_share \(0.8\); found 0.9",

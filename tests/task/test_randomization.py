@@ -203,7 +203,7 @@ def test_a_log_uniform_range_in_the_config_must_be_positive(tmp_path):
         "from quadruped_env.task import ModelField, Randomization\n"
         "mass = Randomization('mass', ModelField('body_mass'), (0.5, 2.0), law='log_uniform')\n"
     )
-    with pytest.raises(QuadrupedError, match=r"randomization.mass must be positive; found \(0.0, 2.0\)"):
+    with pytest.raises(QuadrupedError, match=r"randomization.mass must be positive, 1e-09 or more; found \(0.0, 2.0\)"):
         TaskConfig.from_dict({"randomization": {"mass": [0.0, 2.0]}}, load_task_file(file))
 
 
