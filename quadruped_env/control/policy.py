@@ -265,7 +265,7 @@ def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed. A file of terms that a run names is not executed. It is needed only if it defines the
-    policy's observations, commands or robot; pass them in `terms`.
+    policy's observations or robot; pass them in `terms`.
 
     Args:
         source: name or directory.
@@ -340,16 +340,19 @@ def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
 
 
 def kept_content(directory: Path, recorded: TaskFile) -> bytes | None:
-    """Content of the copy that a run keeps of its task file; None without one, or if it is not the recorded file."""
+    """Content of the copy that a run keeps of its task file; None without one, or if it is not as recorded."""
     path = directory / KEPT_FILE
-    if not path.is_file() or path.stat().st_size > _MAX_KEPT_BYTES:
+    try:
+        if not path.is_file() or path.stat().st_size > _MAX_KEPT_BYTES:
+            return None
+        content = path.read_bytes()
+    except OSError:
         return None
-    content = path.read_bytes()
     return content if hashlib.sha256(content).hexdigest() == recorded.sha256 else None
 
 
 def code_changes(directory: Path, recorded: TaskFile, file: TaskFile) -> tuple[str, ...] | None:
-    """Names whose code in a file differs from that in a run's copy; None if the run has no such copy.
+    """Names whose code in a file differs from that in a run's copy; None if the run has no copy that can be compared.
 
     No code is executed.
     """

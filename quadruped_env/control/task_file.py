@@ -66,21 +66,34 @@ def needs_file(what: str, file: TaskFile) -> TaskFileError:
     )
 
 
-def changed_definitions(old: bytes, new: bytes) -> tuple[str, ...]:
-    """Names that two versions of a file define differently, or that only one of them defines, at the top level.
+def changed_definitions(old: bytes, new: bytes) -> tuple[str, ...] | None:
+    """Names that two versions of a file define differently at the top level, and those that use them, in any order.
 
     Comments, docstrings, layout, and what the decorators of terms say (but for `mirror`) do not count: the config and
-    the observation layout have it. No code is executed.
+    the observation layout have it. Nor do modules that the file imports. No code is executed. None if a version cannot
+    be parsed.
     """
     try:
         before, after = _definitions(old), _definitions(new)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return ("the whole file",)
-    return tuple(name for name in {**before, **after} if before.get(name) != after.get(name))
+        return None
+    every = {**before, **after}
+    changed = {name for name in every if before.get(name) != after.get(name)}
+    size = -1
+    while len(changed) > size:
+        size = len(changed)
+        entries = [version[name] for version in (before, after) for name in changed & version.keys()]
+        affected = frozenset().union(*(defined for _, defined, _ in entries))
+        changed |= {name for name, (_, _, used) in every.items() if affected & used}
+    return tuple(name for name in every if name in changed)
 
 
-def _definitions(content: bytes) -> dict[str, str]:
-    """Name of each top-level statement, and its code without what does not count."""
+_Definition = tuple[str, frozenset[str], frozenset[str]]
+"""Code without what does not count, names at the top level that it defines or changes, and names that it uses."""
+
+
+def _definitions(content: bytes) -> dict[str, _Definition]:
+    """Name of each top-level statement and imported name, and what counts of it; statements of one name are joined."""
     tree = ast.parse(content)
     for node in ast.walk(tree):
         if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
@@ -88,14 +101,32 @@ def _definitions(content: bytes) -> dict[str, str]:
         if isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
             calls = [entry for entry in node.decorator_list if isinstance(entry, ast.Call)]
             node.decorator_list = [word.value for call in calls for word in call.keywords if word.arg == "mirror"]
-    return {_name_of(statement): ast.dump(statement) for statement in tree.body}
+    found: dict[str, _Definition] = {}
+    for statement in tree.body:
+        for name, code, defined in _parts(statement):
+            codes, names, used = found.get(name, ("", frozenset(), frozenset()))
+            found[name] = (codes + code, names | defined, used | _identifiers(statement))
+    return found
 
 
-def _name_of(statement: ast.stmt) -> str:
-    if isinstance(statement, (ast.Assign, ast.AnnAssign)):
-        targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
-        return ", ".join(map(ast.unparse, targets))
-    return getattr(statement, "name", None) or short(ast.unparse(statement))
+def _parts(statement: ast.stmt) -> list[tuple[str, str, frozenset[str]]]:
+    """A name, the code and the names that it defines or changes, of a statement or of each name that it imports."""
+    if isinstance(statement, (ast.Import, ast.ImportFrom)):
+        module = getattr(statement, "module", "")
+        names = [(alias.asname or alias.name.partition(".")[0], alias.name) for alias in statement.names]
+        return [(name, f"{module}.{source}", frozenset({name})) for name, source in names]
+    if isinstance(statement, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+        return [(statement.name, ast.dump(statement), frozenset({statement.name}))]
+    stored = [node for node in ast.walk(statement) if isinstance(getattr(node, "ctx", None), (ast.Store, ast.Del))]
+    defined = frozenset().union(*map(_identifiers, stored))
+    if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
+        # Such as `TABLE.append(1)`.
+        defined |= _identifiers(getattr(statement.value.func, "value", ast.Pass()))
+    return [(", ".join(sorted(defined)) or short(ast.unparse(statement)), ast.dump(statement), defined)]
+
+
+def _identifiers(node: ast.AST) -> frozenset[str]:
+    return frozenset(entry.id for entry in ast.walk(node) if isinstance(entry, ast.Name))
 
 
 def names_of(term: Any) -> tuple[str, ...]:

@@ -238,8 +238,8 @@ def _check_privileged(policy: Policy) -> None:
     file = recorded_file(recorded)
     assert file is not None
     assert definition.file is not None
-    code = code_changes(Path(policy.source).parent, file, definition.file) or ()
-    other = sorted({*old} ^ {*new} | {*old} & {*code})
+    code = code_changes(Path(policy.source).parent, file, definition.file)
+    other = sorted({*old} ^ {*new} | {name for name in old if code is None or name in code})
     if other:
         raise QuadrupedError(
             f"--task: {definition.file.name} has another privileged reading {', '.join(other)} than the run, whose "

@@ -50,10 +50,16 @@ def too_low(context):
 OBSERVATION = """
 from quadruped_env.task import observation, privileged
 
+GAIN = 1.0
+
+
+def strain(values):
+    return values * GAIN
+
 
 @observation(unit="N m", mirror="joints", scale=0.1, bound=2.0)
 def joint_torque(readings, control):
-    return readings.joint_torque
+    return strain(readings.joint_torque)
 
 
 @privileged(unit="N", mirror="feet", scale=0.05, bound=2.0)
@@ -206,9 +212,10 @@ def test_observation_that_replaces_a_built_in_one_of_the_same_layout_needs_the_f
         ((("scale=0.1", "scale=0.2"),), r"observation_layout differs"),
         ((("def joint_torque", "def torque"),), r"observation_layout differs"),
         (
-            (("return readings.joint_torque", "return -readings.joint_torque"),),
+            (("return strain(readings.joint_torque)", "return -readings.joint_torque"),),
             r"computes the observation joint_torque d",
         ),
+        ((("GAIN = 1.0", "GAIN = 2.0"),), r"computes the observation joint_torque differently"),
         ((('mirror="joints"', "mirror=(1.0,) * 8"),), r"computes the observation joint_torque differently"),
     ],
 )
@@ -304,7 +311,41 @@ def test_definitions_that_differ_are_found_without_comments_docstrings_and_weigh
     other = REWARDS.replace("-0.5", "-9").replace("The base is lower", "It is lower").replace("0.1\n", "0.1  # m\n")
     assert changed_definitions(REWARDS.encode(), other.encode()) == ()
     assert changed_definitions(REWARDS.encode(), (REWARDS + "LIMIT = 3\n").encode()) == ("LIMIT",)
-    assert changed_definitions(b"def f(:", REWARDS.encode()) == ("the whole file",)
+    assert changed_definitions(b"def f(:", REWARDS.encode()) is None
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "changed"),
+    [
+        ("A = 1", "A = 2", ("A", "user", "way")),
+        ("A *= 2", "A *= 3", ("A", "user", "way")),
+        ("T.append(3)", "T.append(4)", ("T", "way")),
+        ("    B = 5", "    B = 6", ("B", "other")),
+        ("import sin, cos", "import sin, tan", ("cos", "tan")),
+        ("import sin", "import sinh as sin", ("sin", "B", "other")),
+    ],
+)
+def test_definitions_that_use_one_that_differs_differ(old, new, changed):
+    text = (
+        "from math import sin, cos\nA = 1\nA *= 2\nT = []\nT.append(3)\nif sin:\n    B = 5\n"
+        "def user(x): return x * A\ndef way(x): return user(T[0])\ndef other(x): return sin(B)\n"
+    )
+    found = changed_definitions(text.encode(), text.replace(old, new, 1).encode())
+    assert found == changed
+
+
+def test_version_that_cannot_be_compared_is_refused_where_it_decides_numbers(observed, tmp_path):
+    copy = shutil.copytree(observed, tmp_path / "run")
+    (copy / KEPT_FILE).unlink()
+    with pytest.raises(QuadrupedError, match=r"may compute the observation joint_torque differently"):
+        load_policy(copy, edited(tmp_path, OBSERVATION + "LIMIT = 3\n"))
+    critic = OBSERVATION[: OBSERVATION.index("@observation")] + OBSERVATION[OBSERVATION.index("@privileged") :]
+    run = trained(edited(tmp_path, critic), tmp_path / "runs", asymmetric_critic=True)
+    other = load_task_file(edited(tmp_path, critic + "LIMIT = 3\n"))
+    Parent.load(run, other)
+    (run / KEPT_FILE).unlink()
+    with pytest.raises(QuadrupedError, match=r"another privileged reading foot_force than the run"):
+        Parent.load(run, other)
 
 
 @pytest.mark.parametrize("weight", ["'heavy'", "float('nan')", "float('inf')", "None", "True", "[1.0]"])
