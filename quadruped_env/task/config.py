@@ -185,8 +185,10 @@ def config_differences(values: Mapping[str, Any], config: "TaskConfig") -> list[
     """Differences of a config from the plain values of another one in its sections of terms, in words."""
     recorded, terms = recorded_terms(values.get(TASK_FILE) or {}) or {}, config.definition.own_terms()
     found = []
-    for kind in terms.keys() - {"privileged"}:  # which no policy observes
-        old, new = recorded.get(kind, []), terms[kind]
+    for kind, new in terms.items():
+        if kind == "privileged":  # which no policy observes
+            continue
+        old = recorded.get(kind, [])
         found += [f"{kind.removesuffix('s')} {name} left out" for name in old if name not in new]
         found += [f"{kind.removesuffix('s')} {name} added" for name in new if name not in old]
     sections = _sections(config.definition)
@@ -194,8 +196,8 @@ def config_differences(values: Mapping[str, Any], config: "TaskConfig") -> list[
         flat({name: section for name in sections if isinstance(section := entry.get(name), Mapping)})
         for entry in (plain(dict(values)), plain(config.to_dict()))
     )
-    for path in then.keys() & now.keys() if recorded else then.keys() | now.keys():
-        if then.get(path) != now.get(path):
+    for path in now if recorded else {**then, **now}:
+        if (path in then or not recorded) and then.get(path) != now.get(path):
             found.append(f"{path} {now.get(path)} (the run: {then.get(path)})")
     return found
 
