@@ -209,7 +209,7 @@ def task_differences(policy: Policy) -> str:
         )
     code = control_policy.code_changes(Path(policy.source).parent, recorded, file)
     if code is None:
-        found.append("its code is not compared, as the run keeps no copy")
+        found.append("its code is not compared, as the run keeps no copy that can be")
     elif code:
         found.append(f"other code in {', '.join(code)}")
     return f"the task of {file.name} differs from the run's: {'; '.join(found)}" if found else ""
@@ -224,7 +224,7 @@ def with_task(policy: control_policy.Policy, definition: TaskDefinition = BUILT_
     try:
         # A policy that needs nothing of a user's file is not affected by one.
         own = definition if {TASK_FILE, TERRAIN_FILE} & policy.task.keys() else BUILT_IN.with_robot(policy.robot)
-        task = policy.task if own.file is not None else for_definition(policy.task, own)
+        task = for_definition(policy.task, own) if own.file is None and TASK_FILE in policy.task else policy.task
         config = TaskConfig.from_dict(task, own)
     except QuadrupedError as error:
         raise control_policy.unusable(policy.source, error) from error

@@ -115,6 +115,10 @@ DAMAGES = {
         lambda d: edit_card(d, config=POSITION | {"tempo": 1}, scripted_gait=None),
         r"policy.json: config: unknown field 'tempo'",
     ),
+    "term of another version": (
+        lambda d: edit_card(d, config=POSITION | {"reward": {"weights": {"tempo": 1}}}, scripted_gait=None),
+        r"policy.json: config.reward.weights: unknown field 'tempo'",
+    ),
     "config a list": (lambda d: edit_card(d, config=[1]), r"policy.json: config: expected a mapping"),
     "NaN": (
         lambda d: edit_tensors(d, layer1__weight=np.full((16, 12), np.nan, np.float32)),
