@@ -107,8 +107,8 @@ class SweepConfig:
                 raise QuadrupedError(
                     f"--{name}: expected one of {', '.join(valid)}; found {short(getattr(self, name))}"
                 )
-        for text in (*self.whole, self.task_file or "", self.task_sha256 or ""):
-            if not isinstance(text, str):
+        for text in (*self.whole, self.task_file, self.task_sha256):
+            if not isinstance(text, str | None):
                 raise QuadrupedError(f"whole, task_file, task_sha256: expected texts; found {short(text)}")
         check_fields(self.training)
 
