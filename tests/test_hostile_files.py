@@ -208,6 +208,7 @@ READ_BY = {
     "provenance.py": "/proc/cpuinfo",
     "replay/motors_file.py": ("motors",),
     "reporting/plots/learning.py": ("progress",),
+    "robot/description.py": "a file in place of a robot: tests/robot/test_description.py",
     "sim2sim/results.py": ("second engine",),
     "simulation/model.py": "a file of this package",
     "sweep/definition.py": ("terms",),

@@ -20,15 +20,15 @@ def description_problem(content: bytes) -> str:
     if not text.startswith(b"<"):
         return ""
     parser: Any = ElementTree.XMLPullParser(["start-ns", "start"])  # whose events typeshed does not tell apart
-    parser.feed(text)
     prefixes, kind = [], ""
     try:
+        parser.feed(text)
         for event, value in parser.read_events():
             if event == "start":
                 kind = _KINDS.get(value.tag, "")
                 break
             prefixes.append(value[0])
-    except ElementTree.ParseError:
+    except (ElementTree.ParseError, LookupError, ValueError):  # the last two for encodings that it lacks
         return ""
     if not kind:
         return ""

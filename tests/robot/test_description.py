@@ -25,6 +25,8 @@ HOW = "QuadrupedDesign or a Robot in a Python file, with --task FILE or task_fil
         (b"<html><robot/></html>", ""),
         (b"<mujoco", ""),
         (b"< 3", ""),
+        (b'<?xml version="1.0" encoding="no such"?><robot/>', ""),
+        (b'<?xml version="1.0" encoding="utf-7"?><robot/>', ""),
         (b"", ""),
         (b"robot = QuadrupedDesign()", ""),
     ],
