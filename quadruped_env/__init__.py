@@ -6,10 +6,12 @@ import quadruped_env
 env = gymnasium.make("MiniQuadruped-v0")
 """
 
-from quadruped_env._opengl import choose_opengl, import_mujoco
 from quadruped_env._python import check_python
 
 check_python()  # before anything is imported that the wrong Python does not have
+
+from quadruped_env._opengl import choose_opengl, import_mujoco  # noqa: E402
+
 choose_opengl()  # before anything imports MuJoCo, which reads the choice when it is imported
 import_mujoco()
 

@@ -43,7 +43,8 @@ def captured() -> Iterator[None]:
         yield
     except BaseException:
         # They tell why the domain could not be joined.
-        print(*lines(), sep="\n", file=sys.stderr)
+        for line in lines():
+            print(line, file=sys.stderr)
         raise
     finally:
         stderr.value = before
