@@ -243,10 +243,17 @@ def find_controllers(
     runs: Path = by_name.RUNS,
     task_file: str | Path | None = None,
     trust_task: bool = False,
+    robot: Robot | None = None,
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
-    """As `quadruped_env.control.by_name.find_controllers`, for policies with their task."""
-    load = functools.partial(load_policy, task_file=task_file, trust_task=trust_task)
-    return by_name.find_controllers(names, runs, load, _robot(task_file))
+    """As `quadruped_env.control.by_name.find_controllers`, for policies with their task.
+
+    `trust_task` executes the files of the named runs only, not of those that are offered besides.
+    """
+
+    def load(source: str | Path) -> Policy:
+        return load_policy(source, task_file, trust_task=trust_task and str(source) in names)
+
+    return by_name.find_controllers(names, runs, load, robot or _robot(task_file))
 
 
 def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> TaskConfig:

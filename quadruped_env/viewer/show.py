@@ -1,5 +1,6 @@
 """The viewer: a `ViewController` in real time, its scene, controls and plots in every connected browser."""
 
+import os
 import threading
 import time
 from collections.abc import Sequence
@@ -7,13 +8,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from quadruped_env.control.by_name import RUNS
 from quadruped_env.control.config import COMMANDS
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import find_controllers, kept_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run import CONFIG_FILE, LATEST
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.controller import Command, ViewController
 from quadruped_env.viewer.lineup import START
@@ -167,7 +169,7 @@ def open_show(
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
         terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
         randomization: preset of the episodes' randomization; None: every episode starts at rest in the stance.
-        trust_task: execute the copies of such files that the runs keep, in place of `task_file`.
+        trust_task: execute the copies of such files that these runs keep, in place of `task_file`.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -178,10 +180,11 @@ def open_show(
         raise QuadrupedError(f"--command: {outside}; give a command in this range")
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     if trust_task:
-        runs = [source for source in asked if (Path(source) / CONFIG_FILE).exists()]
-        definition = kept_definition(runs[0]) if runs else BUILT_IN
+        asked = asked or [str(RUNS / LATEST)]
+        run = next((source for source in asked if os.path.exists(Path(source, CONFIG_FILE))), None)
+        definition = BUILT_IN if run is None else kept_definition(run)
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
-    sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task)
+    sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task, robot=definition.robot)
     randomized = {None: "off", "none": START}.get(randomization, randomization)
     controller = ViewController(
         sources, chosen, results, definition.robot, ground, str(randomized), definition.terrains

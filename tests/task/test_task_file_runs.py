@@ -26,6 +26,7 @@ from quadruped_env.training import TrainConfig
 from quadruped_env.training.ppo import train
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.viewer import open_show
 
 REWARDS = """
 from pathlib import Path
@@ -204,6 +205,24 @@ def test_observation_that_replaces_a_built_in_one_of_the_same_layout_needs_the_f
     run = trained(edited(tmp_path, text), tmp_path / "runs")
     with pytest.raises(QuadrupedError, match=r"this policy has the observation gait_clock from 'my_task.py'"):
         control_policy.load_policy(run)
+
+
+def test_viewer_of_a_trusted_run_has_its_robot_and_executes_the_files_of_no_other_runs(tmp_path, monkeypatch):
+    pytest.importorskip("mjviser")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "robot.py").write_text(
+        "from quadruped_env.robot import QuadrupedDesign\n\nROBOT = QuadrupedDesign(name='long', leg_length=0.2)\n"
+    )
+    other = trained(edited(tmp_path, REWARDS), tmp_path / "runs", name="other")
+    trained(tmp_path / "robot.py", tmp_path / "runs", name="mine")
+    show = open_show(["runs/latest", "trot"], port=0, trust_task=True)
+    try:
+        assert {view.now.robot.name for view in show.controller.view().robots} == {"long"}
+        with pytest.warns(QuadrupedWarning, match="not executed"), pytest.raises(QuadrupedError, match="'long'"):
+            show.controller.set_source(0, f"run {other.name}")
+    finally:
+        show.close()
+    assert not (other / "log").exists()
 
 
 @pytest.mark.parametrize(
