@@ -54,6 +54,13 @@ def test_import_with_a_wrong_python_raises_the_same_error():
     assert re.search(r"ModuleNotFoundError: .* has no gymnasium, .*", done.stderr.splitlines()[-1])
 
 
+def test_python_is_checked_before_any_other_module_is_imported():
+    """Others may have syntax of a later Python than 3.6, also outside of functions."""
+    code = "import sys\ntry: import quadruped_env\nexcept ImportError: print(*sys.modules)"
+    modules = run(*BARE, "-c", code, cwd=ROOT).stdout.split()
+    assert [name for name in modules if name.startswith("quadruped_env")] == ["quadruped_env._python"]
+
+
 def test_python_that_is_too_old_error_names_its_version(monkeypatch):
     monkeypatch.setattr(_python, "OLDEST", (99, 0))
     with pytest.raises(ModuleNotFoundError, match=r"is Python 3\.\d+, and 99\.0 or later is needed; "):

@@ -19,6 +19,7 @@ from waiting import DEADLINE, killed_on_failure, status_of, wait_until
 
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
 from quadruped_env.live import TOPICS, Network, Node, Topic
+from quadruped_env.live.__main__ import main
 from quadruped_env.live.messages.joints import JointReader
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.pace import Pace, Rate
@@ -195,6 +196,11 @@ def test_claimed_domain_is_not_claimed_again(domain_id, monkeypatch):
 def test_node_of_a_test_without_a_claimed_domain_is_refused():
     with pytest.raises(QuadrupedError, match="found 'none in tests; take the fixture domain_id'"):
         Node("test")
+
+
+def test_error_about_a_domain_is_one_line(capsys):
+    assert main(["list", "--domain-id", "9999"]) == 2
+    assert re.fullmatch("mini-quadruped live list: error: .*9999\n", capsys.readouterr().err)
 
 
 def test_lines_of_cyclonedds_are_logged_once_a_second_with_a_count(start, domain_id):
