@@ -69,7 +69,7 @@ format: $(INSTALLED)  ## format and auto-fix with ruff
 	$(BIN)/ruff format .
 
 bench: $(DEV)  ## measure speed and memory
-	$(BIN)/python evaluate/throughput.py
+	$(BIN)/python tools/throughput.py
 
 clean:  ## remove .venv, .ros2, mutants and caches; runs/ and results/ stay
 	rm -rf $(VENV) .ros2 $(COSMIC_RAY) mutants build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
