@@ -3,7 +3,7 @@
     publishes   /joint_states, /imu/data, /odom, /tf (base_link in odom), /clock      100 Hz
     subscribes  /joint_commands   sensor_msgs/JointState: names with positions in rad; only efforts of 0: go limp
                 /forward_position_controller/commands   std_msgs/Float64MultiArray: a position per joint in rad
-                /push             geometry_msgs/Vector3: velocity in m/s, added to the base's; 5 m/s within 1 s
+                /push             geometry_msgs/Vector3: velocity in m/s, added to the base's; up to 5 m/s within 1 s
 
 Stands until it is commanded. Without a command for 1 s its motors go limp, like the watchdog of a motor driver. It
 accepts commands from one publisher at a time. Timestamps are this machine's time. There can be only one robot on a
