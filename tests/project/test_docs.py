@@ -27,7 +27,8 @@ def commands():
     for page in PAGES:
         for command in commands_of(page.read_text()):
             words = shlex.split(command) if re.match(r"\S*mini-quadruped ", command) else []
-            if len(words) > 1 and not PLACEHOLDER.search(words[1 if words[1] != "live" else 2]):
+            name = words[2:3] if words[1:2] == ["live"] else words[1:2]
+            if name and not PLACEHOLDER.search(name[0]):
                 yield f"{page.name}: {command}", words[1:]
 
 
