@@ -15,6 +15,7 @@ from paths import ROOT
 from ros2_peers import install as ros2_install
 
 from quadruped_env import MissingExtraError, QuadrupedError, __version__, _python
+from quadruped_env.live.__main__ import main as run_node
 from quadruped_env.policies import load_policy
 
 PROGRAMS = [
@@ -187,14 +188,14 @@ def test_commands_in_help_can_be_pasted(directory, monkeypatch):
 
 
 @pytest.mark.usefixtures("python_on_path")
-@pytest.mark.parametrize("program", [*PROGRAMS, Path("-m")], ids=str)
+@pytest.mark.parametrize("program", [*PROGRAMS, Path("live")], ids=str)
 def test_no_help_has_a_command_of_another_python(program, monkeypatch, capsys):
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr(sys, "path", [*sys.path])
-    monkeypatch.setattr(sys, "argv", [str(program), *(["record"] if program == Path("-m") else []), "--help"])
+    monkeypatch.setattr(sys, "argv", [str(program), "--help"])
     try:
-        if program == Path("-m"):
-            runpy.run_module("quadruped_env.live", run_name="__main__", alter_sys=True)
+        if program == Path("live"):
+            run_node(["record", "--help"])
         else:
             runpy.run_path(str(ROOT / program), run_name="__main__")
     except SystemExit as ended:

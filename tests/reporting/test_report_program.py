@@ -19,7 +19,7 @@ from quadruped_env.reporting import results
 def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     asked = []
-    monkeypatch.setattr(subject, "load_policy", lambda name, *_: asked.append(name) or random_policy("position"))
+    monkeypatch.setattr(subject, "load_policy", lambda name, *_, **__: asked.append(name) or random_policy("position"))
     assert find_subject(None).output == Path("results/flat")
     assert asked == ["flat"]
     Path("runs").mkdir()
