@@ -17,6 +17,7 @@ INSTALL = PYTHON='$(PYTHON)' VENV='$(VENV)' TORCH_INDEX='$(TORCH_INDEX)' sh tool
 COSMIC_RAY := .cosmic-ray
 
 .DEFAULT_GOAL := help
+.NOTPARALLEL:  # two pips in one .venv would disturb each other
 .PHONY: always help install dev walk view test test-all mutate ros2 check format bench clean
 
 help:  ## list the targets
