@@ -152,7 +152,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         print(f"best:    trial {best['trial']}, score {best['score']:.3f} -> {folder.path / best['run']}")
         print(f"see it walk:  {program_command('view', folder.path / best['run'], *task)}")
     if not complete:
-        print(f"interrupted; go on with:  {program_command('sweep', '--resume', folder.path)}")
+        print(f"interrupted; go on with:  {program_command('sweep', '--resume', folder.path, *task)}")
         return INTERRUPTED_STATUS
     failed = results["states"].get("failed", 0)
     if failed:
@@ -171,10 +171,10 @@ def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
     typed, task_file, terms, whole = typed_settings(arguments)
     stored = None if arguments.resume is None else SweepFolder.open(arguments.resume).config
     if stored is not None and stored.task_file is not None and task_file is None:
-        from quadruped_env.task import load_task_file
-
-        task_file = Path(stored.task_file)
-        terms = load_task_file(task_file)
+        raise QuadrupedError(
+            f"--resume: this sweep has terms from {short(Path(stored.task_file).name)}, which is not executed "
+            f"automatically: check the file, then name it with --task FILE"
+        )
 
     def make(fields: Mapping[str, Any]) -> TrainConfig:
         sections = whole if stored is None else stored.whole
@@ -234,8 +234,8 @@ def _check_kept(
         found.append((f"--{name.replace('_', '-')}", value, stored.training.get(name, default)))
     if space:
         found.append(("--vary", [str(d) for d in space], [str(d) for d in stored.space]))
-    if task_file is not None and sha256_of(task_file) != stored.task_sha256:
-        found.append(("--task", str(task_file), stored.task_file))
+    if task_file is not None:
+        found.append((f"--task {task_file}: SHA-256", sha256_of(task_file), stored.task_sha256))
     for option, value, kept in found:
         if value is not None and plain(value) != plain(kept):
             raise QuadrupedError(

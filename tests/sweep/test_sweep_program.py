@@ -13,6 +13,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.sweep import SweepConfig, cluster
+from quadruped_env.sweep.definition import sha256_of
 from quadruped_env.sweep.records import SweepFolder
 from quadruped_env.training.distributed import ray_address
 
@@ -71,6 +72,20 @@ def test_resumed_sweep_keeps_its_definition(fails, tmp_path):
     assert "--gamma: found 0.9" in fails("--resume", folder, "--gamma", 0.9)
     assert "--vary: found ['gamma=0.9..0.99']" in fails("--resume", folder, "--vary", "gamma=0.9..0.99")
     assert "--scheduler: found 'asha'" in fails("--resume", folder, "--scheduler", "asha")
+
+
+def test_task_file_that_only_a_sweep_names_is_not_executed(fails, tmp_path):
+    file = tmp_path / "terms.py"
+    file.write_text("raise RuntimeError('executed')\n")
+    config = SweepConfig({"timesteps": 2048}, seeds=8, task_file=str(file), task_sha256=sha256_of(file))
+    folder = SweepFolder.create(tmp_path, "ppo", config, "sweep").path
+    message = fails("--resume", folder)
+    assert "--resume: this sweep has terms from 'terms.py', which is not executed automatically: check" in message
+    assert "executed" in fails("--resume", folder, "--task", file), "told to"
+    file.write_text("from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context): ...\n")
+    message = fails("--resume", folder, "--task", file)
+    assert f"--task {file}: SHA-256: found '{sha256_of(file)[:8]}" in message
+    assert f"has '{config.task_sha256[:8]}" in message
 
 
 def test_address_without_a_listener_is_an_error_that_says_what_to_check(fails):
