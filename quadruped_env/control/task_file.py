@@ -67,7 +67,7 @@ def needs_file(what: str, file: TaskFile) -> TaskFileError:
 
 
 def changed_definitions(old: bytes, new: bytes) -> tuple[str, ...] | None:
-    """Names that two versions of a file define differently at the top level, and those that use them, in any order.
+    """Names that two versions of a file define differently at the top level, and all that use such names.
 
     Comments, docstrings, layout, and what the decorators of terms say (but for `mirror`) do not count: the config and
     the observation layout have it. Nor do modules that the file imports. No code is executed. None if a version cannot
