@@ -10,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import evaluation_report
+from quadruped_env.reporting.plots.canvas import draw_figure, legend_above
 from quadruped_env.reporting.plots.joints import Line, joint_panels
 from quadruped_env.robot import MINI_QUADRUPED
 
@@ -79,3 +80,18 @@ def test_no_text_covers_another_or_leaves_the_figure(figures):
             across = min(box.x1, second.x1) - max(box.x0, second.x0)
             along = min(box.y1, second.y1) - max(box.y0, second.y0)
             assert not (across > 1.0 and along > 1.0), f"{name!r} covers {other!r}"
+
+
+@pytest.mark.parametrize("name", ["flat", "20261128-124312-soft", "20261128-124312-a-longer-name"])
+def test_legend_of_runs_stays_within_the_figure(name):
+    def draw(axes):
+        names = [f"{name}{i}" for i in range(6)]
+        legend_above(axes[0, 0].figure, [axes[0, 0].plot([0, 1], label=name)[0] for name in names], names, 3)
+        figure = axes[0, 0].figure
+        FigureCanvasAgg(figure).draw()
+        box = figure.legends[-1].get_window_extent()
+        assert len(figure.legends) == 1
+        assert box.x0 >= 0.0
+        assert box.x1 <= figure.bbox.x1
+
+    draw_figure(1, 1, 3.0, draw)

@@ -45,6 +45,16 @@ def draw_figure(
     return file.getvalue()
 
 
+def legend_above(figure: Any, handles: Iterable[Any], names: Iterable[str], columns: int, **options: Any) -> None:
+    """Draw a legend above the axes, with fewer columns than wanted where long names would leave the figure."""
+    handles, names = list(handles), list(names)
+    for count in range(columns, 0, -1):
+        legend = figure.legend(handles, names, loc="outside upper center", ncols=count, **options)
+        if count == 1 or legend.get_window_extent().width <= figure.bbox.width:
+            break
+        legend.remove()
+
+
 def label(controller: str) -> str:
     """Label of a controller. Policies of a comparison have their own names."""
     return CONTROLLERS.get(controller, controller)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import counted_samples, masked_mean
 from quadruped_env.reporting.palette import GREY, LIMIT
-from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, joint_label, label
+from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, joint_label, label, legend_above
 
 _BINS: Final = 90
 _SHARES: Final = (50, 95, 100)
@@ -54,7 +54,7 @@ def cost_over_speed(comparison: Comparison) -> str:
             ax.set_ylim(bottom=0.0)
             ax.set_xlim(left=-0.02)
         handles, names = axes[0, 1].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=3, handletextpad=0.4)
+        legend_above(axes[0, 0].figure, handles, names, columns=3, handletextpad=0.4)
 
     return draw_figure(2, 2, 4.8, draw)
 
@@ -157,7 +157,7 @@ def reward_terms(comparison: Comparison) -> str:
         for ax, motion in zip(axes[0], motions, strict=True):
             ax.set_title(motion or "")
         handles, labels = axes[0, 0].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles, labels, loc="outside upper center", ncols=3, handletextpad=0.4)
+        legend_above(axes[0, 0].figure, handles, labels, columns=3, handletextpad=0.4)
 
     ratios = [len(group) + 1.5 for group in groups]
     return draw_figure(len(groups), len(motions), 0.9 + 0.24 * sum(ratios), draw, height_ratios=ratios)

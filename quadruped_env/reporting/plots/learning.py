@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure
+from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, legend_above
 from quadruped_env.training.run import TERM_COLUMN
 
 LEARNING_CURVES: Final = (
@@ -70,7 +70,7 @@ def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> st
             ax.tick_params(labelbottom=True)
             ax.set_xlabel("time steps (millions)")
         handles = {name: line for ax in axes.flat for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
-        axes[0, 0].figure.legend(handles.values(), handles.keys(), loc="outside upper center", ncols=2)
+        legend_above(axes[0, 0].figure, handles.values(), handles.keys(), columns=2)
 
     return draw_figure(rows, 2, 0.7 + 0.9 * rows, draw, sharex=True)
 
@@ -99,6 +99,6 @@ def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) ->
         axes[-1, 0].set_xlabel("time steps (millions)")
         if len(progress) > 1:
             handles, labels = axes[0, 0].get_legend_handles_labels()
-            axes[0, 0].figure.legend(handles, labels, loc="outside upper center", ncols=2)
+            legend_above(axes[0, 0].figure, handles, labels, columns=2)
 
     return draw_figure(len(curves), 1, 0.5 + 1.3 * len(curves), draw, sharex=True)

@@ -7,7 +7,7 @@ import numpy as np
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.metrics import START_UP, window_means
 from quadruped_env.reporting.palette import GREY, LIMIT
-from quadruped_env.reporting.plots.canvas import REFERENCE, controller_styles, draw_figure, label
+from quadruped_env.reporting.plots.canvas import REFERENCE, controller_styles, draw_figure, label, legend_above
 from quadruped_env.rotations import tilt
 
 
@@ -50,7 +50,7 @@ def tracking(comparison: Comparison) -> str:
                         )
             ax.set(title=quantity, xlabel="commanded", ylabel="achieved")
         handles, names = axes[0, 0].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=3, handletextpad=0.4)
+        legend_above(axes[0, 0].figure, handles, names, columns=3, handletextpad=0.4)
 
     return draw_figure(1, len(panels), 3.1 + 0.18 * (len(styles) // 3), draw)
 
@@ -79,7 +79,7 @@ def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_a
             ax.set_title(f"command: {target[0]:g} m/s and {target[1]:g} rad/s")
             ax.set_ylabel("yaw rate (rad/s)" if column else "forward velocity (m/s)")
         handles, labels = axes[0, 0].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles[::-1], labels[::-1], loc="outside upper center", ncols=3)
+        legend_above(axes[0, 0].figure, handles[::-1], labels[::-1], columns=3)
         axes[-1, 0].set_xlabel("time (s)")
 
     return draw_figure(len(panels), 1, 1.0 + 1.9 * len(panels), draw, sharex=True)
