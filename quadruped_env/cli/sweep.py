@@ -143,7 +143,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
     results = collect(folder, invocation.line)
     numbers, rows = write(folder, results)
-    print(f"\n{table(results) or 'no trial has a score'}\n")
+    scores = table(results)
+    heading = "score: interquartile mean over the seeds and the parts of the suite [95 % interval]\n"
+    print(f"\n{heading + scores if scores else 'no trial has a score'}\n")
     _write_report(folder, results)
     print(f"results: {rows} and {numbers}")
     best = results["best"]

@@ -212,6 +212,11 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
         raise QuadrupedError(
             f"{file}: cannot be read ({error.strerror}); name the Python file of your terms"
         ) from error
+    if file.suffix == ".json":  # whose content would be executed as an expression
+        raise QuadrupedError(
+            f"{file}: is a JSON file, and a Python file of terms is expected; changes of the config are for "
+            f"'mini-quadruped train --task', and a run keeps them"
+        )
     if problem := description_problem(content):
         raise QuadrupedError(f"{file}: {problem}")
     name = file.name if expected is None else expected.name

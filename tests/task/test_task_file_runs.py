@@ -384,3 +384,10 @@ def test_weight_may_be_of_numpy(tmp_path):
     weight = load_task_file(edited(tmp_path, text)).weights["mine"]
     assert type(weight) is float
     np.testing.assert_equal(weight, 2.0)
+
+
+def test_json_file_in_place_of_a_python_file_is_named_as_such(tmp_path):
+    file = tmp_path / "changes.json"
+    file.write_text('{"reward": {"only_positive": true}}')
+    with pytest.raises(QuadrupedError, match=r"changes.json: is a JSON file, and a Python file of terms is expected"):
+        load_policy("flat", task_file=file)

@@ -188,7 +188,7 @@ def _term_rows(terms: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[d
     def cell(term: Mapping[str, float] | None) -> dict[str, str]:
         if term is None or math.isnan(term["per_second"]) or not term["weight"]:
             return {"value": "-", "parts": "" if term is None else f"weight {term['weight']:g}"}
-        mean = term["per_second"] / term["weight"]
+        mean = term["per_second"] / term["weight"] + 0.0  # no -0
         return {"value": f"{term['per_second']:.3g}", "parts": f"{term['weight']:g} \N{MULTIPLICATION SIGN} {mean:.3g}"}
 
     every = dict.fromkeys(term for own in terms.values() for term in own)
