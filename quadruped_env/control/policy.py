@@ -311,6 +311,8 @@ def policy_directory(source: str | Path) -> Path:
         )
     for path in (directory / CARD_FILE, directory / TENSORS_FILE):
         if not os.path.exists(path):
+            if run := max(directory.glob(f"*/{CARD_FILE}"), default=None):
+                raise QuadrupedError(f"{directory}: is not a run, and holds runs; name one, such as {run.parent}")
             raise QuadrupedError(
                 f"{path}: missing, so the run is incomplete; name a finished run, or one of its checkpoints"
             )

@@ -196,3 +196,10 @@ def test_weights_that_are_a_device_are_refused(run_directory):
     weights.symlink_to(os.devnull)
     with pytest.raises(QuadrupedError, match="name the directory of a finished run"):
         load_policy(run_directory)
+
+
+def test_directory_of_runs_in_place_of_a_run_names_one(tmp_path):
+    (tmp_path / "runs" / "one").mkdir(parents=True)
+    (tmp_path / "runs" / "one" / CARD_FILE).write_text("{}")
+    with pytest.raises(QuadrupedError, match=r"runs: is not a run, and holds runs; name one, such as .*runs/one$"):
+        load_policy(tmp_path / "runs")
