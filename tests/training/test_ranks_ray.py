@@ -122,7 +122,7 @@ def test_rank_of_ray_that_dies_ends_the_run_with_one_error(cluster, tmp_path):
         workers[0].kill()
         _, errors = output_of(process)
     assert process.returncode == 2
-    lines = [line for line in errors.splitlines() if re.match(r"\S+: error: ", line)]
+    lines = [line for line in errors.splitlines() if re.match(r"mini-quadruped train: error: ", line)]
     assert len(lines) == 1, errors
     assert "rank 1 died" in lines[0]
     assert str((tmp_path / "latest").resolve()) in lines[0]

@@ -119,7 +119,7 @@ def test_resume_file_that_is_damaged_is_an_error(tmp_path):
     copy = tmp_path / "copy"
     shutil.copytree(directory, copy)
     (copy / RSL_FILE).write_bytes(b"nothing")
-    with pytest.raises(QuadrupedError, match=rf"{copy}/{RSL_FILE}: cannot be resumed .*; start a new training"):
+    with pytest.raises(QuadrupedError, match=rf"{copy}/{RSL_FILE}: cannot be resumed .*or start a new training"):
         learn(tmp_path, Parent.load(copy).resumed({"timesteps": 32}), copy)
 
 
