@@ -20,7 +20,6 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain
 from quadruped_env.simulation.push_limit import PushLimit
 from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
-from quadruped_env.task import CommandConfig
 from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, push_velocity, sustained_force
 from quadruped_env.viewer.lineup import Lineup, Slot, Source
 from quadruped_env.viewer.robot import Offered, ViewedRobot
@@ -67,7 +66,6 @@ class ViewController:
     ) -> None:
         self.sources = sources
         self.robot = robot
-        self.command_ranges = CommandConfig()
         self.available = Offered()
         """Controls that have an effect on at least one kind of robot here, and readings that exist."""
         self.terrains = tuple(terrains)
@@ -88,6 +86,8 @@ class ViewController:
         except Exception:
             self._saver.close()
             raise
+        self.command_ranges = self._lineup.command_ranges
+        """Of the robots at the start; one that is added later clips commands to its own."""
 
     # --- the robots
 

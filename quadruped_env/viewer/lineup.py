@@ -12,7 +12,7 @@ from quadruped_env.policies import ControllerSpec
 from quadruped_env.reporting.films.film import size_of
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, find_terrain
-from quadruped_env.task import PRESETS, TaskConfig
+from quadruped_env.task import PRESETS, CommandConfig, Section, TaskConfig
 from quadruped_env.task.terrain_section import leg_scale
 from quadruped_env.viewer.robot import TaskRobot, ViewedRobot
 
@@ -95,6 +95,17 @@ class Lineup:
     def terrain(self) -> Terrain:
         """The ground of the robots."""
         return self.slots[0].robot.terrain
+
+    @property
+    def command_ranges(self) -> Section:
+        """The widest ranges of the velocity command, of the default task and those of the robots."""
+        own = [slot.robot.task.config.command for slot in self.slots if isinstance(slot.robot, TaskRobot)]
+        tasks = [CommandConfig(), *own]
+        forward, turn = (
+            tuple(end(getattr(task, name)[i] for task in tasks) for i, end in enumerate((min, max)))
+            for name in ("forward_velocity", "yaw_rate")
+        )
+        return CommandConfig(forward_velocity=forward, yaw_rate=turn)
 
     @property
     def follows_command(self) -> bool:

@@ -4,7 +4,7 @@ import os
 import threading
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -176,8 +176,6 @@ def open_show(
         QuadrupedError: if a requested source cannot be used, the command is out of range, or there is no such terrain.
     """
     import_viser()
-    if outside := out_of_range(command, COMMANDS):
-        raise QuadrupedError(f"--command: {outside}; give a command in this range")
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     if trust_task:
         asked = asked or [str(RUNS / LATEST)]
@@ -190,6 +188,10 @@ def open_show(
         sources, chosen, results, definition.robot, ground, str(randomized), definition.terrains
     )
     try:
+        ranges = controller.command_ranges
+        entries = [replace(entry, range=getattr(ranges, entry.name)) for entry in COMMANDS]
+        if outside := out_of_range(command, entries):
+            raise QuadrupedError(f"--command: {outside}; give a command in this range")
         controller.set_command(*command)
         return Show(controller, host, port)
     except BaseException:
