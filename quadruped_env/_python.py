@@ -9,6 +9,7 @@ import re
 import shlex
 import shutil
 import sys
+from importlib.machinery import PathFinder
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -91,7 +92,8 @@ def has_programs() -> bool:
 
 def pip_command(action: str = "install") -> str:
     """Command that installs or uninstalls packages for this Python: pip, or uv where there is no pip."""
-    if find_spec("pip") is None:
+    # Not the general find_spec: asked for pip, setuptools' hook in it unloads distutils, with a warning.
+    if PathFinder.find_spec("pip") is None:
         return f"uv pip {action} --python {python_command()}"
     return f"{python_command()} -m pip {action}" + (" -y" if action == "uninstall" else "")
 
@@ -161,7 +163,6 @@ def _lack_of_mujoco() -> str:
     older one's files, which have the same names.
     """
     from importlib import metadata
-    from importlib.machinery import PathFinder
 
     versions = {}
     for name in ("mujoco", "mujoco-core", "mujoco-studio"):

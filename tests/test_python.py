@@ -7,6 +7,7 @@ import shlex
 import subprocess
 import sys
 import tomllib
+import types
 from pathlib import Path
 
 import gymnasium
@@ -220,7 +221,9 @@ def test_errors_name_commands_of_this_python(monkeypatch):
 
 def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first(monkeypatch):
     absent = {"torch"}
-    monkeypatch.setattr(_python, "find_spec", lambda name: None if name in absent else object())
+    find_spec = lambda name: None if name in absent else object()  # noqa: E731
+    monkeypatch.setattr(_python, "find_spec", find_spec)
+    monkeypatch.setattr(_python, "PathFinder", types.SimpleNamespace(find_spec=find_spec))
     monkeypatch.setattr(_python, "python_command", lambda: "python")
     index = "https://download.pytorch.org/whl/cpu"
     for portable, pip in ((False, "python -m pip install"), (True, "pip install")):
@@ -234,6 +237,16 @@ def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first(monkeypatch):
     assert _python.pip_command("uninstall") == "uv pip uninstall --python python"
     absent.remove("torch")
     assert _python.install_command("train") == f"{uv} 'mini-quadruped[train]'"
+
+
+def test_command_of_pip_leaves_distutils_as_it_is(monkeypatch):
+    loaded = types.ModuleType("distutils")
+    monkeypatch.setitem(sys.modules, "distutils", loaded)
+    # As Python does at its start where setuptools is installed.
+    monkeypatch.setattr(sys, "meta_path", [*sys.meta_path])
+    pytest.importorskip("_distutils_hack", reason="no setuptools, whose hook it is").insert_shim()
+    assert "pip" in _python.pip_command()
+    assert sys.modules["distutils"] is loaded
 
 
 def test_extras_with_torch_are_those_of_the_hint():
