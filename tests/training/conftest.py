@@ -20,7 +20,7 @@ def run(tmp_path_factory):
 @pytest.fixture
 def asked(monkeypatch, tmp_path):
     """Function that returns the settings of the training that the program would run."""
-    from quadruped_env.training import ppo
+    from quadruped_env.training import train as training
 
     trainings = []
 
@@ -35,5 +35,5 @@ def asked(monkeypatch, tmp_path):
             train.run(parser.parse_args(["-o", str(tmp_path), *arguments]), argparse.Namespace(line="train"))
         return trainings[-1]
 
-    monkeypatch.setattr(ppo, "train", stop)
+    monkeypatch.setattr(training, "train", stop)
     return run
