@@ -36,7 +36,7 @@ def register() -> None:
     """Register the environments for `gymnasium.make` and `make_vec`; `import quadruped_env` calls this."""
     for env_id, single, vector in (
         (ENV_ID, "single:MiniQuadrupedEnv", "vector:MiniQuadrupedVectorEnv"),
-        (ROUGH_ENV_ID, "rough:MiniQuadrupedRoughEnv", "rough:MiniQuadrupedRoughVectorEnv"),
+        (ROUGH_ENV_ID, "rough_envs:MiniQuadrupedRoughEnv", "rough_envs:MiniQuadrupedRoughVectorEnv"),
     ):
         if env_id not in gymnasium.registry:
             gymnasium.register(

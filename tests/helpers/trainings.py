@@ -14,6 +14,7 @@ from waiting import DEADLINE, wait_until
 
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, RSL_FILE
 
@@ -105,3 +106,10 @@ def running(runs, *arguments, command=command):
     finally:
         process.kill()
         process.communicate()
+
+
+@pytest.fixture(scope="session")
+def run(tmp_path_factory):
+    """A complete run of eight updates, without checkpoints on a machine of any speed."""
+    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
+    return learn(tmp_path_factory.mktemp("runs"), config)

@@ -3,18 +3,10 @@
 import argparse
 
 import pytest
-from trainings import SMALL, STEPS, learn
+from trainings import run  # noqa: F401  a fixture
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
-from quadruped_env.training import TrainConfig
-
-
-@pytest.fixture(scope="session")
-def run(tmp_path_factory):
-    """A complete run of eight updates, without checkpoints on a machine of any speed."""
-    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
-    return learn(tmp_path_factory.mktemp("runs"), config)
 
 
 @pytest.fixture
@@ -28,7 +20,7 @@ def asked(monkeypatch, tmp_path):
         trainings.append(config)
         raise QuadrupedError("stopped")
 
-    def run(*arguments):
+    def started(*arguments):
         parser = argparse.ArgumentParser()
         train.add_arguments(parser)
         with pytest.raises(QuadrupedError, match="stopped"):
@@ -36,4 +28,4 @@ def asked(monkeypatch, tmp_path):
         return trainings[-1]
 
     monkeypatch.setattr(training, "train", stop)
-    return run
+    return started

@@ -61,7 +61,8 @@ def test_python_is_checked_before_any_other_module_is_imported():
     """Others may have syntax of a later Python than 3.6, also outside of functions."""
     code = "import sys\ntry: import quadruped_env\nexcept ImportError: print(*sys.modules)"
     modules = run(*BARE, "-c", code, cwd=ROOT).stdout.split()
-    assert [name for name in modules if name.startswith("quadruped_env")] == ["quadruped_env.utils.interpreter"]
+    own = [name for name in modules if name.startswith("quadruped_env")]
+    assert own == ["quadruped_env.utils", "quadruped_env.utils.interpreter"]
 
 
 def test_python_that_is_too_old_error_names_its_version(monkeypatch):

@@ -99,6 +99,7 @@ def _run(job: Job, rank: int, threads: int, meeting: dict[str, str]) -> tuple[Pa
     from quadruped_env.scale.ranks.rank import run_rank
 
     # isort: split
+    from quadruped_env.scale.ranks import torch_group
 
     ranks = job.config.ranks
     if "store" in meeting:
