@@ -7,7 +7,6 @@ import pytest
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
-from quadruped_env.cli.common_options import randomization_option
 from quadruped_env.cli.main import make_parser
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.policies import load_policy
@@ -15,31 +14,19 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
 from quadruped_env.training import train as training
 from quadruped_env.training.recipes import task_values
-from quadruped_env.viewer.viewer_robots import RANDOMIZATIONS
 
 
 @pytest.mark.parametrize("program", ["train", "evaluate", "compare", "view"])
-@pytest.mark.parametrize("preset", PRESETS)
-def test_programs_take_the_presets(program, preset):
-    runs = ["flat", "other"] if program == "compare" else []
-    arguments = make_parser(only=program).parse_args([program, *runs, "--randomization", preset])
-    assert arguments.randomization == preset
-    assert make_parser(only=program).parse_args([program, *runs]).randomization is None
-
-
-@pytest.mark.parametrize("program", ["train", "evaluate", "view"])
-def test_an_unknown_preset_is_refused_with_those_that_there_are(program, capsys):
+def test_program_takes_the_presets_and_refuses_another_one(program, capsys):
+    arguments, parser = [program, *(["flat", "other"] if program == "compare" else [])], make_parser(only=program)
+    assert parser.parse_args(arguments).randomization is None
+    for preset in PRESETS:
+        assert parser.parse_args([*arguments, "--randomization", preset]).randomization == preset
     with pytest.raises(SystemExit):
-        make_parser(only=program).parse_args([program, "--randomization", "extreme"])
+        parser.parse_args([*arguments, "--randomization", "extreme"])
     message = capsys.readouterr().err
     assert "--randomization" in message
-    assert "'extreme'" in message
-    assert all(preset in message for preset in PRESETS)
-
-
-def test_option_is_typed_again_as_it_was_given():
-    assert randomization_option("hard") == "--randomization hard "
-    assert randomization_option(None) == ""
+    assert all(name in message for name in ("'extreme'", *PRESETS))
 
 
 @pytest.fixture
@@ -97,7 +84,3 @@ def test_comparison_runs_all_controllers_with_the_preset():
         assert (rollout.base_position != plain.rollouts[name].base_position).any(), name
     with pytest.raises(QuadrupedError, match="there is no preset 'extreme'"):
         compare(policy, 1, 2.0, [(0.4, 0.0)], randomization="extreme")
-
-
-def test_viewer_offers_the_presets():
-    assert set(PRESETS) - {"none"} <= set(RANDOMIZATIONS)

@@ -6,9 +6,9 @@ import inspect
 
 import pytest
 
-from quadruped_env import JointTrajectory, QuadrupedError, trajectory
+from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.reading_options import add_reading_options, reading_options
-from quadruped_env.trajectory import JointMap, JointRule
+from quadruped_env.trajectory import JointRule
 from quadruped_env.trajectory.read_options import ReadOptions
 
 FIELDS = {field.name: field for field in dataclasses.fields(ReadOptions)}
@@ -40,11 +40,6 @@ def test_load_has_the_keywords_and_defaults_of_the_table():
     assert keywords == {name: field.default for name, field in FIELDS.items()}
 
 
-def test_load_documents_every_option():
-    for name in FIELDS:
-        assert f"\n    {name}: " in inspect.cleandoc(JointTrajectory.load.__doc__)
-
-
 def test_load_passes_every_option_on(monkeypatch):
     passed = {}
 
@@ -57,11 +52,6 @@ def test_load_passes_every_option_on(monkeypatch):
     with pytest.raises(QuadrupedError, match="enough"):
         JointTrajectory.load("a.csv", **GIVEN)
     assert passed == GIVEN
-
-
-def test_arguments_without_flags_give_the_defaults():
-    assert parsed() == {}
-    assert ReadOptions.of(**parsed()) == ReadOptions()
 
 
 @pytest.mark.parametrize(
@@ -94,16 +84,3 @@ def test_arguments_of_both_units_are_refused(capsys):
     with pytest.raises(SystemExit):
         parsed("--degrees", "--radians")
     assert "not allowed with" in capsys.readouterr().err
-
-
-def test_options_with_a_map_keep_it():
-    joint_map = JointMap({"b": JointRule("a")})
-    assert ReadOptions.of(joint_map=joint_map).joint_map is joint_map
-
-
-def test_package_functions_load_and_save(tmp_path):
-    given = JointTrajectory([0, 5], ["a"], [[0.1], [0.2]])
-    trajectory.save(given, tmp_path / "a.csv")
-    loaded = trajectory.load(tmp_path / "a.csv", ignore=["effort"])
-    assert isinstance(loaded, JointTrajectory)
-    assert loaded.positions.tolist() == [[0.1], [0.2]]

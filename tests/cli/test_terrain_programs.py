@@ -14,7 +14,6 @@ from viewing import robot
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.common_options import add_evaluation_options, named_terrain
 from quadruped_env.cli.main import main
-from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.recorded_episode import record
 from quadruped_env.evaluation.rollout import roll_out
@@ -25,16 +24,14 @@ from quadruped_env.live.robot_option import robot_of
 from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
-from quadruped_env.reporting.films.film import Camera, Clip, size_of
+from quadruped_env.reporting.films.film import Camera, size_of
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, load_task_file, terrain
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.show import open_show
 from quadruped_env.viewer.viewer_robots import LANE
-from quadruped_env.viewer.viewer_scene import Scene
 
 HILLS = TaskConfig().on_terrain("hills", 2)
 FIELD = HeightField.of(build_model(terrain=HILLS.ground))
@@ -117,21 +114,7 @@ def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles()
         np.testing.assert_allclose(start, centres[nearest[name]], atol=0.05)
 
 
-def test_baseline_on_a_terrain_measures_and_records_on_it():
-    rough, flat = (run_baseline(seconds=2.0, episodes=1, terrain=name) for name in ("rough", None))
-    assert (rough.report()["terrain"], flat.report()["terrain"]) == ("rough", "flat")
-    assert rough.recording.terrain == find_terrain("rough")
-    assert not np.array_equal(rough.metrics["forward_velocity"], flat.metrics["forward_velocity"])
-
-
 # --- pictures
-
-
-def test_clip_on_uneven_ground_stays_where_it_is():
-    rollout = roll_out(ZeroController(), [(0.0, 0.0)], [1], 0.5, HILLS)
-    trace = Clip.of_rollout(rollout, 0, "").trace
-    np.testing.assert_array_equal(trace.base_position, rollout.base_position[:, 0])
-    assert trace.terrain == HILLS.ground
 
 
 def test_camera_shows_the_ground_of_each_clip(opengl):
@@ -221,25 +204,6 @@ def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_
     controller.close()
 
 
-def test_viewer_of_an_unknown_terrain_is_refused():
-    pytest.importorskip("viser")
-    with pytest.raises(QuadrupedError, match="terrain: 'swamp' is unknown; there are flat, rough, hills"):
-        open_show(["flat"], port=0, terrain="swamp")
-
-
-def test_scene_draws_robots_at_their_places_on_the_ground(tmp_path):
-    pytest.importorskip("mjviser")
-    show = open_show(["flat", "tuned"], (0.3, 0.3), port=0, results=tmp_path, terrain="hills")
-    try:
-        show.controller.advance(0.2)
-        show.draw(show.controller.view())
-        scene: Scene = show._scene
-        assert np.ptp(scene._offsets, axis=0).max() == 0.0, "all robots share one ground"
-        assert scene._robots.fixed_bodies_frame.position[1] == pytest.approx(scene._offsets[0, 1])
-    finally:
-        show.close()
-
-
 # --- live nodes and programs
 
 
@@ -311,21 +275,6 @@ def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
     policy = load_policy(tmp_path / "runs" / "latest")
     assert policy.make_env().unwrapped.task.config.ground == find_terrain("rough").variant(5)
     assert policy.make_env(terrain="hills").unwrapped.task.config.ground == find_terrain("hills").variant(5)
-
-
-def test_program_with_an_unknown_terrain_names_the_valid_ones(capsys, tmp_path):
-    assert main(["train", "--terrain", "swamp", "-o", str(tmp_path)]) == 2
-    assert "terrain: 'swamp' is unknown; there are flat, rough, hills" in capsys.readouterr().err
-
-
-@pytest.mark.slow
-def test_report_on_a_terrain_says_so_and_its_line_repeats_it(tmp_path):
-    pytest.importorskip("matplotlib")
-    arguments = ["--terrain", "hills", "--seeds", "1", "--seconds", "2", "--no-video", "-o", str(tmp_path)]
-    assert main(["evaluate", "flat", *arguments]) == 0
-    document = json.loads(Path(tmp_path, "metrics.json").read_text())
-    assert document["config"]["terrain"]["name"] == "hills"
-    assert "--terrain hills --seeds 1" in json.dumps(document)
 
 
 @pytest.mark.slow

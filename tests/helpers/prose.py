@@ -1,14 +1,7 @@
-"""The prose of a file: its text in its own shape, with everything else blanked out.
-
-Prose is what a person reads: Markdown without code, Python's comments, docstrings and messages, the comments of other
-files. Line numbers stay. In tests, string literals that are data do not count as prose.
-"""
+"""The prose of a file: what a person reads in Markdown and in Python, without the code."""
 
 import ast
-import io
 import re
-import tokenize
-from pathlib import Path
 
 from pages import FENCED
 
@@ -16,6 +9,7 @@ CODE = "\x00"
 """Replacement of everything that is not prose, so that no phrase matches across it."""
 EXAMPLES = "tests/project/test_language.py"
 """File whose string literals are examples of wrong phrases."""
+COMMENT = re.compile(r"""(?:[^'"#]|'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*")*(#.*)""")
 
 
 def blank(match):
@@ -23,113 +17,90 @@ def blank(match):
     return re.sub(r"\S", CODE, match[0])
 
 
-def without_code(text):
-    """Text without inline code, quoted names and addresses."""
-    return re.sub(r"`[^`]*`|'[\w./-]+'|https?://\S+", blank, text)
-
-
-def without_directives(text):
-    """Comments without the directives for linters and type checkers."""
-    return re.sub(r"# (noqa|type:|fmt:|pragma:).*", blank, text)
-
-
 def markdown_prose(text):
+    """Markdown without code, but with the comments of commands."""
+
     def comments(match):
         return re.sub(r"^(?:(?! # ).)*", blank, match[0], flags=re.MULTILINE)
 
     text = FENCED.sub(comments, text)
     text = re.sub(r"^    .*$", comments, text, flags=re.MULTILINE)
-    text = re.sub(r"\]\([^)]*\)", blank, text)
-    return without_code(text)
+    return re.sub(r"\]\([^)]*\)", blank, text)
 
 
-def _is_data(path, quote):
-    """True for a string literal in a test that is data: text in triple quotes (YAML, programs), or an example."""
-    return path == EXAMPLES or (path.startswith("tests/") and len(quote) == 3)
+def comments_of(text, tree):
+    """Line -> text of comments; those of consecutive lines are one text."""
+    within = {
+        line
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.Constant, ast.JoinedStr)) and node.end_lineno > node.lineno
+        for line in range(node.lineno, node.end_lineno)
+    }
+    found, begin, end = {}, 0, 0
+    for line, code in enumerate(text.split("\n"), start=1):
+        match = "#" in code and line not in within and COMMENT.match(code)
+        if match:
+            begin = begin if line == end + 1 else line
+            end = line
+            comment = re.sub(r"# (noqa|type:|fmt:|pragma:).*", "", match[1]).replace("#", " ")
+            found[begin] = f"{found[begin]}\n{comment}" if begin in found else comment
+    return found
 
 
-def python_prose(text, path=""):
-    """Comments, and strings of more than one word; regular expressions are written as raw strings."""
-    lines = [re.sub(r"\S", CODE, line) for line in text.splitlines(keepends=True)]
-    fstring_start, fstring_middle, fstring_end = (
-        getattr(tokenize, f"FSTRING_{part}", None) for part in ("START", "MIDDLE", "END")
-    )
-    starts_statement, fstring_quotes = True, []
-    for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        is_docstring = starts_statement and token.type == tokenize.STRING
-        if token.type not in (tokenize.NL, tokenize.COMMENT):
-            starts_statement = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
-        if token.type == fstring_start:
-            fstring_quotes.append(token.string.lstrip("fFrR"))
-        elif token.type == fstring_end:
-            fstring_quotes.pop()
-        if token.type not in (tokenize.COMMENT, tokenize.STRING, fstring_middle):
+def strings_of(path, text, tree):
+    """(line, text) of docstrings and of strings of several words, but for raw ones: those are regular expressions.
+
+    In tests, other strings in triple quotes or of several lines are data, such as programs and YAML.
+    """
+    lines = text.split("\n")
+    docstrings = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    parts = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            parts.update(id(part) for part in ast.walk(node) if part is not node)
+            content = "".join(part.value if isinstance(part, ast.Constant) else CODE for part in node.values)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            content = node.value
+        else:
             continue
-        if token.type == fstring_middle and _is_data(path, fstring_quotes[-1]):
+        if id(node) in parts or not re.search(r"\s", content):
             continue
-        content = token.string
-        if token.type == tokenize.COMMENT:
-            content = without_directives(content).replace("#", " ")
-        elif token.type == tokenize.STRING:
-            prefix, quote = re.match(r"(\w*)(\"{3}|'{3}|\"|')", content).groups()
-            if set(prefix.lower()) & set("rb") or not re.search(r"\s", content):
-                continue
-            if not is_docstring and _is_data(path, quote):
-                continue
-            content = " " * len(prefix + quote) + content[len(prefix + quote) : -len(quote)] + " " * len(quote)
-            if "f" in prefix.lower():
-                content = re.sub(r"\{[^{}]*\}", blank, content)
-        (row, column), _ = token.start, token.end
-        for i, part in enumerate(content.splitlines(keepends=True)):
-            start = column if i == 0 else 0
-            line = lines[row - 1 + i]
-            lines[row - 1 + i] = line[:start] + part + line[start + len(part) :]
-    return without_code("".join(lines))
-
-
-def hash_prose(text):
-    """Comments after '#'."""
-    return without_code(re.sub(r"^[^#\n]*#?", blank, text, flags=re.MULTILINE))
-
-
-def markup_prose(text):
-    """Text and comments between tags and template expressions."""
-    text = re.sub(r"\{\{.*?\}\}|\{%.*?%\}|<(script|style)\b.*?</\1>|<(?!!--)[^>]*>", blank, text, flags=re.DOTALL)
-    return without_code(text)
-
-
-_PROSE = {
-    ".md": markdown_prose,
-    ".py": python_prose,
-    ".toml": hash_prose,
-    ".html": markup_prose,
-    ".xml": markup_prose,
-    ".urdf": markup_prose,
-    "Makefile": hash_prose,
-}
+        start = lines[node.lineno - 1].encode()[node.col_offset :].decode()
+        prefix, quote = re.match(r"(\w*)(\"{3}|'{3}|\"|')", start).groups()
+        is_data = path == EXAMPLES or (path.startswith("tests/") and (len(quote) == 3 or "\n" in content))
+        if "r" not in prefix.lower() and (id(node) in docstrings or not is_data):
+            yield node.lineno, content
 
 
 def has_prose(path):
     """True for a file that `prose` can read."""
-    return Path(path).name in _PROSE or Path(path).suffix in _PROSE
+    return path.endswith((".md", ".py"))
 
 
 def prose(path, text):
-    """A file's prose in lower case, every run of other characters of a line as one `CODE`."""
-    kind = _PROSE.get(Path(path).name) or _PROSE[Path(path).suffix]
-    readable = python_prose(text, path) if kind is python_prose else kind(text)
-    return re.sub(rf"{CODE}[ \t{CODE}]*", CODE, readable.lower())
+    """(line, text in lower case) of a file's prose, every run of other characters of a line as one `CODE`."""
+    pieces = [(1, markdown_prose(text))]
+    if path.endswith(".py"):
+        # Two strings of one line are one piece.
+        grouped, tree = {}, ast.parse(text)
+        for line, piece in (*comments_of(text, tree).items(), *strings_of(path, text, tree)):
+            grouped[line] = f"{grouped[line]} {CODE} {piece}" if line in grouped else piece
+        pieces = grouped.items()
+    for line, piece in pieces:
+        # Inline code, quoted names and addresses.
+        readable = re.sub(r"`[^`]*`|'[\w./-]+'|https?://\S+", blank, piece)
+        yield line, re.sub(rf"{CODE}[ \t{CODE}]*", CODE, readable.lower())
 
 
 def docstrings(text):
     """(line, text, whether it stands under an assignment) of every docstring."""
-    pending = [ast.parse(text)]
-    while pending:
-        body = pending.pop().body
+    for node in ast.walk(ast.parse(text)):
+        body = getattr(node, "body", None)
+        if not isinstance(body, list):
+            continue
         for before, statement in zip([None, *body], body, strict=False):
-            if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant):
+            value = getattr(statement, "value", None)
+            if isinstance(statement, ast.Expr) and isinstance(getattr(value, "value", None), str):
                 assigned = isinstance(before, ast.Assign | ast.AnnAssign)
-                if isinstance(statement.value.value, str) and (before is None or assigned):
-                    yield statement.lineno, statement.value.value, assigned
-            elif isinstance(getattr(statement, "body", None), list):
-                pending.append(statement)
+                if before is None or assigned:
+                    yield statement.lineno, value.value, assigned

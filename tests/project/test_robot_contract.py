@@ -3,7 +3,6 @@
 import ast
 import re
 
-import pytest
 from paths import ROOT
 
 PACKAGE = ROOT / "quadruped_env"
@@ -60,11 +59,11 @@ NEEDS_ROBOT = {
 
 PARTS = re.compile(r"(?<![\w/])(base_link|[LR][FH]_(hip|knee|leg|foot)\w*)")
 
-MODULES = sorted(path for path in PACKAGE.rglob("*.py") if path.relative_to(PACKAGE).parts[0] != "robot")
-
-
-def name_of(module):
-    return module.relative_to(PACKAGE).as_posix()
+MODULES = {
+    path.relative_to(PACKAGE).as_posix(): ast.parse(path.read_text())
+    for path in sorted(PACKAGE.rglob("*.py"))
+    if path.relative_to(PACKAGE).parts[0] != "robot"
+}
 
 
 def imported(tree):
@@ -81,46 +80,32 @@ def calls(tree):
             yield ".".join(ast.unparse(node.func).split(".")[-2:]), node
 
 
-def docstrings(tree):
-    """Bare strings: docstrings of modules, classes, functions and attributes."""
-    return {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+def test_modules_import_no_numbers_or_names_of_a_robot():
+    for name, tree in MODULES.items():
+        allowed = NEUTRAL | ({"MINI_QUADRUPED"} if name in ENTRY_POINTS else set())
+        if name == "__init__.py":
+            allowed |= {"JOINT_NAMES", "LEG_NAMES"}
+        constants = {constant for constant in imported(tree) if constant.isupper()}
+        assert constants <= allowed, f"{name}: take them from the Robot that is passed down"
 
 
-@pytest.fixture(params=MODULES, ids=name_of)
-def module(request):
-    return request.param
+def test_modules_say_which_robot_they_mean():
+    for module, tree in MODULES.items():
+        for name, call in calls(tree):
+            for function, position in NEEDS_ROBOT.items():
+                if name == function or name.endswith(f".{function}"):
+                    named = any(keyword.arg in ("robot", None) for keyword in call.keywords)
+                    assert named or len(call.args) > position, f"{module}:{call.lineno}: {name} without a robot"
 
 
-def test_modules_import_no_numbers_or_names_of_a_robot(module):
-    constants = {name for name in imported(ast.parse(module.read_text())) if name.isupper()} - NEUTRAL
-    allowed = {"MINI_QUADRUPED"} if name_of(module) in ENTRY_POINTS else set()
-    if name_of(module) == "__init__.py":
-        allowed |= {"JOINT_NAMES", "LEG_NAMES"}
-    assert constants <= allowed, "take them from the Robot that is passed down"
-
-
-def test_modules_say_which_robot_they_mean(module):
-    for name, call in calls(ast.parse(module.read_text())):
-        for function, position in NEEDS_ROBOT.items():
-            if name == function or name.endswith(f".{function}"):
-                named = any(keyword.arg in ("robot", None) for keyword in call.keywords)
-                assert named or len(call.args) > position, f"line {call.lineno}: {name} without a robot"
-
-
-def test_modules_name_no_part_of_a_robot(module):
-    tree = ast.parse(module.read_text())
-    allowed = docstrings(tree)
-    found = [
-        f"line {node.lineno}: {node.value!r}"
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Constant)
-        and isinstance(node.value, str)
-        and id(node) not in allowed
-        and PARTS.search(node.value)
-    ]
-    assert not found
+def test_modules_name_no_part_of_a_robot():
+    for name, tree in MODULES.items():
+        docstrings = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings:
+                assert not PARTS.search(node.value), f"{name}:{node.lineno}: {node.value!r}"
 
 
 def test_every_entry_point_names_the_built_in_robot():
     for name in ENTRY_POINTS.keys() - {"__init__.py"}:
-        assert "MINI_QUADRUPED" in set(imported(ast.parse((PACKAGE / name).read_text()))), name
+        assert "MINI_QUADRUPED" in set(imported(MODULES[name])), name
