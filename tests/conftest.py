@@ -100,7 +100,7 @@ def start(domain_id, tmp_path):
         yield start
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def comparison():
     """A small comparison of a random policy with the scripted controllers."""
     from comparisons import TINY, random_policy

@@ -127,20 +127,8 @@ def test_restored_env_remembers_which_episodes_have_ended(mode):
 
 WRAPPERS = {
     "normalize_observation": wrappers.NormalizeObservation,
-    "rescale_observation": lambda env: wrappers.RescaleObservation(
-        env, env.single_observation_space.low * 0 - 1, env.single_observation_space.high * 0 + 1
-    ),
-    "flatten_observation": wrappers.FlattenObservation,
-    "dtype_observation": lambda env: wrappers.DtypeObservation(env, np.float64),
-    "transform_observation": lambda env: wrappers.TransformObservation(env, lambda observation: observation * 2.0),
-    "vectorize_transform_observation": lambda env: wrappers.VectorizeTransformObservation(
-        env, gymnasium.wrappers.TransformObservation, func=lambda x: x + 1.0, observation_space=None
-    ),
     "normalize_reward": wrappers.NormalizeReward,
-    "clip_reward": lambda env: wrappers.ClipReward(env, -0.1, 0.1),
-    "transform_reward": lambda env: wrappers.TransformReward(env, lambda reward: reward * 3.0),
     "clip_action": wrappers.ClipAction,
-    "rescale_action": lambda env: wrappers.RescaleAction(env, -2.0, 2.0),
     "transform_action": lambda env: wrappers.TransformAction(env, lambda action: action * 0.5),
     "record_episode_statistics": wrappers.RecordEpisodeStatistics,
     "dict_info_to_list": wrappers.DictInfoToList,

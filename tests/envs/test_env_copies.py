@@ -145,12 +145,6 @@ def test_copy_of_a_vector_environment_taken_within_episodes_continues_identicall
 
 
 @pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_copy_of_a_vector_environment_that_was_never_reset_begins_identically(duplicate):
-    env = make_native(2, config=ROUGH)
-    assert_same(duplicate(env).reset(), env.reset())
-
-
-@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
 def test_copy_of_the_sb3_environment_taken_within_episodes_continues_identically(duplicate):
     env = make_sb3_vec_env(NUM_ENVS, seed=3, config=ROUGH, max_episode_steps=EPISODE_STEPS)
     env.reset()
@@ -208,17 +202,3 @@ def test_environments_share_nothing():
         if log[-1][2] or log[-1][3]:
             log.append(env.reset())
     assert_same(log, expected)
-
-
-def test_a_restored_environment_changes_its_command_when_the_saved_one_would():
-    env, other = make().unwrapped, make().unwrapped
-    env.reset(seed=4)
-    play(env, 33)
-    state = env.get_state()
-    expected = [info["command"] for *_, info in play(env, 300)]
-    assert len(np.unique(expected, axis=0)) > 1
-    # A fixed command never changes.
-    other.reset(seed=0, options={"command": (0.3, 0.0)})
-    play(other, 2)
-    other.set_state(state)
-    np.testing.assert_array_equal([info["command"] for *_, info in play(other, 300)], expected)

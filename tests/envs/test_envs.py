@@ -49,7 +49,7 @@ def test_observations_stay_in_their_space_under_extreme_actions(mode):
     env = make_native(64, action_mode=mode, config=ROUGH | {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}})
     observation, _ = env.reset(seed=0)
     rng = np.random.default_rng(0)
-    for _ in range(200):
+    for _ in range(100):
         assert observation in env.observation_space
         # Actions that jump from one bound to the other: rougher than any policy.
         observation, *_ = env.step(rng.choice([-1.0, 1.0], (64, 8)).astype(np.float32))
@@ -64,16 +64,6 @@ def test_native_vector_environment_describes_itself():
     assert env.single_observation_space == single.observation_space
     assert env.single_action_space == single.action_space
     assert env.observation_space.shape == (3, OBSERVATION_WIDTH)
-
-
-def test_metadata_belongs_to_the_instance():
-    default, slow = make(), make(config={"decimation": 8})
-    assert default.metadata["render_fps"] == round(1.0 / default.unwrapped.dt)
-    assert slow.metadata["render_fps"] == round(1.0 / slow.unwrapped.dt) != default.metadata["render_fps"]
-    slow.unwrapped.metadata["render_fps"] = 1
-    assert make(config={"decimation": 8}).metadata["render_fps"] != 1
-    vector = make_native(2, config={"decimation": 8})
-    assert vector.metadata["render_fps"] == round(1.0 / (8 * vector.task.config.physics_timestep))
 
 
 # --- single == vector, to the last bit ---
@@ -113,11 +103,6 @@ def test_envs_that_all_time_out_at_once_equal_single_environments(config):
     expected = episodes(make_sync(3, **kwargs), 30)
     assert_same(episodes(make_native(3, **kwargs), 30), expected)
     assert any(len(entry) == 5 and entry[3].all() for entry in expected)
-
-
-def test_vector_environment_of_one_env_equals_the_single_environment():
-    kwargs = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
-    assert_same(episodes(make_native(1, **kwargs), 100), episodes(make_sync(1, **kwargs), 100))
 
 
 def test_numbers_of_an_env_do_not_depend_on_the_number_of_envs():
@@ -359,14 +344,6 @@ def test_divergence_prints_mujocos_warnings_and_writes_no_file(tmp_path):
     # Once per simulation.
     assert errors.count("The simulation is unstable") == 65
     assert list(tmp_path.iterdir()) == []
-
-
-def test_log_file_that_the_user_chose_is_kept(tmp_path):
-    choice = ", mujoco; config = mujoco.MjLogConfig.get(); config.logfile = 'own.txt'; config.set(); import"
-    process = run_python(DIVERGE.format(imports=choice + " numpy"), tmp_path)
-    _, errors = output_of(process)
-    assert process.returncode == 0, errors
-    assert [path.name for path in tmp_path.iterdir()] == ["own.txt"]
 
 
 def run_python(code, directory):

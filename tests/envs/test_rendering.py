@@ -46,21 +46,13 @@ def test_window_without_a_display_is_refused_with_the_fix(monkeypatch):
         make(render_mode="human")
 
 
-def test_a_window_shows_one_robot_only():
-    with pytest.raises(QuadrupedError, match="'human' shows one robot; use 'rgb_array' here"):
-        make_native(2, render_mode="human")
-
-
 @pytest.mark.parametrize(
     ("variables", "reason"),
     [
         ({}, "no OpenGL to render with: install a software renderer (Debian and Ubuntu: 'apt-get install libegl1"),
-        ({"MUJOCO_GL": "egl"}, "no OpenGL to render with: install"),
-        ({"MUJOCO_GL": "osmesa"}, "no OpenGL to render with: install"),
-        ({"DISPLAY": ":4711"}, "no OpenGL to render with: install"),
         ({"MUJOCO_GL": "glfw"}, "MUJOCO_GL is 'glfw', which needs a display"),
     ],
-    ids=["unset", "egl", "osmesa", "display", "glfw"],
+    ids=["unset", "glfw"],
 )
 def test_env_without_opengl_libraries_steps_and_refuses_each_picture(without_opengl, variables, reason):
     assert_refused_twice(without_opengl(sys.executable, "-c", RENDER_TWICE), variables, reason)
@@ -71,10 +63,9 @@ def test_env_without_opengl_libraries_steps_and_refuses_each_picture(without_ope
     ("variables", "reason"),
     [
         ({"MUJOCO_GL": "foo"}, "an environment variable keeps OpenGL from starting; change or unset it (MUJOCO_GL: "),
-        ({"MUJOCO_GL": "glfw"}, "MUJOCO_GL is 'glfw', which needs a display, and there is none; unset it"),
         ({"MUJOCO_GL": "disable"}, "rendering is switched off: MUJOCO_GL is 'disable'; unset it"),
     ],
-    ids=["foo", "glfw", "disable"],
+    ids=["foo", "disable"],
 )
 def test_env_with_an_unusable_backend_steps_and_refuses_each_picture(variables, reason):
     assert_refused_twice([sys.executable, "-c", RENDER_TWICE], variables, reason)
@@ -116,13 +107,11 @@ except quadruped_env.QuadrupedError as error:
 
 
 @pytest.mark.usefixtures("opengl")
-@pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(1, **kwargs)], ids=["single", "native"])
-def test_offscreen_buffer_grows_with_the_requested_size(maker):
-    for width, height in ((1281, 16), (16, 961), (1300, 1000)):
-        env = maker(render_mode="rgb_array", width=width, height=height)
+def test_offscreen_buffer_grows_with_the_requested_size():
+    for width, height in ((1281, 16), (16, 961)):
+        env = make(render_mode="rgb_array", width=width, height=height)
         env.reset(seed=0)
-        pictures = env.render()
-        picture = pictures[0] if isinstance(pictures, tuple) else pictures
+        picture = env.render()
         assert picture.shape == (height, width, 3)
         assert picture.std() > 5
         env.close()
@@ -165,8 +154,10 @@ def test_picture_has_the_requested_size_and_is_not_blank():
 
 
 @pytest.mark.usefixtures("opengl")
-@pytest.mark.parametrize("duplicate", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])  # noqa: S301
-@pytest.mark.parametrize("maker", [make, lambda **kwargs: make_native(2, **kwargs), partial(make_sb3_vec_env, 2)])
+@pytest.mark.parametrize(
+    ("maker", "duplicate"),
+    [(make, copy.deepcopy), (partial(make_sb3_vec_env, 2), lambda env: pickle.loads(pickle.dumps(env)))],  # noqa: S301
+)
 def test_copy_of_an_env_that_has_rendered_renders_the_same_picture(maker, duplicate):
     env = maker(render_mode="rgb_array", width=64, height=48)
     env.reset()
@@ -189,14 +180,6 @@ def test_vector_environment_renders_one_picture_per_env_equal_to_the_single_envi
     for picture, expected in zip(pictures, sync.render(), strict=True):
         assert_same_picture(picture, expected)
     vector.close(), sync.close()
-
-
-@pytest.mark.usefixtures("opengl")
-def test_stable_baselines3_tiles_the_pictures():
-    env = make_sb3_vec_env(2, render_mode="rgb_array", width=64, height=48)
-    env.reset()
-    assert env.render().shape == (96, 64, 3)
-    env.close()
 
 
 def test_rendering_without_a_mode_error_says_how_to_set_one():

@@ -12,7 +12,7 @@ from gymnasium.utils.env_checker import check_env
 from gymnasium.vector import AutoresetMode
 
 from quadruped_env import QuadrupedError
-from quadruped_env.envs import ENV_ID, MAX_EPISODE_STEPS, ROUGH_CONFIG, ROUGH_ENV_ID, make_sb3_vec_env
+from quadruped_env.envs import ENV_ID, MAX_EPISODE_STEPS, ROUGH_CONFIG, ROUGH_ENV_ID
 from quadruped_env.envs.rough_envs import MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
 from quadruped_env.task import TaskConfig
 
@@ -145,30 +145,6 @@ def test_config_changes_the_default_one_or_names_another_terrain():
     assert ROUGH_CONFIG == {"terrain": {"name": "tiles", "curriculum": True}}
 
 
-def test_envs_are_made_again_from_their_specs():
-    env, vector = make(config=LIVELY, max_episode_steps=STEPS), make_native(2, config=LIVELY)
-    for made, maker in ((env, gymnasium.make), (vector, gymnasium.make_vec)):
-        again = maker(gymnasium.envs.registration.EnvSpec.from_json(made.spec.to_json()))
-        assert type(again.unwrapped) is type(made.unwrapped)
-        assert again.unwrapped.task.config == made.unwrapped.task.config
-        assert again.unwrapped.task.config.terrain.levels == 4
-
-
-def test_sb3_environment_has_the_same_curriculum():
-    lively = LIVELY | {"terrain": ROUGH_CONFIG["terrain"] | LIVELY["terrain"]}
-    env = make_sb3_vec_env(5, seed=2, config=lively, max_episode_steps=STEPS)
-    native = make_native(5, config=LIVELY, max_episode_steps=STEPS)
-    env.reset(), native.reset(seed=2)
-    rng = np.random.default_rng(0)
-    seen = []
-    for _ in range(300):
-        action = rng.uniform(-1, 1, (5, 8)).astype(np.float32)
-        env.step(action), native.step(action)
-        np.testing.assert_array_equal(env.task.tiles.level, native.task.tiles.level)
-        seen.append(env.task.tiles.level.copy())
-    assert len(np.unique(seen, axis=0)) > 3
-
-
 def test_config_of_tiles_is_saved_and_read_again():
     config = TaskConfig.from_dict({"terrain": {"name": "tiles", "kinds": ["stairs", "rough", "rough"], "levels": 6}})
     document = json.loads(json.dumps(config.to_dict()))
@@ -195,21 +171,15 @@ WITH_LEVELS = "flat, rough, slope, steps, stairs, gaps, wave"
     ("values", "message"),
     [
         ({"name": "stairs", "level": 11}, "terrain.level must be a whole number from 1 to 10; found 11"),
-        ({"name": "stairs", "level": 0}, "terrain.level must be a whole number from 1 to 10; found 0"),
         ({"name": "stairs", "level": "hard"}, "config.terrain.level: expected a whole number; found 'hard'"),
-        ({"name": "stairs", "level": True}, "config.terrain.level: expected a whole number; found True"),
         ({"name": "hills", "level": 2}, f"'hills' has no levels; leave it out, or name one of {WITH_LEVELS}"),
         (
             {"name": "tiles", "level": 2},
             "unknown field 'level'; valid fields are name, seed, kinds, levels, curriculum",
         ),
         ({"name": "tiles", "kinds": ["moon"]}, f"kinds: 'moon' is not a terrain with levels; valid are {WITH_LEVELS}"),
-        ({"name": "tiles", "kinds": ["hills"]}, "kinds: 'hills' is not a terrain with levels"),
-        ({"name": "tiles", "kinds": [["stairs"]]}, r"kinds: \['stairs'\] is not a terrain with levels"),
         ({"name": "tiles", "kinds": []}, r"expected a list of one or more terrains with levels; found \[\]; valid are"),
-        ({"name": "tiles", "kinds": "stairs"}, "expected a list of one or more terrains with levels; found 'stairs'"),
         ({"name": "tiles", "levels": 11}, "terrain.levels must be a whole number from 1 to 10; found 11"),
-        ({"name": "tiles", "levels": None}, "config.terrain.levels: expected a whole number; found None"),
         ({"name": "tiles", "curriculum": 1}, "config.terrain.curriculum: expected true or false; found 1"),
         ({"name": "tiles", "promote_share": 0.0}, "terrain.promote_share must be positive, 1e-09 or more; found 0.0"),
         (

@@ -104,10 +104,6 @@ def test_seeds_and_options_reach_the_environment_at_stable_baselines3s_next_rese
     assert (sb3.env.task.command != [0.25, 0.0]).any(), "options must apply to one reset only"
 
 
-def test_the_default_seed_of_stable_baselines3s_view_is_not_a_fixed_one(sb3):
-    assert (sb3.make(2).reset() != sb3.make(2).reset()).any()
-
-
 def test_attributes_can_be_read_through_stable_baselines3_and_not_written(sb3):
     assert sb3.env.num_envs == NUM_ENVS
     assert sb3.env.get_attr("num_envs", indices=[0, 2]) == [NUM_ENVS, NUM_ENVS]
@@ -138,16 +134,3 @@ def test_infos_written_to_by_a_wrapper_do_not_leak_into_the_next_step(sb3):
 def test_sb3_env_with_other_autoreset_mode_is_refused(sb3):
     with pytest.raises(QuadrupedError, match=r"autoreset_mode: .*expected 'SameStep', found 'NextStep'"):
         sb3.make(2, autoreset_mode="NextStep")
-
-
-def test_evaluate_policy_takes_the_reported_episodes(sb3):
-    from stable_baselines3.common.evaluation import evaluate_policy
-
-    class Zero:
-        def predict(self, observation, state=None, episode_start=None, deterministic=True):
-            return np.zeros((len(observation), 8), dtype=np.float32), state
-
-    # Without a Monitor, evaluate_policy warns.
-    returns, lengths = evaluate_policy(Zero(), sb3.env, n_eval_episodes=4, return_episode_rewards=True)
-    assert len(returns) == len(lengths) == 4
-    assert max(lengths) <= EPISODE_STEPS

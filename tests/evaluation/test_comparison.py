@@ -33,11 +33,6 @@ def test_episodes_too_short_to_measure_are_refused(seconds):
         compare(random_policy("position"), 1, seconds)
 
 
-def test_no_seed_is_refused():
-    with pytest.raises(QuadrupedError, match="seeds: expected 1 or more; found -3"):
-        compare(random_policy("position"), -3)
-
-
 def test_shown_episode_is_the_first_without_a_fall():
     valid = np.ones((10, 6), dtype=bool)
     valid[4:, 0] = False

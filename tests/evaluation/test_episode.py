@@ -83,9 +83,3 @@ class TestRecord:
         assert "the robot did not fall, but was tilted by more than 17 degrees for 3." in recording.outcome()
         assert "(up to 27 degrees) and got" in recording.outcome()
         assert not recording.stayed_on_its_feet
-
-    def test_progress_reaches_the_end(self):
-        shares = []
-        play(standing(0.2), progress=shares.append)
-        assert shares == sorted(shares)
-        assert (len(shares), shares[-1]) == (10, 1.0)

@@ -6,7 +6,7 @@ import pytest
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation import metrics
 from quadruped_env.evaluation.metrics import METRICS, measure
-from quadruped_env.evaluation.rollout import Rollout, grid, roll_out
+from quadruped_env.evaluation.rollout import Rollout, roll_out
 from quadruped_env.policies import CommandedGaitController, ZeroController
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.motors import JointMotor, MotorConfig
@@ -230,19 +230,6 @@ def test_stance_slip_counts_feet_on_the_ground_only():
     speed[:, 0, 0] = [0.1, 0.2, 0.3, 0.4]
     speed[:2, 0, 1] = 0.0
     np.testing.assert_allclose(metrics.stance_slip(speed, contact, all_counted(4)), 1.0 / 6.0)
-
-
-def test_values_are_shown_in_the_format_of_their_metric():
-    assert METRICS["fall_rate"].show(0.125) == "12 %"
-    assert METRICS["distance"].show(9.876) == "9.88"
-    assert METRICS["distance"].show(-0.001) == "0.00"
-    assert METRICS["distance"].show(math.nan) == "-"
-
-
-def test_grid_is_command_by_command():
-    command, seeds = grid([(0.1, 0.0), (0.2, 0.5)], [7, 8, 9])
-    np.testing.assert_equal(command[:, 0], [0.1] * 3 + [0.2] * 3)
-    np.testing.assert_equal(seeds, [7, 8, 9, 7, 8, 9])
 
 
 def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():

@@ -3,18 +3,17 @@
 import argparse
 import html
 import json
-import subprocess
-import sys
 
 import mujoco
 import numpy as np
 import pytest
-from paths import DYNA1, ROOT
+from paths import DYNA1
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.identify import add_arguments
+from quadruped_env.cli.main import main
 from quadruped_env.evaluation.recorded_episode import play, publish
-from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
+from quadruped_env.identification import BASES, FITTED, QUANTITIES, identify
 from quadruped_env.identification.dataset import align, held
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import (
@@ -153,12 +152,6 @@ class TestRecorded:
         ):
             with pytest.raises(QuadrupedError, match=message):
                 identify(commands, commands, **arguments)
-
-    def test_commands_are_found_next_to_the_measurements(self, tmp_path):
-        with pytest.raises(QuadrupedError, match=r"there is no walk-commands\.csv next to it; name the file \(--comm"):
-            find_commands(tmp_path / "walk.csv")
-        (tmp_path / "walk-commands.csv").touch()
-        assert find_commands(tmp_path / "walk.csv") == tmp_path / "walk-commands.csv"
 
 
 class TestCoordinates:
@@ -361,47 +354,22 @@ class TestIdentify:
         assert (rms[1] < 0.8 * rms[0]).all()
 
 
-class TestMotorsFile:
-    @pytest.mark.parametrize(
-        ("text", "message"),
-        [
-            ("{", "not valid JSON"),
-            ("[]", r'expected \{"motor"'),
-            ('{"motor": {"hip": {"kp": -1}}}', r"motors\.json: motor: kp must be"),
-            ('{"motor": {"hip": {"kq": 1}}}', "unknown field 'kq'"),
-        ],
-    )
-    def test_invalid_motors_file_is_refused(self, tmp_path, text, message):
-        path = tmp_path / "motors.json"
-        path.write_text(text)
-        with pytest.raises(QuadrupedError, match=message):
-            read_motors(path)
-        with pytest.raises(QuadrupedError, match="there is no such file"):
-            read_motors(tmp_path / "none.json")
-
-
-def run(directory, *arguments):
-    command = [sys.executable, str(ROOT / "evaluate" / "identify.py"), *map(str, arguments)]
-    return subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
-
-
 class TestProgram:
-    def test_program_fits_motors_to_files(self, short, tmp_path):
+    def test_program_fits_motors_to_files(self, short, tmp_path, monkeypatch, capsys):
+        monkeypatch.chdir(tmp_path)
         commands, recording = short
-        recording.save(tmp_path / "walk.csv")
-        done = run(tmp_path, "walk.csv", "--fit", "kp", "delay")
-        assert done.returncode == 2
-        assert done.stderr.startswith(
+        recording.save("walk.csv")
+        assert main(["identify", "walk.csv", "--fit", "kp", "delay"]) == 2
+        assert capsys.readouterr().err.startswith(
             "mini-quadruped identify: error: walk.csv: no joint targets: there is no walk-commands.csv"
         )
-        commands.save(tmp_path / "walk-commands.csv")
-        done = run(tmp_path, "walk.csv", "--fit", "kp")
-        assert done.returncode == 0, done.stderr
-        assert "On held-out time the position error falls" in done.stdout
-        assert done.stdout.endswith("motors, numbers and report: results/identify-walk\n")
-        done = run(tmp_path, "walk.csv", "--out", "results/identify-walk")
-        assert (done.returncode, done.stdout) == (2, "")
-        assert "motors.json: exists already" in done.stderr
+        commands.save("walk-commands.csv")
+        assert main(["identify", "walk.csv", "--fit", "kp"]) == 0
+        output = capsys.readouterr().out
+        assert "On held-out time the position error falls" in output
+        assert output.endswith("motors, numbers and report: results/identify-walk\n")
+        assert main(["identify", "walk.csv", "--out", "results/identify-walk"]) == 2
+        assert "motors.json: exists already" in capsys.readouterr().err
 
     def test_joints_to_leave_out_may_be_named_one_by_one_or_together(self):
         parser = argparse.ArgumentParser()
@@ -409,9 +377,3 @@ class TestProgram:
         options = ["walk.csv", "--without", "LF_hip_joint", "RF_hip_joint", "--without", "LH_knee_joint"]
         assert parser.parse_args(options).without == ["LF_hip_joint", "RF_hip_joint", "LH_knee_joint"]
         assert parser.parse_args(["walk.csv"]).without == []
-
-    def test_help(self):
-        done = run(".", "--help")
-        assert done.returncode == 0
-        for word in ("--commands-topic", "--without", "friction_loss", "motors.json", "--degrees"):
-            assert word in done.stdout

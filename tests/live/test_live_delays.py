@@ -1,26 +1,19 @@
 """Late states, lost states, clock steps and suspended processes, at any time: the robot walks again within seconds."""
 
 import math
-import signal
-import time
-from collections import deque
 
 import numpy as np
 import pytest
 from built_in import STANCE
 from live_bench import EPOCH, LEVEL, Bench
-from live_delays import COMMAND_PERIOD, KINDS, PERIOD, Disturbance, Link
-from waiting import wait_until
+from live_delays import KINDS, PERIOD, Disturbance, Link
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.live import Node
-from quadruped_env.live.middleware.topics import CMD_VEL, ODOMETRY
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.policies import find_controller
-from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -251,43 +244,3 @@ def assert_walks_again(delay):
 def test_robot_walks_again_after_a_delay(kind):
     rng = np.random.default_rng(KINDS.index(kind))
     assert_walks_again(Disturbance(kind, 4.0 + rng.uniform(), rng.uniform(0.1, 2.0)))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", PHYSICAL)
-def test_robot_walks_again_after_many_delays(kind):
-    rng = np.random.default_rng(100 + KINDS.index(kind))
-    for seconds in np.linspace(0.1, 2.0, 5):
-        assert_walks_again(Disturbance(kind, 4.0 + rng.uniform(), float(seconds)))
-
-
-@pytest.mark.slow
-def test_processes_suspended_and_restarted_walk_again(start, domain_id):
-    """The controller is suspended and resumed, and ended and started, while /cmd_vel is published all the time."""
-    node = Node("watcher")
-    velocities, odometry = node.publish(CMD_VEL), node.subscribe(ODOMETRY, Qos(1000))
-    twist = cdr.message(CMD_VEL.type_name, linear={"x": 0.5})
-    speeds = deque(maxlen=100)
-
-    def walks():
-        velocities.send(twist)
-        speeds.extend(one.twist.twist.linear.x for _, one in odometry.messages(pytest.fail))
-        return len(speeds) == speeds.maxlen and abs(np.mean(speeds) - 0.5) < 0.15
-
-    def walks_again(what):
-        speeds.clear()
-        wait_until(walks, what, interval=COMMAND_PERIOD)
-
-    try:
-        start("sim")
-        for seconds in (0.3, 0.9, 1.6):
-            controller = start("controller")
-            walks_again(f"walking, before {seconds} s")
-            controller.process.send_signal(signal.SIGSTOP)
-            # Not a wait for anything: this is the delay.
-            time.sleep(seconds)
-            controller.process.send_signal(signal.SIGCONT)
-            walks_again(f"walking after {seconds} s")
-            assert controller.interrupt() == 0
-    finally:
-        node.close()

@@ -106,12 +106,6 @@ def test_node_flooded_with_damaged_messages_continues(name, nodes, capsys):
     run_flooded(NODES[name], nodes, turns=100)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", NODES)
-def test_node_flooded_with_many_damaged_messages_continues(name, nodes, capsys):
-    run_flooded(NODES[name], nodes, turns=1000, seed=1)
-
-
 def run_flooded(arguments, nodes, turns, seed=0):
     if arguments[0] == "echo":
         # It subscribes to the topics that are published.

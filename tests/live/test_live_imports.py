@@ -3,43 +3,28 @@
 import subprocess
 import sys
 
-import pytest
-
 ON_A_ROBOT = ("controller", "echo", "gait", "hz", "list", "record", "sim", "state", "teleop")
-LIST_MODULES = """
-import sys
+PROGRAM = """
+import contextlib, sys
+from quadruped_env.live.__main__ import main
 from quadruped_env.live.nodes import node_module
-node_module(sys.argv[1])
+with contextlib.suppress(SystemExit):
+    main(["controller", "--help"])
+for node in sys.argv[1:]:
+    node_module(node)
+print()
+print(*sys.modules)
+node_module("view")
 print(*sys.modules)
 """
 
 
-PROGRAM = """
-import sys
-from quadruped_env.live.__main__ import main
-try:
-    main([sys.argv[1], "--help"])
-finally:
-    print()
-    print(*sys.modules)
-"""
-
-
-def loaded_by(node, code=LIST_MODULES):
-    """Names of the modules that a fresh Python has loaded once it imported a node, or ran other code with its name."""
-    result = subprocess.run([sys.executable, "-c", code, node], capture_output=True, text=True, check=True)
-    return result.stdout.splitlines()[-1].split()
-
-
-@pytest.mark.parametrize(("node", "code"), [*((node, LIST_MODULES) for node in ON_A_ROBOT), ("controller", PROGRAM)])
-def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node, code):
-    loaded = loaded_by(node, code)
-    assert f"quadruped_env.live.nodes.{node}" in loaded
+def test_nodes_on_a_robot_import_no_viewer_evaluation_or_training():
+    command = [sys.executable, "-c", PROGRAM, *ON_A_ROBOT]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    loaded, with_view = (line.split() for line in done.stdout.splitlines()[-2:])
+    assert {f"quadruped_env.live.nodes.{node}" for node in ON_A_ROBOT} <= set(loaded)
     packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "reporting", "replay", "evaluation", "training"))
     assert [name for name in loaded if name.startswith(packages)] == []
     assert not {"matplotlib", "viser", "torch", "stable_baselines3"} & set(loaded)
-
-
-def test_view_node_imports_the_viewer():
-    """The names that the other test looks for exist."""
-    assert "quadruped_env.viewer.viewer_scene" in loaded_by("view")
+    assert "quadruped_env.viewer.viewer_scene" in with_view, "the names above exist"

@@ -1,23 +1,18 @@
 """The nodes as processes: simulator and controller walk, also after one of them is killed, silent or sends noise."""
 
 import json
-import os
-import pty
 import re
-import select
-import signal
 import time
 from itertools import count
 
 import numpy as np
 import pytest
 from built_in import STANCE, STANCE_HEIGHT
-from live_nodes import joint_state, received_from, started
-from waiting import status_of, wait_until
+from live_nodes import joint_state, received_from
+from waiting import wait_until
 
 from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
-from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node, Topic
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.topics import (
@@ -27,9 +22,7 @@ from quadruped_env.live.middleware.topics import (
     JOINT_POSITIONS,
     JOINT_STATES,
     ODOMETRY,
-    PUSH,
 )
-from quadruped_env.live.single_publisher import CONTEST
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
@@ -106,19 +99,6 @@ def test_robot_after_its_controller_is_killed_goes_limp_and_walks_with_the_next_
 
 
 @pytest.mark.slow
-def test_controller_after_its_simulator_is_killed_goes_limp_and_walks_with_the_next_one(start, watcher):
-    sim, controller = start("sim"), start("controller")
-    watcher.until_it_walks()
-    sim.kill()
-    wait_until(lambda: "limp (no state for 1 s)" in controller.said)
-    assert "holding: no states come" in controller.said
-    wait_until(lambda: controller.said.count("waiting for fresh states") >= 1)
-    again = start("sim")
-    watcher.until_it_walks()
-    assert again.process.poll() is None
-
-
-@pytest.mark.slow
 def test_nodes_with_commands_of_ros2_control_walk(start, watcher, nodes):
     """The robot lies down when the controller ends, since it publishes nothing more."""
     arrays = nodes("listener").subscribe(JOINT_POSITIONS)
@@ -128,68 +108,6 @@ def test_nodes_with_commands_of_ros2_control_walk(start, watcher, nodes):
     assert len(arrays.decode(arrays.latest()).data) == 8
     assert controller.interrupt() == 0
     watcher.until_it_lies()
-
-
-@pytest.mark.slow
-def test_nodes_after_five_seconds_of_silence_walk_again(start, watcher):
-    sim, controller = start("sim"), start("controller")
-    watcher.until_it_walks()
-    sim.process.send_signal(signal.SIGSTOP)
-    wait_until(lambda: "limp (no state for 1 s)" in controller.said)
-    # Not a wait: this is the silence.
-    time.sleep(5.0 - Safety.limp_after)
-    sim.process.send_signal(signal.SIGCONT)
-    watcher.until_it_walks()
-
-
-@pytest.mark.slow
-def test_nodes_with_samples_repeated_tenfold_and_reordered_walk_on(start, watcher):
-    """Another node repeats every state, attitude and command ten times, in disorder, without effect on the walk."""
-    sim, controller = start("sim"), start("controller")
-    watcher.until_it_walks()
-    # Until then the simulator would take the noise for another simulator that started at the same time.
-    watcher.watch(CONTEST)
-    noise = Node("noise")
-    rng = np.random.default_rng(5)
-    try:
-        ends = [
-            (noise.subscribe(topic, Qos(1000), ignore_own=True), noise.publish(topic, Qos(1000)))
-            for topic in (IMU, JOINT_STATES, JOINT_COMMANDS)
-        ]
-        recent = {subscription: [] for subscription, _ in ends}
-        repeated, speeds = 0, []
-
-        def repeat():
-            nonlocal repeated
-            for subscription, publisher in ends:
-                for one in subscription.take():
-                    recent[subscription] = [*recent[subscription][-20:], one.data]
-                    for index in rng.integers(len(recent[subscription]), size=9):
-                        publisher.send_bytes(recent[subscription][index])
-                        repeated += 1
-            speeds.extend(watcher.watch(0.05)[0].tolist())
-            return repeated >= 5000 and len(speeds) >= 600
-
-        wait_until(
-            lambda: repeat() and abs(np.mean(speeds[-600:]) - 0.5) < 0.1, lambda: f"{np.mean(speeds[-600:])} m/s"
-        )
-    finally:
-        noise.close()
-    assert "the timestamp is not later than the one before" in controller.said
-    assert "/joint_commands: from a second publisher" in sim.said
-    watcher.until_it_walks()
-
-
-@pytest.mark.slow
-def test_push_moves_the_robot(start, watcher):
-    sim = start("sim")
-    push = watcher.node.publish(PUSH)
-    wait_until(lambda: push.readers)
-    watcher.watch(0.5)
-    push.send(cdr.message(PUSH.type_name, x=0.0, y=0.0, z=1.0))
-    wait_until(lambda: watcher.watch(0.1)[1].max() > 0.21, "the jump")
-    push.send(cdr.message(PUSH.type_name, x=float("nan")))
-    wait_until(lambda: "refused: /push" in sim.said)
 
 
 def test_gait_publishes_the_tutorials_joint_states(start, domain_id):
@@ -217,27 +135,6 @@ def test_gait_publishes_the_tutorials_joint_states(start, domain_id):
     assert np.all(np.array([one.efforts for one in joints]) == 0.0)
     message = cdr.deserialize(received[0].data, JOINT_STATES.type_name)
     assert message.name == list(JOINT_NAMES)
-
-
-@pytest.mark.slow
-def test_gait_as_commands_moves_the_simulated_robot(start, watcher):
-    start("sim")
-    node = Node("listener")
-    try:
-        commands = node.subscribe(JOINT_COMMANDS, Qos(1000))
-        gait = start("gait", "--preset", "trot", "--commands")
-        wait_until(lambda: commands.writers)
-        wait_until(lambda: np.mean(watcher.watch(1.0)[0]) > 0.1, "the trot, which is faded in")
-        speeds, heights = watcher.watch(3.0)
-        assert gait.interrupt() == 0
-        read = JointReader(JOINT_COMMANDS.name, MINI_QUADRUPED)
-        targets = [joints.positions for one in commands.take() if (joints := read(one.data)).positions is not None]
-    finally:
-        node.close()
-    assert np.mean(speeds) > 0.1
-    assert heights.min() > 0.14
-    assert np.abs(targets[0] - STANCE).max() < 0.5 * np.abs(np.array(targets) - STANCE).max(), "it is faded in"
-    assert np.abs(np.diff(targets, axis=0)).max() <= 0.1 + 1e-12
 
 
 def test_controller_refuses_invalid_messages(start, nodes):
@@ -321,34 +218,6 @@ def test_display_starts_and_ends_its_nodes(start):
     assert display.interrupt() == 0
     for name in ("gait", "state", "view"):
         assert f"[{name}] ended after" in display.said
-
-
-@pytest.mark.slow
-def test_display_has_one_status_line_on_a_terminal(domain_id):
-    """Three would overwrite each other, once a second each."""
-    ours, terminal = pty.openpty()
-    shown = b""
-    with started("display", "--port", "0", stdout=terminal, stderr=terminal) as display:
-
-        def status_lines():
-            nonlocal shown
-            while select.select([ours], [], [], 0.0)[0]:
-                shown += os.read(ours, 4096)
-            return re.findall(r"\[(\w+)\] \d+ s \|", shown.decode())
-
-        wait_until(lambda: status_lines().count("gait") >= 3 and b"the live robot: http://" in shown, alive=display)
-        seen = set(status_lines())
-        display.send_signal(signal.SIGINT)
-        assert status_of(display) == 0
-    os.close(ours)
-    os.close(terminal)
-    assert seen == {"gait"}
-
-
-def test_node_with_an_invalid_argument_reports_it(start, tmp_path):
-    node = start("controller", str(tmp_path / "nothing"))
-    assert node.status() == 2
-    assert f"error: {str(tmp_path / 'nothing')!r} is " in node.said
 
 
 @pytest.mark.slow

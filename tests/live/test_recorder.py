@@ -2,6 +2,7 @@
 
 import errno
 import os
+import resource
 import subprocess
 import sys
 
@@ -67,27 +68,24 @@ with Recorder(Path(sys.argv[1]), sys.argv[2]) as recorder:
 @pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
 def test_a_recording_on_a_full_disk_ends_with_one_clear_error_and_is_kept(tmp_path, storage):
     """A limit on the size of files stands in for a full disk."""
-    code = """
-import resource, sys
-from pathlib import Path
-from test_recorder import JOINT_STATES, QuadrupedError, Recorder, joint_state
-resource.setrlimit(resource.RLIMIT_FSIZE, (3_000_000, 3_000_000))
-try:
-    with Recorder(Path(sys.argv[1]), sys.argv[2]) as recorder:
-        for stamp in range(1, 100_000):
-            recorder.write(JOINT_STATES, joint_state(stamp))
-except QuadrupedError as error:
-    print(error)
-"""
-    arguments = [sys.executable, "-c", code, str(tmp_path / "bag"), storage]
-    done = subprocess.run(arguments, env=importing(), capture_output=True, text=True, check=False, timeout=DEADLINE)
-    part = tmp_path / "bag.part" / "bag"
-    assert done.stdout.startswith(f"{tmp_path / 'bag'}: cannot be written (")
-    assert done.stdout.endswith(
-        f"); make room, or name another place; what was recorded until then is kept in {part} (--salvage)\n"
+
+    def record():
+        with Recorder(tmp_path / "bag", storage) as recorder:
+            for stamp in range(1, 100_000):
+                recorder.write(JOINT_STATES, joint_state(stamp))
+
+    words = (
+        r"bag: cannot be written \(.*\); make room, or name another place; .* kept in .*/bag\.part/bag \(--salvage\)$"
     )
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (3_000_000, hard))
+    try:
+        with pytest.raises(QuadrupedError, match=words):
+            record()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     assert names(tmp_path) == ["bag.part"]
-    assert len(JointTrajectory.load(part, salvage=True)) > 1000
+    assert len(JointTrajectory.load(tmp_path / "bag.part" / "bag", salvage=True)) > 1000
 
 
 def test_a_recording_that_failed_once_never_gets_its_name(tmp_path, monkeypatch):

@@ -1,13 +1,49 @@
 """Fixtures of the tests of reports."""
 
+from types import SimpleNamespace
+
+import matplotlib.figure
 import pytest
 from comparisons import random_policy
 
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.reporting.pages import evaluation_report
 
-@pytest.fixture(scope="module")
-def run_directory(tmp_path_factory):
-    directory = tmp_path_factory.mktemp("runs") / "20260101-000000-ppo"
+
+def make_run(parent):
+    directory = parent / "20260101-000000-ppo"
     random_policy("residual").save(directory)
     curve = "timesteps,seconds,return,fall_rate,forward_velocity_error\n1000,1,nan,1.0,0.3\n2000,2,5.5,0.5,0.2\n3000,3"
     (directory / "progress.csv").write_text(curve)
     return directory
+
+
+@pytest.fixture(scope="module")
+def run_directory(tmp_path_factory):
+    return make_run(tmp_path_factory.mktemp("runs"))
+
+
+@pytest.fixture(scope="session")
+def written(tmp_path_factory, comparison):
+    """A report: the texts of its `page` and `numbers`, its `figures`, and the `directory` of its run."""
+    directory, figures, patch = make_run(tmp_path_factory.mktemp("written")), [], pytest.MonkeyPatch()
+    save = matplotlib.figure.Figure.savefig
+
+    def keep(self, file, **options):
+        figures.append(self)
+        save(self, file, **options)
+
+    patch.setattr(matplotlib.figure.Figure, "savefig", keep)
+    line = "python evaluate/policy.py runs/<name>"
+    page, numbers, missing = evaluation_report.write_report(
+        find_subject(str(directory)), comparison, line, with_video=False
+    )
+    patch.undo()
+    assert not missing
+    return SimpleNamespace(page=page.read_text(), numbers=numbers.read_text(), figures=figures, directory=directory)
+
+
+@pytest.fixture
+def without_figures(monkeypatch):
+    """Figures take most of a report's time."""
+    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])

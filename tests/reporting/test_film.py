@@ -91,12 +91,6 @@ def test_film_of_an_episode_ends_at_its_fall():
     assert Clip.of_rollout(rollout, 0, "").trace.seconds == pytest.approx(1.0)
 
 
-def test_frames_are_shown_at_their_times():
-    clip = Clip("standing", standing_at(*[(0.0, 0.0)] * 51))
-    samples = clip.frame_samples()
-    np.testing.assert_array_equal(samples, np.arange(0, 51, 2))
-
-
 def test_overlay_draws_the_mean_speed_up_to_its_command():
     velocity = np.array([[0.6, 0.0], [0.0, 0.0]])
     command = np.array([[0.3, 0.0], [0.3, 0.0]])
@@ -196,13 +190,6 @@ def test_a_close_up_shows_the_feet_larger(camera):
         return (picture.max(axis=-1) < 35).sum(axis=1).max()
 
     assert leg_width(feet=True) > 1.25 * leg_width(feet=False)
-
-
-def test_video_without_pictures_is_refused(tmp_path):
-    with pytest.raises(QuadrupedError, match="at least one picture"):
-        video.encode_mp4([])
-    with pytest.raises(QuadrupedError, match="at least one picture"):
-        video.save_video(tmp_path / "empty.webp", [])
 
 
 def test_bad_video_files_are_named_before_any_work(tmp_path, monkeypatch):

@@ -47,6 +47,7 @@ def test_report_opens_from_disk_and_requests_nothing(opened, report):
         assert opened.evaluate("document.documentElement.scrollWidth") <= width
 
 
+@pytest.mark.slow
 def test_its_video_advances(opened, report):
     if report[1]:
         pytest.skip(report[1][0])
@@ -61,6 +62,7 @@ def test_its_video_advances(opened, report):
     assert np.abs(browser.pixels(video).astype(int) - before).max() > 60
 
 
+@pytest.mark.slow
 def test_its_replay_in_3d_shows_the_robot_and_turns(opened):
     frame = opened.locator("iframe")
     frame.scroll_into_view_if_needed()

@@ -9,7 +9,7 @@ import pytest
 from quadruped_env import QuadrupedError, asset_path
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting import palette
-from quadruped_env.reporting.films import film, overlay
+from quadruped_env.reporting.films import film
 from quadruped_env.reporting.films.film import Camera
 from quadruped_env.reporting.ground_mesh import (
     FLOOR_PERIOD,
@@ -47,18 +47,6 @@ def test_the_scene_of_films_has_the_colours_of_the_palette():
     # A texture of two by two squares repeats this often per 2 m.
     repeats = [float(value) for value in scene.find("asset/material").get("texrepeat").split()]
     assert 2.0 / np.array(repeats) / 2.0 == pytest.approx(palette.SQUARE)
-
-
-def test_the_mark_at_the_front_has_the_colour_of_the_legend():
-    model = build_model()
-    mark = model.mat_rgba[model.geom("front_visual").matid].ravel()[:3]
-    np.testing.assert_allclose(255.0 * mark, rgb(palette.FRONT), atol=0.6)
-
-
-def test_films_and_scenes_have_one_colour_for_commands_and_one_for_measurements():
-    assert (overlay.COMMANDED, overlay.ACTUAL) == (palette.COMMANDED, palette.ACTUAL)
-    colours = [palette.COMMANDED, palette.ACTUAL, palette.CONTACT, palette.PUSH, palette.FRONT]
-    assert len(set(colours)) == len(colours)
 
 
 @pytest.mark.parametrize("colour", [*palette.FLOOR, palette.BACKGROUND, palette.FRONT, *palette.SERIES])

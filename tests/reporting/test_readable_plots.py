@@ -2,44 +2,16 @@
 
 import itertools
 
-import matplotlib.figure
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.reporting import plots
-from quadruped_env.reporting.pages import evaluation_report
 from quadruped_env.reporting.plots.canvas import draw_figure, legend_above
-from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
-from quadruped_env.robot import MINI_QUADRUPED
 
 PAGE, MARGINS = 400.0, 2 * 0.9 * 16.0
 """Width of the page and of its margins (templates/base.html), CSS pixels."""
 SMALLEST = 10.0
 """Least font size on that page, CSS pixels; browsers' own controls have 11 to 13."""
-
-
-@pytest.fixture(scope="module")
-def figures(run_directory, comparison):
-    """Every figure of a report and of a replay."""
-    drawn = []
-    patch = pytest.MonkeyPatch()
-    save = matplotlib.figure.Figure.savefig
-
-    def keep(self, file, **options):
-        drawn.append(self)
-        save(self, file, **options)
-
-    patch.setattr(matplotlib.figure.Figure, "savefig", keep)
-    evaluation_report._figures(find_subject(str(run_directory)), comparison)
-    plots.episode(comparison, "policy", 0)
-    times = np.linspace(0.0, 5.0, 200)
-    line = Line(times, np.sin(times)[:, None] * np.ones(8), "#0072B2")
-    joint_panels(MINI_QUADRUPED, {"recorded": line, "played": line}, "rad")
-    patch.undo()
-    assert len(drawn) == 11
-    return drawn
 
 
 def texts(figure):
@@ -58,16 +30,17 @@ def texts(figure):
     return [text for text in found if text.get_visible() and text.get_text().strip()]
 
 
-def test_text_is_large_enough(figures):
-    for figure in figures:
+def test_text_is_large_enough(written):
+    assert len(written.figures) >= 9
+    for figure in written.figures:
         width = figure.get_figwidth()
         for text in texts(figure):
             size = text.get_fontsize() / 72.0 * (PAGE - MARGINS) / width
             assert size >= SMALLEST, f"{text.get_text()!r}: {size:.1f} px"
 
 
-def test_no_text_covers_another_or_leaves_the_figure(figures):
-    for figure in figures:
+def test_no_text_covers_another_or_leaves_the_figure(written):
+    for figure in written.figures:
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
         whole = figure.bbox

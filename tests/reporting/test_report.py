@@ -15,25 +15,15 @@ from comparisons import TINY
 from matplotlib.axes import Axes
 from report_page import Page
 
-from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
-from quadruped_env.reporting.pages import evaluation_report, pictures
+from quadruped_env.reporting.pages import pictures
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.pages.page import summary_table
 from quadruped_env.task import TaskConfig
-
-
-@pytest.fixture(scope="module")
-def written(run_directory, comparison):
-    found = find_subject(str(run_directory))
-    page, numbers, missing = write_report(found, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
-    assert not missing
-    return page.read_text(), numbers.read_text()
-
 
 SECTIONS = (
     "Following the command",
@@ -49,7 +39,7 @@ SECTIONS = (
 
 
 def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written, comparison):
-    page = Page(written[0])
+    page = Page(written.page)
     text = " ".join(" ".join(page.text).replace("\N{NO-BREAK SPACE}", " ").split())
     assert not page.open
     judged = verdict(comparison)
@@ -75,10 +65,11 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     assert re.search(r"Seeds 1000000 to 1000001", text)
     assert "No video: it was switched off." in text
     assert '"physics_timestep"' in text
+    assert "mq-eval" not in text, "the suite was not run"
 
 
 def test_report_needs_no_other_file(written):
-    html = written[0]
+    html = written.page
     page = Page(html)
     assert page.addresses
     assert all(address.startswith("data:") for address in page.addresses)
@@ -97,10 +88,9 @@ def test_report_needs_no_other_file(written):
     assert len(html) < 4_000_000
 
 
-def test_report_names_no_directory_of_the_machine(written, run_directory):
-    html, numbers = written
-    for document in (re.sub(r"base64,[^\"]*", "", html), numbers):
-        assert str(run_directory.parent) not in document
+def test_report_names_no_directory_of_the_machine(written):
+    for document in (re.sub(r"base64,[^\"]*", "", written.page), written.numbers):
+        assert str(written.directory.parent) not in document
         assert str(Path.home()) not in document
 
 
@@ -108,7 +98,7 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written, comparis
     def refuse(constant):
         raise AssertionError(f"{constant} is not JSON")
 
-    document = json.loads(written[1], parse_constant=refuse)
+    document = json.loads(written.numbers, parse_constant=refuse)
     assert set(document["controllers"]) == set(CONTROLLERS)
     assert document["policy"]["card"]["best return"] is None
     assert document["seeds"] == [1_000_000, 1_000_001]
@@ -123,12 +113,6 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written, comparis
         power = comparison.values["policy"][f"{kind}_power"][0].mean()
         assert document["controllers"]["policy"]["by_command"][0][f"{kind}_power"]["mean"] == pytest.approx(power)
     assert TaskConfig.from_dict(document["config"]).action.mode == "residual"
-
-
-@pytest.fixture
-def without_figures(monkeypatch):
-    """Figures take most of a report's time."""
-    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
 
 
 def test_without_viser_the_report_is_made_and_names_the_extra(
@@ -167,30 +151,6 @@ def test_learning_curve_reads_what_a_killed_run_left(run_directory):
     curve = plots.read_progress(run_directory / "progress.csv")
     np.testing.assert_equal(curve["timesteps"], [1000.0, 2000.0, 3000.0])
     np.testing.assert_equal(curve["return"], [math.nan, 5.5, math.nan])
-
-
-@pytest.mark.parametrize(
-    ("content", "message"),
-    [
-        (b"", "timesteps.*an empty file"),
-        (b"steps,return\n1,2\n", "timesteps.*found steps, return"),
-        (b"timesteps,return\n1,high\n", "'high'.*remove the file"),
-        (b"timesteps\n\xff\xfe\n", "remove the file"),
-    ],
-)
-def test_a_damaged_learning_curve_is_named(tmp_path, content, message):
-    path = tmp_path / "progress.csv"
-    path.write_bytes(content)
-    with pytest.raises(QuadrupedError, match=message) as caught:
-        plots.read_progress(path)
-    assert str(path) in str(caught.value)
-
-
-def test_learning_curves_of_several_runs_are_drawn_in_one_figure(run_directory):
-    curve = plots.read_progress(run_directory / "progress.csv")
-    svg = plots.learning_curve({"one": curve, "other": {**curve, "return": curve["return"] + 1.0}})
-    assert svg.count("<svg ") == 1
-    assert svg.count('id="legend_') == 1
 
 
 def test_reward_terms_of_a_policy_that_always_falls_are_not_drawn_as_zero(comparison, monkeypatch):

@@ -41,11 +41,3 @@ def test_stills_of_a_failure_are_within_the_episode_and_apart(moment, fell):
         assert found[-1] == middle
     elif not fell and 0.32 <= moment <= 3.7:
         assert found[1] == middle
-
-
-def test_stills_of_an_early_fall_do_not_leave_its_trace():
-    pose = np.tile([0.0, 0.0, 0.18, 1.0, 0.0, 0.0, 0.0], (10, 1))
-    trace = Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=np.zeros((10, 8)))
-    found = still_samples(trace, Failure(0, (0.4, 0.0), 1, 0.2, 0.2, 1.0, ""))
-    assert found[0] == 0
-    assert found[-1] == 9

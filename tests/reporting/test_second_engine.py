@@ -26,7 +26,9 @@ def text_of(report):
     return " ".join(" ".join(Page(report.read_text()).text).replace("\N{NO-BREAK SPACE}", " ").split())
 
 
-def test_report_shows_the_results_of_the_policy_and_leaves_out_those_of_another(subject, transfer, comparison):
+def test_report_shows_the_results_of_the_policy_and_leaves_out_those_of_another(
+    subject, transfer, comparison, without_figures
+):
     path = transfer_results.save(transfer, subject, "python evaluate/sim2sim.py runs/<name> --seeds 2")
     report, _, _ = write_report(subject, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
     shown = text_of(report)

@@ -16,27 +16,22 @@ from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.main import main
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.task_file import load_robot
-from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare, compare_policies
 from quadruped_env.evaluation.metrics import GRAVITY, METRICS, joints_at_limit, measure
-from quadruped_env.evaluation.recorded_episode import play, publish, record
+from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.identification import identify
-from quadruped_env.identification.dataset import align
-from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import with_values
 from quadruped_env.identification.identification_report import save
 from quadruped_env.identification.spec import joint_spec
-from quadruped_env.policies import CommandedGaitController, Policy, TrajectoryController, find_controllers, load_policy
+from quadruped_env.policies import CommandedGaitController, Policy, find_controllers, load_policy
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.replay.replay_report import write_replay_report
 from quadruped_env.reporting import palette
 from quadruped_env.reporting.films.film import Camera, Clip, size_of
-from quadruped_env.reporting.films.overlay import GAIT_SECONDS, Overlay, gait_strip
 from quadruped_env.reporting.pages.evaluation_report import write_report
-from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 
@@ -157,13 +152,6 @@ class TestMetrics:
         position[:, 0, 1] = -2.05
         assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == 0.0
 
-    def test_baseline_walks_and_names_the_limits_of_the_robot(self):
-        baseline = run_baseline("tuned", seconds=3.0, episodes=2, robot=ROBOT)
-        assert baseline.commands.names == ROBOT.joint_names
-        assert baseline.metrics["forward_velocity"].mean() > 0.2
-        assert "14 N m" in baseline.table()
-        assert "7 rad/s" in baseline.table()
-
 
 class TestReport:
     def test_page_describes_the_robot_and_its_limits(self, report):
@@ -190,11 +178,6 @@ class TestReport:
 
 
 class TestFigures:
-    def test_joint_panels_have_one_row_per_leg(self):
-        times = np.arange(10.0)
-        svg = joint_panels(ROBOT, {"played": Line(times, np.random.default_rng(0).normal(size=(10, 8)), "#0000ff")}, "")
-        assert [text for text in texts(svg) if text in LABELS] == LABELS
-
     def test_colours_of_legs_do_not_depend_on_names_and_order(self):
         built_in, second = palette.leg_colours(MINI_QUADRUPED), palette.leg_colours(ROBOT)
         assert list(second) == list(ROBOT.leg_names)
@@ -206,18 +189,6 @@ class TestFigures:
 
 
 class TestFilms:
-    def test_overlay_colours_the_bands_of_the_feet(self, rollout):
-        contact = np.zeros((100, ROBOT.num_legs), bool)
-        contact[:, ROBOT.leg_names.index("front_left")] = True
-        strip = gait_strip(ROBOT, contact, GAIT_SECONDS / 100)
-        colour = tuple(bytes.fromhex(palette.leg_colours(ROBOT)["front_left"][1:]))
-        rows = np.flatnonzero((strip == colour).all(axis=(1, 2)))
-        assert rows.min() == len(strip) // 4
-        clip = Clip.of_rollout(rollout, 0, "second")
-        overlay = Overlay(clip.title, clip.trace)
-        blank = np.zeros((480, 640, 3), np.uint8)
-        assert overlay.draw(blank, 50).any()
-
     def test_camera_shows_the_whole_robot_from_a_distance_that_suits_its_size(self, rollout):
         assert size_of(MINI_QUADRUPED) == pytest.approx(1.0, abs=0.01)
         assert size_of(ROBOT) / size_of(MINI_QUADRUPED) == pytest.approx(
@@ -246,11 +217,6 @@ class TestReplay:
         assert found.motors == ROBOT.motors
         assert found.report()["motion"]["feet_on_ground_at_start"] >= 3
 
-    def test_trajectory_controller_orders_the_columns_for_the_robot(self, targets, recording):
-        controller = TrajectoryController(shuffled(targets))
-        again = record(controller, targets.duration, config=CONFIG, start=targets.positions[0])
-        np.testing.assert_array_equal(again.joints.positions, recording.joints.positions)
-
     def test_report_of_a_replay_names_its_joints_links_and_limits(self, targets, tmp_path):
         found = replay(targets, robot=ROBOT, measured=shuffled(targets))
         found.save(tmp_path, compare=True)
@@ -265,11 +231,6 @@ class TestReplay:
         for svg in figures.values():
             assert [text for text in texts(svg) if text in LABELS] == LABELS
 
-    def test_kinematic_film_stands_on_the_lowest_foot(self, targets):
-        trace = replay(targets, "kinematic", robot=ROBOT).film().trace
-        lowest = ROBOT.sole_heights(trace.joint_position, trace.base_pose).min(axis=-1)
-        np.testing.assert_allclose(lowest, 0.0, atol=1e-12)
-
     def test_positions_beyond_the_limits_of_the_robot_are_refused(self):
         positions = np.tile(ROBOT.stance, (2, 1))
         positions[:, 1] = -2.05  # within, though not for the built-in robot
@@ -279,10 +240,6 @@ class TestReplay:
             QuadrupedError, match=r"position\.back_right_knee_joint: -2\.2 rad .* outside -2\.1 to -0\.05 rad"
         ):
             replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
-
-    def test_recording_of_another_robot_is_refused(self, targets):
-        with pytest.raises(QuadrupedError, match="joint 'LF_hip_joint' is missing"):
-            replay(targets)
 
 
 class TestBags:
@@ -300,26 +257,11 @@ class TestBags:
         frames = [transform.child_frame_id for transform in messages["/tf"][0].transforms]
         assert frames == list(ROBOT.link_names)
 
-    def test_bag_of_joints_of_another_robot_has_joint_states_alone(self, recording, tmp_path):
-        pytest.importorskip("rosbags")
-        from rosbags.highlevel import AnyReader
-
-        recording.joints.save(tmp_path / "bag")
-        with AnyReader([tmp_path / "bag"]) as reader:
-            assert set(reader.topics) == {"/joint_states"}
-
 
 @pytest.mark.skipif(
     importlib.util.find_spec("tabulate") is None, reason="mujoco[sysid] is not installed: pip install -e '.[identify]'"
 )
 class TestIdentification:
-    def test_model_of_the_fit_moves_as_the_robot_of_the_task(self, targets, recording):
-        fit = MotorFit(align(ROBOT, recording.joints, targets, 0.7, 0.005), "free", ROBOT.motors, ["kp"])
-        assert fit.names == ["hip.kp", "knee.kp"]
-        predicted = fit.predict(ROBOT.motors)
-        np.testing.assert_allclose(predicted[1:, :8], recording.joints.positions[1:], rtol=0, atol=1e-6)
-        np.testing.assert_allclose(predicted[1:, 16:], recording.joints.efforts[1:], rtol=0, atol=1e-4)
-
     def test_identify_finds_the_gains_of_the_robot(self, targets, tmp_path):
         start = with_values(ROBOT.motors, {"hip.kp": 55.0, "knee.kp": 55.0})
         found = identify(on_a_stand(targets), targets, start=start, fitted=["kp"], robot=ROBOT)
@@ -353,40 +295,6 @@ class TestViewer:
         assert view.now.base_pose[2] > 0.2
         with pytest.raises(QuadrupedError, match="mini_quadruped"):
             controller.set_source(0, "policy flat")
-
-    def test_recording_has_the_joints_of_the_robot(self, controller, tmp_path, monkeypatch):
-        films = []
-        monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: films.extend(clips))
-        controller.start_recording()
-        controller.advance(0.2)
-        controller.close()
-        (path,) = tmp_path.glob("results/view-*/joint_states.csv")
-        assert JointTrajectory.load(path).names == ROBOT.joint_names
-        assert films[0].trace.robot == ROBOT
-
-    def test_panel_and_plots_are_labelled_with_its_legs_and_kinds_of_joints(self, controller, monkeypatch):
-        viser = pytest.importorskip("viser")
-        from quadruped_env.viewer import Show
-
-        added, add_html = [], viser.GuiApi.add_html
-
-        def add(gui, content, **options):
-            added.append(content)
-            return add_html(gui, content, **options)
-
-        monkeypatch.setattr(viser.GuiApi, "add_html", add)
-        show = Show(controller, port=0)
-        try:
-            controller.advance(0.2)
-            show.draw(controller.view())
-            sliders = [slider.label for slider in show.panel._phases]
-        finally:
-            show.close()
-        assert sliders == [f"Phase {leg}, cycles" for leg in ROBOT.leg_names]
-        headings = {re.search(r"<b[^>]*>(.*?)</b>", html).group(1): html for html in added if "<b style" in html}
-        for title in ("Hip positions, rad", "Knee positions, rad", "Fastest joint of each leg, rad/s"):
-            assert [leg for leg in ROBOT.leg_names if leg in headings[title]] == list(ROBOT.leg_names)
-        assert re.findall(r">(\w+_\w+)</text>", headings["Feet on the ground, s"]) == list(ROBOT.leg_names)
 
 
 class TestPrograms:

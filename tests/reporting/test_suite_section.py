@@ -17,7 +17,6 @@ from quadruped_env.evaluation.suite.measured_controller import Contender
 from quadruped_env.evaluation.suite.references import reference_row
 from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
-from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting.pages import run_comparison, suite_section
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.plots import suite_plots as plots
@@ -34,7 +33,9 @@ def text_of(path):
     return " ".join(" ".join(Page(path.read_text()).text).replace("\N{NO-BREAK SPACE}", " ").split())
 
 
-def test_report_holds_the_suite_and_its_numbers(run_directory, comparison, suite_result, tmp_path, monkeypatch):
+def test_report_holds_the_suite_and_its_numbers(
+    run_directory, comparison, suite_result, tmp_path, monkeypatch, without_figures
+):
     row = copy.deepcopy(reference_row(suite_result))
     row["name"], row["score"]["total"] = "reference", 0.987
     monkeypatch.setattr(suite_section, "read_references", lambda: [row])
@@ -68,14 +69,6 @@ def test_report_holds_the_suite_and_its_numbers(run_directory, comparison, suite
     assert {name: document["suite"][name] for name in suite_result["suite"]} == suite_result["suite"]
     assert document["suite"]["score"] == suite_result["score"]
     assert document["verdict"]["findings"]["Robustness"] == dict(suite_findings(suite_result))["Robustness"]
-
-
-def test_report_without_the_suite_does_not_mention_it(run_directory, comparison, tmp_path):
-    page, numbers, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", with_video=False)
-    assert "mq-eval" not in text_of(page)
-    assert json.loads(numbers.read_text())["suite"] is None
-    assert not (tmp_path / "suite.json").exists()
-    assert "Robustness" not in dict(verdict(comparison).findings)
 
 
 def test_figures_are_svg_and_survive_unknown_values(suite_result):
@@ -182,14 +175,6 @@ def test_policies_are_ranked_by_their_score_and_training_seeds_aggregated(two_ru
     )
 
 
-def test_runs_with_other_settings_are_not_aggregated(two_runs):
-    path = two_runs / "two" / "config.json"
-    config = json.loads(path.read_text())
-    config["training"]["learning_rate"] = 0.1
-    path.write_text(json.dumps(config))
-    assert suite_section.ranking(subjects("one", "two"))["recipes"] == []
-
-
 def test_ranking_needs_comparable_results_of_these_policies(two_runs):
     path = two_runs / "two" / "evaluation" / "suite.json"
     stored = json.loads(path.read_text())
@@ -219,13 +204,8 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
     assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
 
 
-def test_quick_needs_the_suite(capsys):
-    assert main(["evaluate", "flat", "--quick"]) == 2
-    assert "--quick: found without --suite" in capsys.readouterr().err
-
-
 def test_evaluate_prints_scores_and_writes_results(
-    run_directory, suite_result, comparison, tmp_path, monkeypatch, capsys
+    run_directory, suite_result, comparison, tmp_path, monkeypatch, capsys, without_figures
 ):
     """The program with the comparison and the suite that were made before."""
     asked = []

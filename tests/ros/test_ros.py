@@ -112,11 +112,11 @@ class TestMessageTypes:
 
 
 class TestCdr:
-    @pytest.mark.parametrize("name", MESSAGE_TYPES)
-    def test_an_empty_message_comes_back(self, name):
-        data = cdr.serialize(cdr.message(name))
-        assert data[:4] == b"\x00\x01\x00\x00"
-        assert cdr.serialize(cdr.deserialize(data, name)) == data
+    def test_an_empty_message_comes_back(self):
+        for name in MESSAGE_TYPES:
+            data = cdr.serialize(cdr.message(name))
+            assert data[:4] == b"\x00\x01\x00\x00"
+            assert cdr.serialize(cdr.deserialize(data, name)) == data
 
     def test_bytes_are_the_documented_ones(self):
         twist = cdr.message("geometry_msgs/msg/Twist", linear={"x": 0.5}, angular={"z": -1})
@@ -137,9 +137,9 @@ class TestCdr:
 
 
 class TestJointState:
-    def test_bytes_are_those_of_rosbags_for_ten_thousand_random_messages(self):
+    def test_bytes_are_those_of_rosbags_for_random_messages(self):
         rng, decode = np.random.default_rng(0), Decoder()
-        for _ in range(10_000):
+        for _ in range(2000):
             state = random_joint_state(rng)
             data = cdr.serialize(as_message(state))
             encode = Encoder(state["names"], state["frame_id"])

@@ -245,14 +245,3 @@ def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer,
         with pytest.warns(UserWarning, match=r"sim2sim\.json: .*left out"):
             assert transfer_results.load(subject) is None
         transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
-
-
-def test_table_has_a_row_per_command_with_both_engines(transfer):
-    policy_table, _, standing = transfer_results.tables(transfer)
-    assert [row[0] for row in policy_table.rows] == ["0.3, 0", "0, 0.5", "0, 0"]
-    assert len(standing.rows) == 1
-    here, there = transfer.means("policy", "yaw_rate", 1)
-    assert policy_table.rows[1][4:6] == (f"{here:.3f}", f"{there:.3f}")
-    assert policy_table.rows[1][3] == "-", "no forward velocity is commanded"
-    assert all(len(row) == len(policy_table.header) for row in policy_table.rows)
-    assert len({len(line) for line in policy_table.text().splitlines()[1:]}) == 1

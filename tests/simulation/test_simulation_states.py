@@ -49,18 +49,6 @@ def test_a_state_moves_between_drivers():
     np.testing.assert_array_equal(run(target, 20, seed=2), run(source, 20, seed=2))
 
 
-def test_a_push_is_part_of_the_state(driver):
-    simulation = start(driver)
-    run(simulation, 10, seed=1)
-    simulation.push(np.array([0]), np.array([[1.0, 0.0, 0.0]]))
-    before, states = snapshot(simulation), [simulation.get_state(row) for row in ALL]
-    expected = run(simulation, 10, seed=2)
-    for row in ALL:
-        simulation.set_state(row, states[row])
-    np.testing.assert_array_equal(snapshot(simulation), before)
-    np.testing.assert_array_equal(run(simulation, 10, seed=2), expected)
-
-
 @pytest.mark.parametrize("duplicate", [False, True])
 def test_a_restored_single_env_is_ready_to_be_rendered(model, duplicate):
     simulation = SingleSimulation(copy.copy(model))

@@ -153,15 +153,6 @@ def test_angle_between_the_normal_of_a_slope_and_the_vertical_is_that_of_its_lev
         assert (sign * (normals[:, :2] * points).sum(axis=1) < 0.0).all()
 
 
-def test_edge_of_a_field_with_gaps_goes_down_to_the_plane_around_it():
-    field = field_of("gaps", level=LEVELS)
-    assert field.at(np.array([11.99, 0.0])) == pytest.approx(-0.055, abs=1e-3)
-    assert field.at(np.array([12.01, 0.0])) == pytest.approx(-0.065, abs=1e-6)
-    along = field.at(np.stack([np.linspace(11.0, 12.0, 200), np.zeros(200)], -1))
-    assert (np.diff(along) <= 0.0).all()
-    assert np.abs(np.diff(along)).max() < 1e-3, "no step"
-
-
 # --- levels
 
 

@@ -1,5 +1,3 @@
-import itertools
-import json
 import math
 import re
 import signal
@@ -12,8 +10,8 @@ import pytest
 from paths import importing
 from waiting import killed_on_failure, output_of
 
-from benchmarks import env_speed, measures, shipping, terrain_speed, throughput
-from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
+from benchmarks import env_speed, shipping, terrain_speed, throughput
+from benchmarks.learning_speed import WalkTest, time_to_walk, walk_test
 from benchmarks.shipping import acceptance
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.rollout import roll_out
@@ -34,13 +32,6 @@ from quadruped_env.task import RandomizationConfig
 )
 def test_walking_is_few_falls_the_right_speed_and_a_straight_line(falls, speed, yaw_rate, walks):
     assert WalkTest(falls, speed, yaw_rate).walks is walks
-
-
-def test_a_seed_that_never_walked_counts_as_infinitely_slow():
-    last = WalkTest(0, 0.4, 0.0)
-    results = [Learned("position", seed, s, 1000, last) for seed, s in enumerate((4.0, None, 2.0))]
-    assert "| position | 2 of 3 | 4.0 | 2.0, 4.0, never | 1,000 |" in summary(results)
-    assert "| inf |" in summary([*results[:2], Learned("position", 3, None, 1000, last)])
 
 
 def test_the_shipped_policy_passes_the_walking_test():
@@ -142,24 +133,6 @@ def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_o
         assert measure.value == pytest.approx(ratio, rel=0.02)
 
 
-def test_cost_by_rows_compares_within_a_turn_so_that_a_machine_that_slows_down_does_not_matter(monkeypatch):
-    monkeypatch.setattr(env_speed.os, "cpu_count", lambda: 1)
-    slowness = itertools.count(1)
-    turn = {}
-
-    def costs(env, steps, _):
-        assert steps * env.num_envs == 4
-        if env.num_envs == 2:
-            turn["slowness"] = next(slowness)
-        total, rest, cached = (30.0, 9.0, 25.0) if env.num_envs == 2 else (20.0, 2.0, 20.0)
-        return tuple(turn["slowness"] * cost for cost in (total, rest, cached))
-
-    monkeypatch.setattr(env_speed, "_costs", costs)
-    measure, bound = env_speed.cost_by_rows(sizes=(2, 4), chunks=3)  # the first turn, of slowness 1, does not count
-    assert (measure.value, bound.value) == pytest.approx((1.5, 1.25))
-    assert measure.detail == "2: 90.0 us, 30% outside of the physics, 4: 60.0 us, 10% outside of the physics"
-
-
 def test_cost_of_randomization_is_measured_with_what_its_physics_costs():
     total, bound = env_speed.randomized_over_plain(rows=3, steps=3, chunks=2)
     assert min(total.value, bound.value) > 0.0
@@ -174,17 +147,9 @@ def test_physics_on_tiles_is_measured_over_the_plane():
 
 
 def test_memory_of_envs_is_at_least_that_of_their_states():
-    (measure,) = throughput.env_memory(num_envs=2000)
-    assert measure.value > 2000 * 8 * 100 / 2**20, "an env's state has over 100 numbers"
+    (measure,) = throughput.env_memory(num_envs=1000)
+    assert measure.value > 1000 * 8 * 100 / 2**20, "an env's state has over 100 numbers"
     assert "env-memory" in throughput.WORKS
-
-
-def test_measures_are_written_as_a_table_and_as_json(tmp_path):
-    measure = measures.Measure("ratio", 0.5, "x", ">= 0.4", True, "")
-    assert measures.row(measure) == "| ratio | 0.5 x | >= 0.4 | yes |  |"
-    path = tmp_path / "results" / "throughput.json"
-    measures.write([measure], "machine", {"numpy": np.__version__}, path)
-    assert json.loads(path.read_text())["measures"][0]["value"] == 0.5
 
 
 def test_a_measurement_ends_with_the_program_that_is_killed():

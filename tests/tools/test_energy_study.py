@@ -49,15 +49,6 @@ def test_of_two_gaits_the_cheaper_is_better_unless_it_is_slower_or_falls(judge):
     assert cheap == pytest.approx(fallen + 10.0)
 
 
-def test_steps_are_better_if_feet_are_lifted():
-    got = achieved(2, forward_velocity=np.array([0.4, 0.4]), clearance=np.array([0.004, 0.012]))
-    got = Achieved(**vars(got) | {name: np.ones((2, 6, 4)) for name in ("lowest_apex", "mean_apex")})
-    low, high = energy_study.steps(got, 0.4, np.zeros(2))
-    assert high > low
-    low, high = energy_study.energy(got, 0.4, np.zeros(2))
-    assert high == low
-
-
 @pytest.mark.slow
 def test_study_saves_energy_and_writes_what_it_found(tmp_path, capsys):
     output = tmp_path / "energy.json"

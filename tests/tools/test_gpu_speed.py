@@ -1,7 +1,5 @@
 """The measurement of a GPU's speed, run on Warp's CPU device with small numbers."""
 
-import argparse
-import importlib
 import json
 import subprocess
 import sys
@@ -9,8 +7,6 @@ import sys
 import pytest
 from paths import ROOT
 from waiting import DEADLINE
-
-from quadruped_env import QuadrupedError
 
 pytest.importorskip("mujoco_warp", reason="MuJoCo Warp is not installed: pip install -e '.[gpu]'")
 pytest.importorskip("rsl_rl", reason="rsl-rl is not installed: pip install -e '.[gpu]'")
@@ -72,9 +68,3 @@ def test_training_to_walk_has_the_budget_of_a_gpu(monkeypatch):
     assert gpu_speed.walk("cuda", 4, 2, 1.0, 1.0).seconds is None
     gpu_speed.walk("cuda", 4, 2, 1.0, 1.0, timesteps=100)
     assert budgets == [GPU_DEFAULTS["timesteps"]] * 2 + [100] * 2
-
-
-def test_number_of_envs_below_one_is_an_error():
-    program = importlib.import_module("gpu_speed")
-    with pytest.raises(QuadrupedError, match="--num-envs: expected 1 or more; found 0"):
-        program.run(argparse.Namespace(num_envs=[4, 0]))

@@ -83,12 +83,11 @@ def test_runner_runs_the_given_code_in_place_of_the_file(tiny):
         SUMS,
         SUMS.replace("x + step", "x - step"),  # of a decorated function
         SUMS.replace("return x - 1", "while True: pass"),
-        SUMS.replace("import functools", "import nothing_of_this_name"),
         SUMS,
     ]
     requests = [
         {"path": "tiny/core/sums.py", "module": "tiny.core.sums", "code": code, "tests": names, "timeout": timeout}
-        for code, timeout in zip(codes, (300, 300, 2, 300, 300), strict=True)
+        for code, timeout in zip(codes, (300, 300, 1, 300), strict=True)
     ]
     run = subprocess.run(
         [sys.executable, str(TOOLS / "mutation_testing" / "runner.py")],
@@ -99,7 +98,7 @@ def test_runner_runs_the_given_code_in_place_of_the_file(tiny):
         check=True,
     )
     answers = [json.loads(line) for line in run.stdout.splitlines()]
-    assert [answer["outcome"] for answer in answers] == ["survived", "killed", "timeout", "killed", "survived"]
+    assert [answer["outcome"] for answer in answers] == ["survived", "killed", "timeout", "survived"]
     assert answers[1]["by"] == names[1]
     assert (tiny / "tiny" / "core" / "sums.py").read_text() == SUMS
 

@@ -12,7 +12,6 @@ from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.suite.measured_controller import Contender
 from quadruped_env.policies import CommandedGaitController, load_policy
-from quadruped_env.reporting.plots.recipe_plots import recipe_curves, smoothed
 from quadruped_env.task import TaskConfig
 
 HEADER = "timesteps,seconds,return,fall_rate,forward_velocity_error,yaw_rate_error\n"
@@ -35,18 +34,6 @@ def trained(tmp_path):
         return find_subject(str(directory), tmp_path)
 
     return make
-
-
-def test_a_table_has_a_row_for_each_seed_and_one_of_the_medians():
-    rows = [{"falls": 1.0, "speed": 0.4}, {"falls": 9.0, "speed": 0.6}, {"falls": 2.0, "speed": 0.5}]
-    assert recipe_seeds.table(rows, ["0", "1", "7"]).splitlines() == [
-        "| seed | falls | speed |",
-        "|---|---|---|",
-        "| 0 | 1 | 0.4 |",
-        "| 1 | 9 | 0.6 |",
-        "| 7 | 2 | 0.5 |",
-        "| median | 2 | 0.5 |",
-    ]
 
 
 def test_an_envelope_leaves_out_every_command_at_which_a_robot_falls(monkeypatch):
@@ -144,15 +131,3 @@ def test_program_prints_tables_and_draws_curves(trained, tmp_path, monkeypatch, 
     assert "flat, length" in printed
     assert "robust, length" in printed
     assert picture.read_text().rstrip().endswith("</svg>")
-
-
-def test_a_curve_is_smoothed_by_means_of_equal_parts_without_what_is_unknown():
-    x, y = smoothed(np.arange(6.0), np.array([1.0, 3.0, np.nan, 5.0, 7.0, 9.0]), points=2)
-    np.testing.assert_allclose(x, [(0 + 1 + 3) / 3, (4 + 5) / 2])
-    np.testing.assert_allclose(y, [3.0, 8.0])
-    assert [len(part) for part in smoothed(np.zeros(0), np.zeros(0))] == [0, 0]
-
-
-def test_curves_of_a_run_that_has_not_begun_can_be_drawn():
-    columns = {name: np.zeros(0) for name in HEADER.strip().split(",")}
-    assert "<svg" in recipe_curves({"flat": [columns]})

@@ -85,19 +85,6 @@ def test_table_and_verdict_and_report():
     assert report["outcomes"][0]["errors"]["trot speed"] == pytest.approx(0.04)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"starts": 1}, "starts: expected 2 or more; found 1"),
-        ({"seconds": 2.0}, "seconds: expected more than the 2 s of warm-up; found 2"),
-        ({"gaits": ["gallop"]}, "'gallop'"),
-    ],
-)
-def test_invalid_arguments_are_refused(arguments, message):
-    with pytest.raises(QuadrupedError, match=message):
-        timestep_study.run_study(**arguments)
-
-
 @pytest.mark.slow
 def test_a_small_study_runs_to_its_end(tmp_path):
     shares = []

@@ -106,14 +106,6 @@ def test_keys_go_in_whole_steps_and_stop_at_the_range(control):
     assert controller.command == (0.6, 0.8)
 
 
-def test_the_commanded_gait_follows_the_command(control):
-    controller = control("gait tuned")
-    controller.set_command(-0.2, 0.0)
-    for _ in range(100):
-        controller.advance(0.04)
-    assert now(controller).smooth_velocity[0] == pytest.approx(-0.2, abs=0.08)
-
-
 # --- the gait
 
 
@@ -215,15 +207,6 @@ def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
     assert first.fell_at is None
     assert first.now.time < 0.3
     assert second.now.time == pytest.approx(controller.view().time)
-
-
-def test_fallen_robot_that_is_not_restarted_stays_down(control):
-    controller = control("stand still")
-    controller.restart_after_fall = False
-    throw_on_the_back(controller)
-    for _ in range(20):
-        controller.advance(0.2)
-    assert controller.view().robots[0].fell_at is not None
 
 
 def test_the_ground_carries_the_weight(control):

@@ -76,29 +76,6 @@ def test_hidden_overlays_are_not_drawn(paused):
         until(lambda: np.array_equal(shot(page), shown))
 
 
-@pytest.mark.slow
-def test_plots_are_updated(stage):
-    show, page = stage
-    show.controller.set_command(0.4, 0.0)
-    diagram = page.locator("svg[data-plot=gait]")
-    first = diagram.inner_html()
-    until(lambda: diagram.inner_html() != first)
-    tab(page, "Joints")
-    page.get_by_text("Hip positions, rad").wait_for()
-    charts = "Object.values(window.__viserTestpoints.uplots).map(p => p.chart.data.length)"
-    # Time and three lines of each velocity; time, four legs and the limits' two lines, or one.
-    until(lambda: sorted(page.evaluate(charts)) == [4, 4, 6, 7, 7])
-    limits = page.evaluate(
-        "Object.values(window.__viserTestpoints.uplots).map(p => p.chart.data.slice(5).map(line => line[0]))"
-    )
-    assert sorted(limits) == [[], [], [-2, 0], [-1.5, 1.5], [5]]
-    tab(page, "Reward")
-    rows = page.locator("table[data-plot=reward] tr")
-    names = show.controller.view().robots[0].term_names
-    assert rows.count() == len(names) + 1
-    assert rows.first.inner_text().split("\t")[0] == names[0].replace("_", " ")
-
-
 # --- controls
 
 
@@ -156,15 +133,6 @@ def test_a_key_after_a_slider_is_still_one_step(paused):
 
 
 @pytest.mark.slow
-def test_step_and_reset_buttons_work(paused):
-    controller, page = paused
-    for steps in (1, 2):
-        page.get_by_role("button", name="Step").click()
-        until(lambda steps=steps: controller.view().time == pytest.approx(0.02 * steps))
-    page.get_by_role("button", name="Reset").click()
-    until(lambda: controller.view().time == 0.0)
-
-
 def test_a_push_in_its_direction_and_strength(stage, paused):
     panel = stage[0].panel
     controller, page = paused
@@ -175,30 +143,6 @@ def test_a_push_in_its_direction_and_strength(stage, paused):
     page.get_by_role("button", name="Push", exact=True).click()
     until(lambda: data.qvel[1] < -0.5)
     np.testing.assert_allclose(data.qvel[:3], [0.0, -MAX_PUSH, 0.0], atol=1e-9)
-
-
-@pytest.mark.slow
-def test_speed_slider_sets_the_speed(paused):
-    controller, page = paused
-    fill(page, "Speed", 0.5)
-    until(lambda: controller.view().speed == 0.5)
-    fill(page, "Speed", 1)
-    until(lambda: controller.view().speed == 1.0)
-
-
-@pytest.mark.slow
-def test_every_source_plays_next_to_another_one(paused):
-    controller, page = paused
-    controller.paused = False
-    tab(page, "Robots")
-    for name in controller.sources:
-        choose(page, "Compare with", name)
-        until(lambda name=name: controller.robots == ("policy flat", name))
-        until(lambda: controller.view().robots[1].now.time > 0.1)
-    choose(page, "Watch", controller.robots[1])
-    until(lambda: controller.view().watched == 1)
-    choose(page, "Compare with", "none")
-    until(lambda: controller.robots == ("policy flat",))
 
 
 @pytest.mark.slow
@@ -217,20 +161,6 @@ def test_gait_sliders_set_the_gait(paused):
     choose(page, "Robot", "policy flat")
     until(lambda: controller.gait is None)
     page.get_by_text("Amplitude").wait_for(state="hidden")
-
-
-@pytest.mark.slow
-def test_randomization_and_falls(paused):
-    controller, page = paused
-    tab(page, "Robots")
-    choose(page, "Randomize", "start")
-    until(lambda: controller.randomization == "start")
-    choose(page, "Randomize", "off")
-    until(lambda: controller.randomization == "off")
-    page.get_by_label("Stand up after a fall").click()
-    until(lambda: not controller.restart_after_fall)
-    page.get_by_label("Stand up after a fall").click()
-    until(lambda: controller.restart_after_fall)
 
 
 # --- more than one browser, and less

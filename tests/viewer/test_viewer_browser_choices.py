@@ -3,7 +3,6 @@
 import browser
 import numpy as np
 import pytest
-from browser import fill
 from viewer_page import choose, shot, still, tab, until
 
 from quadruped_env.reporting.palette import BACKGROUND, FLOOR, rgb
@@ -47,23 +46,6 @@ def test_terrain_and_its_level(paused):
     choose(page, "Terrain", "flat")
     until(lambda: controller.terrain.name == "flat")
     until(lambda: np.abs(shot(page).astype(int) - flat).mean() < 1.0)
-
-
-@pytest.mark.slow
-def test_a_sustained_force_in_its_direction_size_and_time(stage, paused):
-    panel = stage[0].panel
-    controller, page = paused
-    fill(page, "To, degrees", 90)
-    fill(page, "Force, N", 4)
-    fill(page, "For, s", 0.1)
-    until(lambda: (panel._direction.value, panel._force.value, panel._seconds.value) == (90, 4, 0.1))
-    page.get_by_role("button", name="Apply force").click()
-    until(lambda: controller._lineup.slots[0].robot._force_steps == 5)
-    for _ in range(4):
-        controller.step()
-        np.testing.assert_allclose(controller.view().robots[0].force, [0.0, 4.0, 0.0], atol=0.2)
-    controller.step()
-    np.testing.assert_array_equal(controller.view().robots[0].force, np.zeros(3))
 
 
 @pytest.mark.slow

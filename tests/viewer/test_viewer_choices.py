@@ -6,18 +6,15 @@ import math
 import mujoco
 import numpy as np
 import pytest
-import second_robot
 from viewing import DT, now, robot
 
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import COMMANDED
-from quadruped_env.policies import ControllerSpec, ZeroController
 from quadruped_env.reporting import palette
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain, flat
-from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.legend import OVERLAYS, legend
 from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
 from quadruped_env.viewer.viewed_robot import Offered
@@ -67,18 +64,6 @@ def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control)
             assert (feet[:, 2] - one.robot.foot_radius >= field.at(feet) - 1e-6).all()
         controller.set_terrain("flat")
         assert all((slot.robot.data.qpos[:2] == 0.0).all() for slot in controller._lineup.slots)
-
-
-def test_a_terrain_of_another_robot_has_the_levels_of_its_size(tmp_path):
-    standing = {"stand still": ControllerSpec("stand still", ZeroController)}
-    controller = ViewController(standing, ["stand still"], tmp_path, second_robot.ROBOT)
-    try:
-        controller.set_terrain("steps", 10)
-        heights = robot(controller).task.simulation.height_field.points()[..., 2]
-    finally:
-        controller.close()
-    longer = second_robot.ROBOT.stance_height / MINI_QUADRUPED.stance_height
-    assert np.ptp(heights) == pytest.approx(0.055 * longer, rel=1e-3)
 
 
 def test_an_unknown_terrain_or_level_changes_nothing(control):
@@ -175,18 +160,6 @@ def test_the_command_is_offered_if_a_robot_follows_it(control, tmp_path):
     assert controller.offered == Offered(command=False)
 
 
-def test_a_source_that_follows_no_command_walks_the_same_under_any(control):
-    controller = control("gait trot")
-    paths = []
-    for command in ((0.5, 0.3), (-0.2, 0.0)):
-        controller.set_command(*command)
-        controller.reset()
-        for _ in range(10):
-            controller.advance(0.1)
-        paths.append(now(controller).joint_position)
-    np.testing.assert_array_equal(*paths)
-
-
 def test_legend_names_every_colour_of_the_scene():
     found = legend(MINI_QUADRUPED, Offered(), SHOWN)
     assert {meaning: [colour for _, colour, _ in marks] for meaning, marks in found.items()} == {
@@ -198,15 +171,3 @@ def test_legend_names_every_colour_of_the_scene():
         "front of the robot": [palette.FRONT],
     }
     assert [name for _, _, name in found["paths of the feet"]] == list(MINI_QUADRUPED.leg_names)
-
-
-def test_legend_leaves_out_what_is_not_drawn():
-    only_front = legend(MINI_QUADRUPED, Offered(push=False), dict.fromkeys(OVERLAYS, False))
-    assert list(only_front) == ["front of the robot"]
-    live = legend(MINI_QUADRUPED, Offered(command=False, force=False), SHOWN)
-    assert "commanded velocity and turn" not in live
-    assert "push" in live
-    assert (
-        not {"contact forces", "measured velocity and turn"}
-        & legend(MINI_QUADRUPED, Offered(motion=False), SHOWN).keys()
-    )

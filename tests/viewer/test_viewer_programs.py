@@ -14,7 +14,7 @@ from policies import TASK, make_policy
 from waiting import output_of
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.cli.main import main
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.viewer import open_show
@@ -98,19 +98,7 @@ def test_program_prints_its_address_and_ends_at_ctrl_c(tmp_path):
     assert (process.returncode, out, err) == (0, "ending\n", "")
 
 
-def test_the_program_measures_its_pace(tmp_path):
-    process = _program("--measure", "0.5", cwd=tmp_path)
-    out, err = output_of(process)
-    assert process.returncode == 0, err
-    assert "control steps/s" in out.splitlines()[-1]
-
-
-def test_program_with_an_unknown_source_names_it(tmp_path):
-    process = _program("runs/none", cwd=tmp_path)
-    out, err = output_of(process)
-    assert (process.returncode, out) == (2, "")
-    shipped = ", ".join(SHIPPED)
-    assert err.startswith(
-        f"mini-quadruped view: error: 'runs/none' is neither a shipped policy ({shipped}), nor a scripted gait ("
-    )
-    assert len(err.splitlines()) == 1
+def test_the_program_measures_its_pace(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["view", "--port", "0", "--measure", "0.5"]) == 0
+    assert "control steps/s" in capsys.readouterr().out.splitlines()[-1]

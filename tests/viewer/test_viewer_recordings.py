@@ -10,7 +10,6 @@ from waiting import DEADLINE, wait_until
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.policies import find_controllers
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.panel_text import status_html
 from quadruped_env.viewer.view_controller import RESTART_AFTER
 from quadruped_env.viewer.viewer_recording import MAX_WAITING
 
@@ -111,15 +110,6 @@ def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, mo
     assert controller.messages()[0] == "The recording has ended: the maximum is 0.5 s; record again"
 
 
-def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
-    controller = control("stand still")
-    assert "recording" not in status_html(controller.view())
-    controller.start_recording()
-    controller.advance(0.1)
-    assert "recording, 0.1 of at most 300 s" in status_html(controller.view())
-
-
 def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
     go_on = threading.Event()
     monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: go_on.wait(DEADLINE))
@@ -134,49 +124,3 @@ def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeyp
     wait_until(lambda: not controller.saving)
     controller.start_recording()
     assert controller.view().recorded == 0.0
-
-
-def test_recordings_of_a_show_are_bounded(control, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.MAX_TAKES", 1)
-    controller = control("stand still")
-    controller.start_recording()
-    controller.stop_recording()
-    wait_until(lambda: not controller.saving)
-    with pytest.raises(QuadrupedError, match="record: 1 recordings were made; start the viewer again"):
-        controller.start_recording()
-
-
-@pytest.mark.parametrize(("source", "follows"), [("policy flat", True), ("gait trot", False)])
-def test_film_shows_the_command_if_the_robot_follows_it(control, monkeypatch, source, follows):
-    films = []
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: films.extend(clips))
-    controller = control(source)
-    controller.set_command(0.3, 0.1)
-    controller.start_recording()
-    controller.advance(0.2)
-    controller.close()
-    (clip,) = films
-    assert clip.title == source
-    assert len(clip.trace) == 11
-    assert clip.trace.velocity.shape == (11, 2)
-    if follows:
-        np.testing.assert_array_equal(clip.trace.command[-1], [0.3, 0.1])
-    else:
-        assert clip.trace.command is None
-
-
-@pytest.mark.slow
-def test_recording_is_filmed(control, tmp_path):
-    av = pytest.importorskip("av")
-    controller = control("policy flat")
-    controller.start_recording()
-    for _ in range(10):
-        controller.advance(0.1)
-    controller.close()
-    messages = controller.messages()
-    if messages[1].startswith("No video: no OpenGL"):
-        pytest.skip(messages[1])
-    (path,) = tmp_path.glob("results/view-*/video.mp4")
-    with av.open(path) as film:
-        assert sum(1 for _ in film.decode(video=0)) == pytest.approx(25, abs=1)

@@ -25,12 +25,6 @@ def test_interquartile_mean_is_scipys_trimmed_mean(count):
     assert interquartile_mean(values) == pytest.approx(trim_mean(values, 0.25))
 
 
-def test_point_estimate_is_over_all_runs_and_tasks():
-    scores = np.random.default_rng(0).random((5, 7))
-    assert stratified_interquartile_mean(scores).mean == pytest.approx(trim_mean(scores, 0.25, axis=None))
-    assert stratified_interquartile_mean(scores).count == 5
-
-
 def test_interval_is_that_of_all_possible_resamples():
     """Two runs of two tasks have 16 equally likely resamples: the runs of a task are drawn independently."""
     scores = np.array([[0.0, 0.3], [0.4, 0.8]])
@@ -88,8 +82,3 @@ def test_aggregate_refuses_results_that_cannot_be_compared():
     other["suite"] = quick_suite().identity
     with pytest.raises(QuadrupedError, match=r"full \(1\) and quick \(2\) cannot be compared: suite.quick"):
         aggregate([document("full", 0.5, rough=1), other])
-
-
-def test_resampling_is_reproducible():
-    scores = np.random.default_rng(5).random((4, 7))
-    assert stratified_interquartile_mean(scores) == stratified_interquartile_mean(scores)

@@ -22,10 +22,6 @@ def exact():
 NO_FALLS = np.zeros((6, 3, 2), dtype=bool)
 
 
-def test_commands_are_listed_by_forward_velocity():
-    assert PART.commands[:4] == ((-0.2, -0.5), (-0.2, 0.0), (-0.2, 0.5), (-0.1, -0.5))
-
-
 def test_a_robot_that_reaches_its_commands_has_no_error_and_no_dead_zone():
     result = command_map.summary(PART, exact(), NO_FALLS)
     assert result["met"]["mean"] == 1.0
@@ -79,15 +75,6 @@ def test_dead_zone_is_the_largest_command_of_which_less_than_half_is_reached():
     assert command_map.dead_zones(PART, achieved) == {"forwards": 0.1, "backwards": 0.2, "left": 0.5, "right": 0.0}
 
 
-def test_dead_zone_of_a_direction_without_commands_is_unknown():
-    part = replace(PART, forward_velocity=(0.0, 0.3), yaw_rate=(0.0,))
-    achieved = np.array(part.commands).reshape(2, 1, 2)
-    assert command_map.dead_zones(part, achieved) == {"forwards": 0.0, "backwards": None, "left": None, "right": None}
-    off_axis = replace(PART, forward_velocity=(0.1, 0.3), yaw_rate=(-0.5, 0.5))
-    achieved = np.array(off_axis.commands).reshape(2, 2, 2)
-    assert set(command_map.dead_zones(off_axis, achieved).values()) == {None}
-
-
 def mapped(achieved, fallen=NO_FALLS):
     """The map as `run` returns it."""
     return {
@@ -109,9 +96,3 @@ def test_envelope_ends_before_the_first_command_on_the_axis_that_is_missed():
     achieved[3, 2, :, 0] = 0.0  # a curve is not on the axis
     found = command_map.envelope(mapped(achieved, fallen), PART.tolerance)
     assert found == {"forwards": 0.1, "backwards": 0.1, "left": 0.0, "right": 0.0}
-
-
-def test_envelope_of_a_direction_without_commands_is_unknown():
-    result = mapped(exact())
-    result["forward_velocity"], result["yaw_rate"] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], [-0.5, 0.2, 0.5]
-    assert set(command_map.envelope(result, PART.tolerance).values()) == {None}
