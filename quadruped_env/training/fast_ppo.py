@@ -17,9 +17,9 @@ from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.utils import explained_variance
 from stable_baselines3.common.vec_env import VecEnv
 
-from quadruped_env.training.config import STRAIGHT_LEARNING_RATE
 from quadruped_env.training.exploration import ClockNoise
 from quadruped_env.training.perceptron import FlatGradient, Perceptron
+from quadruped_env.training.train_config import STRAIGHT_LEARNING_RATE
 
 _LOG_ROOT_TAU = 0.5 * math.log(math.tau)
 

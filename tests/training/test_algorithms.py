@@ -13,14 +13,14 @@ from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.export import PolicyInterface, runtime
-from quadruped_env.export.graph import policy_graph
+from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig
-from quadruped_env.training import TrainConfig, models
+from quadruped_env.training import TrainConfig, sb3_models
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS, check_used
-from quadruped_env.training.models import export_policy, linear_layers, make_model, native
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.training.sb3_models import export_policy, linear_layers, make_model, native
 
 WIDTH = 34
 OFF_POLICY = [name for name, entry in ALGORITHMS.items() if not entry.on_policy]
@@ -258,7 +258,7 @@ def test_algorithm_without_its_library_names_the_extra(monkeypatch):
 
     monkeypatch.setitem(sys.modules, "sb3_contrib", None)
     monkeypatch.setitem(sys.modules, "sb3_contrib.tqc", None)
-    models.native.cache_clear()
+    sb3_models.native.cache_clear()
     with pytest.raises(MissingExtraError, match=r"--algo tqc needs the 'contrib' extra"):
         native("tqc")
 

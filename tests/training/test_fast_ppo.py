@@ -15,7 +15,7 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.exploration import ClockNoise
 from quadruped_env.training.fast_ppo import FastPPO
-from quadruped_env.training.models import make_model
+from quadruped_env.training.sb3_models import make_model
 
 STEPS, ENVS = 30, 6
 COLUMNS = ("observations", "actions", "rewards", "episode_starts", "values", "log_probs", "advantages", "returns")

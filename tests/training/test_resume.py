@@ -21,7 +21,7 @@ from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent, _difference
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 
 
 @pytest.fixture
@@ -154,7 +154,7 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
 
 def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
     from quadruped_env.training.fast_ppo import FastPPO
-    from quadruped_env.training.models import native
+    from quadruped_env.training.sb3_models import native
 
     ppo = native("ppo")
 
@@ -218,7 +218,7 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
 
 def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.models import export_policy, make_model
+    from quadruped_env.training.sb3_models import export_policy, make_model
 
     parent = Parent.load(run)
     env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
