@@ -22,7 +22,7 @@ WARM_UP: Final = 1.0
 """Time before measurement starts, s."""
 SECONDS: Final = 3.0
 FOOT_LIFT: Final = TaskConfig().reward.foot_lift
-_HEAT: Final = ROBOT.motors.joule_coefficients(ROBOT.joint_names)
+_HEAT: Final = ROBOT.motors.joule_coefficients(ROBOT.joint_kinds)
 
 
 class Start(NamedTuple):
