@@ -23,7 +23,7 @@ from quadruped_env.utils.plain import plain
 Floats = NDArray[np.float64]
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
-_DERIVED = ("motor_kinds", "mirror_signs", "leg_corners")
+_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "gaits")
 """Fields that may be None; then they are not part of the content, so that robots without them keep their identity."""
 _MIRROR_TOLERANCE = 1e-3
 """Difference between an axis and its mirror image, as 1 - |cosine|, about 2.5 degrees."""
@@ -87,6 +87,9 @@ class Robot:
     leg_corners: tuple[int, ...] | None = None
     """Corner of each leg (L,), whose phase and motion it has in the scripted gaits: 0 left fore, 1 right fore, 2 left
     hind, 3 right hind. None: see `corners`."""
+    gaits: Mapping[str, Mapping[str, Any]] | None = None
+    """Scripted gaits tuned on this robot, by name of the preset whose place they take, as `tools/tune_gait.py` writes
+    them. None: the presets, mapped to the robot."""
 
     def __post_init__(self) -> None:
         for name in _PER_JOINT:
@@ -391,7 +394,7 @@ class Robot:
         return {
             entry.name: dataclasses.asdict(value) if isinstance(value, MotorConfig) else plain(value)
             for entry, value in self._content()
-            if value is not None or entry.name not in _DERIVED
+            if value is not None or entry.name not in _OPTIONAL
         }
 
     @classmethod
@@ -402,7 +405,7 @@ class Robot:
             QuadrupedError: if a field is missing or unknown, or as for `Robot`.
         """
         names = {entry.name for entry in fields(cls)}
-        if not isinstance(values, Mapping) or not names - set(_DERIVED) <= set(values) <= names:
+        if not isinstance(values, Mapping) or not names - set(_OPTIONAL) <= set(values) <= names:
             raise QuadrupedError(f"robot: expected the fields {', '.join(sorted(names))}; found {short(values)}")
         made: dict[str, Any] = {
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
