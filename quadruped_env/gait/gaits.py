@@ -332,8 +332,8 @@ class CommandedGait:
         """`tuned`, `crouched`, `low` or `fast`: the robot's own of `Robot.gaits`, or else the preset, mapped to it.
 
         Raises:
-            QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit the
-                robot.
+            QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
+                the robot.
         """
         if name not in COMMANDED:
             raise QuadrupedError(
