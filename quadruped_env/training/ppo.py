@@ -9,7 +9,7 @@ from types import FrameType
 from typing import Any
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.models import make_model
+from quadruped_env.training.models import go_on_from, make_model
 
 # isort: split
 from quadruped_env.envs import make_sb3_vec_env
@@ -32,6 +32,10 @@ except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
 
+Kind = Callable[..., Any]
+"""Makes a model, in place of the algorithm's class."""
+
+
 def train(
     config: TrainConfig,
     runs: Path,
@@ -41,6 +45,7 @@ def train(
     group: Group = ALONE,
     observer: Observer | None = None,
     threads: int = 0,
+    kind: Kind | None = None,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -53,6 +58,7 @@ def train(
         group: rank 0 of the training, if it has several.
         observer: watches the training; the clock stands still meanwhile.
         threads: threads of the physics; 0: one per core, or those of the group.
+        kind: makes the model of a rank of several.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -64,7 +70,7 @@ def train(
     if config.device != "cpu":
         raise QuadrupedError(f"--device: {config.device} needs quadruped_env.training.warp.train")
     check_latest(runs)
-    config, parent, env, model = prepare(config, resume, task_file, group, threads)
+    config, parent, env, model = prepare(config, resume, task_file, group, threads, kind)
     task = env.task.config
     facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
     run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
@@ -81,21 +87,25 @@ def train(
     return run.directory, not recorder.stopped
 
 
-def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
+def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group, kind: Kind) -> None:
     """Train as a rank other than 0, which writes no files; see `train`."""
-    config, parent, env, model = prepare(config, resume, task_file, group)
+    config, parent, env, model = prepare(config, resume, task_file, group, kind=kind)
     try:
         model.set_logger(Logger(None, []))
         # Rank 0 polishes and learns the reflex alone.
-        learn(
-            replace(config, reflex_rounds=0, polish_generations=0), model, StepStatistics(group), fresh=parent is None
-        )
+        config = replace(config, reflex_rounds=0, polish_generations=0)
+        learn(config, model, StepStatistics(config, group), fresh=parent is None)
     finally:
         env.close()
 
 
 def prepare(
-    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE, threads: int = 0
+    config: TrainConfig,
+    resume: Path | None,
+    task_file: Path | None,
+    group: Group = ALONE,
+    threads: int = 0,
+    kind: Kind | None = None,
 ) -> tuple[TrainConfig, Parent | None, MiniQuadrupedSB3VecEnv, Any]:
     """Everything that a training, or one rank of it, needs to learn.
 
@@ -105,6 +115,7 @@ def prepare(
         task_file: a user's file of terms, which is executed.
         group: this rank.
         threads: threads of the physics; 0: one per core, or those of the group.
+        kind: makes the model of a rank of several.
 
     Returns:
         The settings with the whole task, the run to go on from, the rank's share of the envs, and the model.
@@ -128,15 +139,9 @@ def prepare(
         num_threads=threads or group.threads,
     )
     check_training_seeds("config.terrain.seed", env.task.config.terrain["seed"])
-    if group is ALONE:
-        model = make_model(config, env)
-    else:
-        from quadruped_env.training.distributed.model import DistributedPPO
-
-        model = make_model(config, env, DistributedPPO, group=group, batch_size=config.batch_size // group.ranks)
+    model = make_model(config, env, kind, **({"batch_size": config.batch_size // group.ranks} if kind else {}))
     if parent is not None:
-        model.go_on_from(parent)
-    model.budget_seconds = config.seconds
+        go_on_from(model, parent)
     return config, parent, env, model
 
 

@@ -16,11 +16,12 @@ from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.graph import policy_graph
 from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig
-from quadruped_env.training import TrainConfig, models
+from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS, check_used
-from quadruped_env.training.models import export_policy, linear_layers, make_model, native
+from quadruped_env.training.models import algorithm_class, export_policy, go_on_from, linear_layers, make_model
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.schedules import Scheduled
 
 WIDTH = 34
 OFF_POLICY = [name for name, entry in ALGORITHMS.items() if not entry.on_policy]
@@ -96,7 +97,7 @@ def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tm
 def test_gradient_steps_keep_a_symmetric_network_symmetric_to_the_last_bit(name):
     model, _ = model_of(name)
     before = [parameter.detach().clone() for parameter in model.policy.parameters()]
-    model.learn(3 * model.n_steps * model.n_envs)
+    model.learn(3 * model.n_steps * model.n_envs, Scheduled(config_of(name)))
     after = [parameter.detach().clone() for parameter in model.policy.parameters()]
     assert any(not torch.equal(one, two) for one, two in zip(before, after, strict=True))
     model.policy.project()
@@ -186,9 +187,9 @@ def test_settings_of_each_algorithm_are_arguments_of_its_class():
             model, _ = model_of(name, **values)
         except pytest.skip.Exception:
             continue
-        assert isinstance(model, native(name))
+        assert type(model) is algorithm_class(name)
         assert model.gamma == 0.9
-        assert model.learning_rate(1.0) == pytest.approx(5e-4)
+        assert model.learning_rate() == pytest.approx(5e-4)
         if entry.on_policy:
             assert model.n_steps == 6
         else:
@@ -258,9 +259,8 @@ def test_algorithm_without_its_library_names_the_extra(monkeypatch):
 
     monkeypatch.setitem(sys.modules, "sb3_contrib", None)
     monkeypatch.setitem(sys.modules, "sb3_contrib.tqc", None)
-    models.native.cache_clear()
     with pytest.raises(MissingExtraError, match=r"--algo tqc needs the 'contrib' extra"):
-        native("tqc")
+        algorithm_class("tqc")
 
 
 # --- runs ---
@@ -299,7 +299,7 @@ def test_training_leaves_a_complete_run_that_can_be_resumed_and_walks_in_its_env
 def test_off_policy_training_has_the_steps_and_schedules_of_its_budget(tmp_path):
     """The learning rate falls linearly to a tenth with the budget, as PPO's does."""
     rates = []
-    cls = native("sac")
+    cls = algorithm_class("sac")
     update = cls.train
 
     def watched(self, *args, **kwargs):
@@ -323,7 +323,7 @@ def test_resumed_training_takes_over_the_weight_of_the_entropy(tmp_path):
     parent = Parent.load(run)
     model, _ = model_of("sac", learning_rate=1e-2)
     assert model.log_ent_coef.item() == 0.0
-    model.go_on_from(parent)
+    go_on_from(model, parent)
     assert model.log_ent_coef.item() < -0.02, "Adam moved it by the learning rate in each of 16 gradient steps"
     assert model.num_timesteps == 320
     exported = export_policy(model, TaskConfig.from_dict(parent.config.task), "elu", {})

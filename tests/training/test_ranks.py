@@ -19,7 +19,7 @@ from quadruped_env.training.distributed import torchrun
 from quadruped_env.training.distributed.group import DifferentWeightsError, Group, checksum, flat, unflatten
 from quadruped_env.training.distributed.job import Job
 from quadruped_env.training.distributed.launch import launch
-from quadruped_env.training.distributed.model import moments, normalized
+from quadruped_env.training.distributed.model import DistributedPPO, moments, normalized
 from quadruped_env.training.models import make_model
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run import CONFIG_FILE
@@ -27,6 +27,10 @@ from quadruped_env.training.statistics import StepStatistics
 
 RANKS = 2
 BUFFERS = ("observations", "actions", "rewards", "returns", "values", "log_probs", "advantages", "episode_starts")
+
+
+def prepare(config, group):
+    return ppo.prepare(config, None, None, group, kind=DistributedPPO.on(group))
 
 
 def weights(model):
@@ -44,7 +48,7 @@ def collected(config):
 
 def share_of(model, config, group):
     """A rank's model with the weights of a plain model, and its share of that one's rollout."""
-    own = ppo.prepare(config, None, None, group)[3]
+    own = prepare(config, group)[3]
     own._setup_learn(STEPS)
     own.set_logger(configure(None, []))
     unflatten(weights(model), own.policy.parameters())
@@ -93,7 +97,13 @@ def test_advantages_are_normalized_over_the_shares_of_all_ranks():
 def test_one_rank_gives_the_bits_of_plain_training(run, tmp_path):
     config = Parent.load(run).config
     asked = launch(Job(dataclasses.replace(config, ranks=1, task={}), tmp_path / "asked", "test"))[0]
-    forced = ppo.train(dataclasses.replace(config, task={}), tmp_path / "forced", "test", group=Group())[0]
+    forced = ppo.train(
+        dataclasses.replace(config, task={}),
+        tmp_path / "forced",
+        "test",
+        group=Group(),
+        kind=DistributedPPO.on(Group()),
+    )[0]
     expected = (run / "policy.safetensors").read_bytes()
     assert (asked / "policy.safetensors").read_bytes() == expected
     assert (forced / "policy.safetensors").read_bytes() == expected, "also by the model for several ranks"
@@ -102,7 +112,7 @@ def test_one_rank_gives_the_bits_of_plain_training(run, tmp_path):
 def test_envs_of_the_ranks_are_those_of_one_rank():
     config = TrainConfig(**SMALL | {"seed": 5, "ranks": 2})
     whole = make_model(config, make_sb3_vec_env(config.num_envs, seed=config.seed)).env.reset()
-    shares = on_ranks(2, lambda group: ppo.prepare(config, None, None, group)[3].env.reset())
+    shares = on_ranks(2, lambda group: prepare(config, group)[3].env.reset())
     np.testing.assert_array_equal(np.concatenate(shares), whole)
     assert len(np.unique(whole, axis=0)) == len(whole)
 
@@ -111,7 +121,7 @@ def test_ranks_begin_with_the_same_weights_also_if_they_draw_different_ones():
     def begin(group):
         # As CPUs of two types do, whose linear algebra rounds differently.
         config = TrainConfig(**SMALL | {"seed": group.rank, "ranks": 2})
-        return weights(ppo.prepare(config, None, None, group)[3])
+        return weights(prepare(config, group)[3])
 
     one, other = on_ranks(2, begin)
     assert torch.equal(one, other)
@@ -164,8 +174,8 @@ def test_weights_are_compared_after_every_update():
 class Recorded(StepStatistics):
     """Statistics that keep what this rank had before the exchange, and may be stopped after some rollouts."""
 
-    def __init__(self, group, rollouts):
-        super().__init__(group)
+    def __init__(self, config, group, rollouts):
+        super().__init__(config, group)
         self.own, self.shared, self.rollouts = [], [], rollouts
 
     def _on_rollout_end(self):
@@ -173,7 +183,7 @@ class Recorded(StepStatistics):
         self.stopped = len(self.own) == self.rollouts
         super()._on_rollout_end()
         self.shared.append((np.concatenate([np.ravel(part) for part in self.sums]), self.mean_levels()))
-        self.steps, self.budget_left = self.num_timesteps, self.model.agreed_budget_left
+        self.steps, self.budget_left = self.num_timesteps, self.schedule.left
         self.tiles = self._task.tiles
         self._clear()
 
@@ -184,10 +194,10 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     config = TrainConfig(**SMALL | {"ranks": 2, "timesteps": 50 * STEPS, "n_steps": 40, "task": task})
 
     def run(group):
-        _, _, _, model = ppo.prepare(config, None, None, group)
+        _, _, _, model = prepare(config, group)
         model.set_logger(configure(None, []))
         # Rank 1 alone is asked to stop.
-        found = Recorded(group, 3 if group.rank else 99)
+        found = Recorded(config, group, 3 if group.rank else 99)
         ppo.learn(config, model, found, fresh=True)
         return found
 
@@ -216,8 +226,8 @@ def test_rank_0_alone_learns_the_reflex(tmp_path, monkeypatch):
 
     def run(group):
         if group.rank:
-            return ppo.follow(config, None, None, group)
-        return ppo.train(config, tmp_path, "test", group=group)
+            return ppo.follow(config, None, None, group, DistributedPPO.on(group))
+        return ppo.train(config, tmp_path, "test", group=group, kind=DistributedPPO.on(group))
 
     (_, finished), _ = on_ranks(2, run)
     assert finished

@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
+from stable_baselines3 import PPO
 from trainings import ENDLESS, STEPS, TINY, assert_complete, command, learn, progress, running, scalars, train
 from waiting import wait_until
 
@@ -153,13 +154,9 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
 
 
 def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
-    from quadruped_env.training.fast_ppo import FastPPO
-    from quadruped_env.training.models import native
-
-    ppo = native("ppo")
 
     seen = []
-    collect, update = FastPPO.collect_rollouts, ppo.train
+    collect, update = PPO.collect_rollouts, PPO.train
 
     def watched_collect(self, *args, **kwargs):
         seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
@@ -169,8 +166,8 @@ def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_pare
         update(self)
         seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
 
-    monkeypatch.setattr(FastPPO, "collect_rollouts", watched_collect)
-    monkeypatch.setattr(ppo, "train", watched_update)
+    monkeypatch.setattr(PPO, "collect_rollouts", watched_collect)
+    monkeypatch.setattr(PPO, "train", watched_update)
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
     directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
@@ -218,12 +215,12 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
 
 def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.models import export_policy, make_model
+    from quadruped_env.training.models import export_policy, go_on_from, make_model
 
     parent = Parent.load(run)
     env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
     model = make_model(parent.config, env)
-    model.go_on_from(parent)
+    go_on_from(model, parent)
     exported = export_policy(model, env.task.config, "elu", {})
     for one, other in zip(exported.weights, load_policy(run).weights, strict=True):
         np.testing.assert_array_equal(one, other)

@@ -141,9 +141,11 @@ def _prepared(group: Any, **settings: Any) -> tuple[Any, Any]:
     from quadruped_env.robot import MINI_QUADRUPED
     from quadruped_env.training import ppo
     from quadruped_env.training.config import TrainConfig
+    from quadruped_env.training.distributed.model import DistributedPPO
 
     config = TrainConfig(**with_recipe({"ranks": group.ranks, **settings}, MINI_QUADRUPED, ()))
-    _, _, _, model = ppo.prepare(config, None, None, group)
+    kind = DistributedPPO.on(group) if group.ranks > 1 else None
+    _, _, _, model = ppo.prepare(config, None, None, group, kind=kind)
     model.set_logger(Logger(None, []))
     return config, model
 
@@ -231,6 +233,7 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
             self._next, self._learned, self._resumed = every, 0.0, time.perf_counter()
 
         def _on_rollout_start(self) -> None:
+            super()._on_rollout_start()
             if group.rank or self.stopped or self.num_timesteps < self._next:
                 return
             self._next += every
@@ -242,7 +245,7 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
                 self.stopped = True
             self._resumed = time.perf_counter()
 
-    ppo.learn(config, model, Watch(group), fresh=True)
+    ppo.learn(config, model, Watch(config, group), fresh=True)
     return result
 
 

@@ -4,6 +4,7 @@ import sys
 import warnings
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training import ppo
@@ -15,6 +16,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWar
 from quadruped_env.program import end_with_parent
 from quadruped_env.training.distributed.group import DifferentWeightsError, Group, RankLostError, on_this_machine
 from quadruped_env.training.distributed.job import Job, Report, read_process, write_plain
+from quadruped_env.training.distributed.model import DistributedPPO
 
 
 def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
@@ -34,22 +36,18 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
     """
     # Of updates of a training with Warp; on the CPU, `make_model` sets one.
     torch.set_num_threads(group.threads)
-    trainer = _trainer(job.config.device)
+    trainer: ModuleType = ppo
+    own: dict[str, Any] = {"group": group}
+    if job.config.device == "cpu":
+        own["kind"] = DistributedPPO.on(group)
+    else:
+        from quadruped_env.training import warp as trainer
     if group.rank == 0:
         print(job.description(group.threads), flush=True)
-        result: tuple[Path, bool] = trainer.train(job.config, job.runs, job.command, job.resume, job.task_file, group)
+        result: tuple[Path, bool] = trainer.train(job.config, job.runs, job.command, job.resume, job.task_file, **own)
         return result
-    trainer.follow(job.config, job.resume, job.task_file, group)
+    trainer.follow(job.config, job.resume, job.task_file, **own)
     return None
-
-
-def _trainer(device: str) -> ModuleType:
-    """The module that trains on a device."""
-    if device == "cpu":
-        return ppo
-    from quadruped_env.training import warp
-
-    return warp
 
 
 def main() -> int:
