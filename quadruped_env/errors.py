@@ -5,7 +5,7 @@ import reprlib
 from collections.abc import Iterable
 from typing import Final
 
-from quadruped_env._python import install_command
+from quadruped_env.utils.interpreter import install_command
 
 MAX_MESSAGE: Final = 700
 """Maximum length of an error message, characters: a file may hold megabytes."""

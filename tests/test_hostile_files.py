@@ -21,24 +21,24 @@ from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.train import task_change
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, load_policy, shipped_directory
-from quadruped_env.documents import MAX_BYTES, MAX_DEPTH, parse_json, read_json, read_toml
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.suite.aggregate import aggregate
 from quadruped_env.evaluation.suite.references import read_references
 from quadruped_env.evaluation.suite.suite import ranked, read_results
+from quadruped_env.export.evaluation_results import evaluation_of
 from quadruped_env.export.folder import check_output
 from quadruped_env.export.manifest import FORMAT
-from quadruped_env.export.results import evaluation_of
 from quadruped_env.replay.motors_file import read_motors
-from quadruped_env.reporting.plots.learning import read_progress
-from quadruped_env.sim2sim import results as sim2sim
-from quadruped_env.sweep.space import read_space
+from quadruped_env.reporting.plots.learning_plots import read_progress
+from quadruped_env.scale.sweep.search_space import read_space
+from quadruped_env.sim2sim import transfer_results as sim2sim
 from quadruped_env.task import TaskConfig, load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.trajectory import ColumnMap, JointMap
+from quadruped_env.utils.documents import MAX_BYTES, MAX_DEPTH, parse_json, read_json, read_toml
 
 ECHO = (
     "header:\n  stamp:\n    sec: 1\n    nanosec: 0\n  frame_id: ''\nname:\n- a\nposition:\n- 0.5\nvelocity: []\n"
@@ -198,27 +198,27 @@ READ_BY = {
     "cli/train.py": ("task",),
     "control/policy.py": ("policy", "tensors"),
     "control/task_file.py": ("terms",),
-    "documents.py": JSON,
+    "utils/documents.py": JSON,
     "evaluation/subject.py": ("recipe",),
     "evaluation/suite/references.py": ("references",),
     "evaluation/suite/suite.py": ("suite",),
     "export/folder.py": ("export",),
-    "export/results.py": ("metrics",),
-    "files.py": "a file that it has just written",
-    "provenance.py": "/proc/cpuinfo",
+    "export/evaluation_results.py": ("metrics",),
+    "utils/files.py": "a file that it has just written",
+    "utils/provenance.py": "/proc/cpuinfo",
     "replay/motors_file.py": ("motors",),
-    "reporting/plots/learning.py": ("progress",),
+    "reporting/plots/learning_plots.py": ("progress",),
     "robot/description.py": "a file in place of a robot: tests/robot/test_description.py",
-    "sim2sim/results.py": ("second engine",),
+    "sim2sim/transfer_results.py": ("second engine",),
     "simulation/model.py": "a file of this package",
-    "sweep/definition.py": ("terms",),
-    "sweep/records.py": ("sweep", "trial", "result", "scores"),
-    "sweep/space.py": ("space", "space as JSON"),
-    "training/distributed/job.py": "a file of its own process",
-    "training/distributed/processes.py": "a file of its own process",
-    "training/models.py": "the network of a run: tests/training/test_resume.py",
+    "scale/sweep/sweep_definition.py": ("terms",),
+    "scale/sweep/sweep_records.py": ("sweep", "trial", "result", "scores"),
+    "scale/sweep/search_space.py": ("space", "space as JSON"),
+    "scale/ranks/job.py": "a file of its own process",
+    "scale/ranks/processes.py": "a file of its own process",
+    "training/sb3_models.py": "the network of a run: tests/training/test_resume.py",
     "training/resume.py": ("config", "curve"),
-    "training/warp.py": "the network of a run: tests/training/test_warp_training.py",
+    "scale/gpu/warp_training.py": "the network of a run: tests/training/test_warp_training.py",
     "trajectory/formats/bag_reader.py": ("metadata", "storage"),
     "trajectory/formats/bag_writer.py": "a file that it has just written",
     "trajectory/formats/delimited.py": ("recording", "table"),

@@ -23,7 +23,6 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 import numpy as np
 
-from quadruped_env._python import pasteable
 from quadruped_env.control import CommandedGaitController, Controller
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import evaluation_task
@@ -31,10 +30,11 @@ from quadruped_env.evaluation.metrics import measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.program import run_program
 from quadruped_env.sim2sim import Drake, MuJoCo
 from quadruped_env.sim2sim.engines import check_drake
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
 
 COMMANDS: Final = ((0.2, 0.0), (0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
 """Forward velocity in m/s and yaw rate in rad/s."""

@@ -22,14 +22,14 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._python import pasteable
 from quadruped_env.evaluation.metrics import cost_of_transport
-from quadruped_env.files import write_json
 from quadruped_env.gait import LEG_PHASES, CommandedGait
-from quadruped_env.program import run_program
 from quadruped_env.training.gait_styles import STYLES, Judge
 from quadruped_env.training.gait_trial import ROBOT, Achieved
 from quadruped_env.training.gait_tuning import Found, search
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
 
 _SPREADS: Final = (0.08, 0.05, 0.03)
 """Standard deviations with which the searches of a row begin, each from the result of the one before."""

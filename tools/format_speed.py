@@ -9,8 +9,8 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.format_speed import measure_formats
 from benchmarks.measures import write
-from quadruped_env.program import run_program
-from quadruped_env.provenance import machine, versions
+from quadruped_env.utils.program import run_program
+from quadruped_env.utils.provenance import machine, versions
 
 
 def main() -> int:

@@ -8,9 +8,9 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
-from quadruped_env.files import write_json
-from quadruped_env.program import run_program
-from quadruped_env.provenance import machine, versions
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.program import run_program
+from quadruped_env.utils.provenance import machine, versions
 
 
 def main() -> int:

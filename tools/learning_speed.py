@@ -10,10 +10,10 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env.cli.train import json_object
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.files import write_json
-from quadruped_env.program import run_program
-from quadruped_env.provenance import machine, versions
 from quadruped_env.training import TrainConfig
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.program import run_program
+from quadruped_env.utils.provenance import machine, versions
 
 
 def main() -> int:
@@ -53,7 +53,7 @@ def main() -> int:
 
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
-    import quadruped_env.training.ppo  # noqa: F401  (it names the extra that is missing)
+    import quadruped_env.training.train  # noqa: F401  (it names the extra that is missing)
     from benchmarks.learning_speed import summary, time_to_walk
 
     def say(line: str) -> None:

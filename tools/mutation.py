@@ -27,11 +27,11 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 sys.path.append(str(Path(__file__).parents[1] / ".cosmic-ray"))  # last: what .venv has is used from there
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
-from quadruped_env._python import pasteable
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
-from quadruped_env.files import write_json
-from quadruped_env.program import run_program
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
 
 if TYPE_CHECKING:
     from mutation_testing.places import Mutant

@@ -11,14 +11,14 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 import numpy as np
 
-from quadruped_env._python import pasteable
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.clock import frequency_at
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.program import run_program
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import prepare_video, save_film
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
 
 START, STRIDES = 3.0, 6
 """Time after which the gait is steady, s, and number of strides in the loop."""

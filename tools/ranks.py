@@ -21,11 +21,11 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 import numpy as np
 
-from quadruped_env._python import pasteable
-from quadruped_env.documents import read_json
-from quadruped_env.files import write_json
-from quadruped_env.program import run_program
-from quadruped_env.provenance import machine, versions
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
+from quadruped_env.utils.provenance import machine, versions
 
 
 def main() -> int:
@@ -59,7 +59,7 @@ def main() -> int:
 
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
-    import quadruped_env.training.ppo  # noqa: F401  (it names the extra that is missing)
+    import quadruped_env.training.train  # noqa: F401  (it names the extra that is missing)
 
     document: dict[str, Any] = read_json(arguments.output, "remove it") if arguments.output.is_file() else {}
     document |= {"machine": machine(), "versions": versions()}

@@ -29,22 +29,22 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 import numpy as np
 
 from benchmarks.shipping import disturbed
-from quadruped_env._python import pasteable
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
 from quadruped_env.evaluation.subject import Subject, find_subject
-from quadruped_env.evaluation.suite import gait as suite_gait
+from quadruped_env.evaluation.suite import gait_measures as suite_gait
 from quadruped_env.evaluation.suite import terrains
-from quadruped_env.evaluation.suite.contender import Contender, mean_velocities
-from quadruped_env.evaluation.suite.definition import full_suite
-from quadruped_env.files import write_whole
-from quadruped_env.program import run_program
-from quadruped_env.progress import Progress
-from quadruped_env.reporting.plots.learning import read_progress
-from quadruped_env.reporting.plots.recipes import recipe_curves
-from quadruped_env.simulation.terrain import HIGHEST, STEEPEST
+from quadruped_env.evaluation.suite.measured_controller import Contender, mean_velocities
+from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.reporting.plots.learning_plots import read_progress
+from quadruped_env.reporting.plots.recipe_plots import recipe_curves
+from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
+from quadruped_env.utils.files import write_whole
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import Progress
 
 STRAIGHT_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
 TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))

@@ -18,19 +18,19 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, without_suite
-from quadruped_env._python import pasteable
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.contender import reference_contenders
-from quadruped_env.evaluation.suite.definition import Suite, full_suite, quick_suite
+from quadruped_env.evaluation.suite.measured_controller import reference_contenders
 from quadruped_env.evaluation.suite.references import REFERENCE_FILE, read_references, reference_row, score_table
 from quadruped_env.evaluation.suite.suite import check_comparable, read_results, run_suite
-from quadruped_env.files import write_json
+from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.program import run_program
-from quadruped_env.provenance import git_commit, versions
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
+from quadruped_env.utils.provenance import git_commit, versions
 
 
 def main() -> int:

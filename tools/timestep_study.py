@@ -17,12 +17,12 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.timestep_study import GAITS, run_study
-from quadruped_env._python import pasteable
-from quadruped_env.cli.options import add_output, add_overwrite
-from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.files import check_free, free_path
+from quadruped_env.cli.common_options import add_output, add_overwrite
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.gait import PRESETS
-from quadruped_env.program import run_program
+from quadruped_env.utils.files import check_free, free_path
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
 
 
 def main() -> int:

@@ -13,8 +13,7 @@ or a bag for `ros2 bag play` (-o walk_bag), and next to it a JSON file of the me
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import (
+from quadruped_env.cli.common_options import (
     NEXT_FREE,
     add_output,
     add_overwrite,
@@ -23,10 +22,11 @@ from quadruped_env.cli.options import (
     add_video,
     named_terrain,
 )
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
-from quadruped_env.files import free_path
 from quadruped_env.gait import PRESETS
+from quadruped_env.utils.files import free_path
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -9,9 +9,7 @@ import argparse
 import shlex
 from pathlib import Path
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.evaluate import print_results
-from quadruped_env.cli.options import (
+from quadruped_env.cli.common_options import (
     NEXT_FREE,
     SHIPPED_POLICIES,
     add_evaluation_options,
@@ -20,8 +18,10 @@ from quadruped_env.cli.options import (
     task_option,
     terrain_option,
 )
-from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.files import free_path
+from quadruped_env.cli.evaluate import print_results
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.utils.files import free_path
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.pages.page import summary_table
     from quadruped_env.reporting.pages.run_comparison import films, find_subjects, headline, write_comparison
     from quadruped_env.reporting.pages.suite_section import ranking, ranking_in_words
-    from quadruped_env.reporting.results import prepare_output
+    from quadruped_env.reporting.report_directory import prepare_output
 
     output = arguments.output or free_path(Path("results", "comparison"))
     subjects = find_subjects(arguments.runs, output, arguments.task, arguments.trust_task)

@@ -15,12 +15,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from quadruped_env._python import COMMAND
-from quadruped_env.cli.commands import Invocation
+from quadruped_env.cli.invocation import Invocation
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.gait import PRESETS
-from quadruped_env.program import HelpAll
 from quadruped_env.simulation import TERRAINS
+from quadruped_env.utils.interpreter import COMMAND
+from quadruped_env.utils.program import HelpAll
 
 SHELLS: Final = ("bash", "zsh", "fish")
 _WORDS: Final = {

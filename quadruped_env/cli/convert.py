@@ -20,15 +20,15 @@ Recordings of any length need little memory, unless --sort, --rate, --start, --s
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_overwrite, add_robot_file
-from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.cli.reading import add_reading_options, reading_options
+from quadruped_env.cli.common_options import add_output, add_overwrite, add_robot_file
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.cli.reading_options import add_reading_options, reading_options
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.convert import convert
-from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.file_conversion import convert
+from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
 
 

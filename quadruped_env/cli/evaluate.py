@@ -12,8 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import (
+from quadruped_env.cli.common_options import (
     add_evaluation_options,
     add_run,
     named_terrain,
@@ -21,7 +20,8 @@ from quadruped_env.cli.options import (
     task_option,
     terrain_option,
 )
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.pages.evaluation_report import write_report
     from quadruped_env.reporting.pages.page import summary_table
     from quadruped_env.reporting.pages.pictures import filmed
-    from quadruped_env.reporting.results import prepare_output
+    from quadruped_env.reporting.report_directory import prepare_output
 
     if arguments.quick and not arguments.suite:
         raise QuadrupedError("--quick: found without --suite; it makes the suite shorter, so give both")
@@ -94,9 +94,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 def _suite(subject: "Subject", quick: bool) -> dict[str, Any]:
     """Run the suite."""
-    from quadruped_env.evaluation.suite.contender import Contender
-    from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
+    from quadruped_env.evaluation.suite.measured_controller import Contender
     from quadruped_env.evaluation.suite.suite import episode_seconds, run_suite
+    from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 
     suite = quick_suite() if quick else full_suite()
     print(f"{suite.label}: up to {sum(episode_seconds(suite).values()) / 3600.0:.1f} hours of simulated time")

@@ -12,9 +12,9 @@ the policy on ONNX Runtime first. Nothing is uploaded.
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_overwrite, add_run, add_task_file
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.common_options import add_output, add_overwrite, add_run, add_task_file
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -5,9 +5,9 @@ import sys
 from collections.abc import Sequence
 
 from quadruped_env import __version__
-from quadruped_env._python import COMMAND, pasteable
-from quadruped_env.cli.commands import SUMMARIES, Invocation, command_module, describe
-from quadruped_env.program import ArgumentParser, HelpFormatter, run_program
+from quadruped_env.cli.invocation import SUMMARIES, Invocation, command_module, describe
+from quadruped_env.utils.interpreter import COMMAND, pasteable
+from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = """\
 A four-legged robot that learns to walk: train it, evaluate it, watch it, record it, and run it on ROS 2 topics.

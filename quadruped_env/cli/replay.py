@@ -24,8 +24,7 @@ time, the start included.
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import (
+from quadruped_env.cli.common_options import (
     NEXT_FREE,
     add_output,
     add_overwrite,
@@ -34,11 +33,12 @@ from quadruped_env.cli.options import (
     add_video,
     named_terrain,
 )
-from quadruped_env.cli.progress import ProgressLine
-from quadruped_env.cli.reading import add_reading_options, load_with
-from quadruped_env.files import check_free, free_path
-from quadruped_env.program import shorten_help
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.cli.reading_options import add_reading_options, load_with
 from quadruped_env.replay.replay import MODES
+from quadruped_env.utils.files import check_free, free_path
+from quadruped_env.utils.program import shorten_help
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

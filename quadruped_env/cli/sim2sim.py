@@ -12,9 +12,9 @@ next report of 'evaluate' shows them, too.
 import argparse
 from typing import get_args
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output, add_run, add_task_file, task_option
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.common_options import add_output, add_run, add_task_file, task_option
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.sim2sim.contact import Approximation
 from quadruped_env.sim2sim.engines import Drake
 from quadruped_env.sim2sim.transfer import NUM_SEEDS, SECONDS
@@ -57,7 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run both engines, write the results, and print them."""
     from quadruped_env.evaluation.subject import find_subject
-    from quadruped_env.sim2sim import results
+    from quadruped_env.sim2sim import transfer_results
     from quadruped_env.sim2sim.engines import check_drake
     from quadruped_env.sim2sim.transfer import COMMANDS, run_transfer
 
@@ -72,9 +72,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         there=Drake(arguments.contact, friction=arguments.friction),
         progress=ProgressLine("running"),
     )
-    path = results.save(transfer, subject, f"{invocation.program} {subject.source} {_options(arguments)}")
-    print("\n\n".join(table.text() for table in results.tables(transfer)))
-    print("\n" + "\n".join([*results.conditions(transfer), "", *results.verdict(transfer)]))
+    path = transfer_results.save(transfer, subject, f"{invocation.program} {subject.source} {_options(arguments)}")
+    print("\n\n".join(table.text() for table in transfer_results.tables(transfer)))
+    print("\n" + "\n".join([*transfer_results.conditions(transfer), "", *transfer_results.verdict(transfer)]))
     print(f"\nnumbers: {path}")
     return 0
 

@@ -16,18 +16,18 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env._plain import plain
-from quadruped_env._python import program_command
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output
+from quadruped_env.cli.common_options import add_output
+from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.train import add_settings, typed_settings, with_recipe
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.program import INTERRUPTED_STATUS, shorten_help
-from quadruped_env.sweep.definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
-from quadruped_env.sweep.records import SweepFolder
-from quadruped_env.sweep.space import Dimension, parse_dimension, read_space
+from quadruped_env.scale.sweep.search_space import Dimension, parse_dimension, read_space
+from quadruped_env.scale.sweep.sweep_definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
+from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
+from quadruped_env.utils.interpreter import program_command
+from quadruped_env.utils.plain import plain
+from quadruped_env.utils.program import INTERRUPTED_STATUS, shorten_help
 
 SWEEPS: Final = Path("sweeps")
 """Default directory of the sweeps."""
@@ -114,10 +114,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.sweep.cluster import check_installed
-    from quadruped_env.sweep.results import collect, table, write
-    from quadruped_env.sweep.trial import cores
-    from quadruped_env.training.distributed.ray_address import check_answers
+    from quadruped_env.scale.ranks.ray_address import check_answers
+    from quadruped_env.scale.sweep.cluster import check_installed
+    from quadruped_env.scale.sweep.sweep_results import collect, table, write
+    from quadruped_env.scale.sweep.trial import cores
 
     here = cores() if arguments.cores is None else arguments.cores
     if here < 1:
@@ -138,7 +138,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         folder = SweepFolder.open(arguments.resume)
     print(f"{describe(config)} -> {folder.path}", flush=True)
 
-    from quadruped_env.sweep.driver import run_sweep
+    from quadruped_env.scale.sweep.sweep_driver import run_sweep
 
     complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
     results = collect(folder, invocation.line)

@@ -19,33 +19,33 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, get_args
 
-from quadruped_env._python import module_command, program_command
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import (
+from quadruped_env.cli.common_options import (
     add_output,
     add_randomization,
     add_terrain,
     add_trust_task,
     check_level_has_terrain,
 )
-from quadruped_env.control.config import ACTION_MODES
+from quadruped_env.cli.invocation import Invocation
+from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.control.policy import CARD_FILE, kept_file
-from quadruped_env.documents import read_json
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import kept_definition
-from quadruped_env.program import shorten_help
 from quadruped_env.robot import Robot
 from quadruped_env.robot.description import check_no_description
+from quadruped_env.scale.ranks import torchrun
+from quadruped_env.scale.ranks.job import Job
+from quadruped_env.scale.ranks.training_launch import LAUNCHERS, launch
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
-from quadruped_env.task.presets import PRESET
+from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, check_used
-from quadruped_env.training.config import GPU_DEFAULTS, defaults, on_gpu, possible_on
-from quadruped_env.training.distributed import torchrun
-from quadruped_env.training.distributed.job import Job
-from quadruped_env.training.distributed.launch import LAUNCHERS, launch
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
+from quadruped_env.training.train_config import GPU_DEFAULTS, defaults, on_gpu, possible_on
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.interpreter import module_command, program_command
+from quadruped_env.utils.program import shorten_help
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
@@ -155,7 +155,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
                 print(f"note: {difference}", flush=True)
     check_used(config.algo, typed)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
-    from quadruped_env.training.config import shortness
+    from quadruped_env.training.train_config import shortness
 
     job = Job(config, runs, invocation.line, resume, task_file)
     result = launch(job, here, arguments.launcher, arguments.address)

@@ -2,8 +2,8 @@
 
 They are the tables of the `tuned`, `crouched`, `low` or `fast` gait over forward velocity, with what a yaw rate adds,
 and with `tuned` the presets trot, walk, bound and pace. Writes the numbers that belong in
-quadruped_env/gait/presets.py, and prints the velocities that the gait reaches. Takes half an hour on two idle cores,
-`tuned` more than an hour.
+quadruped_env/gait/gait_presets.py, and prints the velocities that the gait reaches. Takes half an hour on two idle
+cores, `tuned` more than an hour.
 """
 
 import argparse
@@ -11,8 +11,8 @@ import math
 from pathlib import Path
 from typing import Any
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import add_output
+from quadruped_env.cli.common_options import add_output
+from quadruped_env.cli.invocation import Invocation
 from quadruped_env.gait import COMMANDED
 
 
@@ -44,12 +44,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Search, and print and write what was found."""
-    from quadruped_env.files import write_json
     from quadruped_env.gait import CommandedGait
     from quadruped_env.training.gait_sensitivity import sensitivity_table
     from quadruped_env.training.gait_styles import STYLES
     from quadruped_env.training.gait_trial import ROBOT
     from quadruped_env.training.gait_tuning import achieved_table, tune_commanded_gait, tune_presets
+    from quadruped_env.utils.files import write_json
 
     def log(line: str) -> None:
         print(line, flush=True)

@@ -12,8 +12,7 @@ Ctrl-C ends it.
 import argparse
 import signal
 
-from quadruped_env.cli.commands import Invocation
-from quadruped_env.cli.options import (
+from quadruped_env.cli.common_options import (
     SHIPPED_POLICIES,
     add_output,
     add_randomization,
@@ -21,6 +20,7 @@ from quadruped_env.cli.options import (
     add_terrain,
     named_terrain,
 )
+from quadruped_env.cli.invocation import Invocation
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
 

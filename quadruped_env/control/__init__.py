@@ -1,7 +1,8 @@
 """Control in training and on a real robot: observations from readings, and joint targets from observations."""
 
 from quadruped_env.control.clock import CommandedFrequency
-from quadruped_env.control.config import ActionConfig, Command, ControlConfig
+from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.controllers import (
     CommandedGaitController,
     Controller,
@@ -10,7 +11,6 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout, observation
 
 __all__ = [

@@ -7,14 +7,14 @@ from typing import Final
 
 from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
-from quadruped_env.control.loop import LoopController
 from quadruped_env.control.policy import CARD_FILE, LIVE_POLICY, SHIPPED, Policy, load_policy, training_advice
+from quadruped_env.control.recording_loop import LoopController
 from quadruped_env.errors import QuadrupedError, did_you_mean
-from quadruped_env.files import shown_path
 from quadruped_env.gait import PRESETS
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.files import shown_path
 
 RUNS: Final = Path("runs")
 MAX_RUNS: Final = 12

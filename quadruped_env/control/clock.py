@@ -8,9 +8,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import PlainFields, plain
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import LARGEST, SMALLEST, is_quantity
+from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
+from quadruped_env.utils.plain import PlainFields, plain
 
 Floats = NDArray[np.float64]
 

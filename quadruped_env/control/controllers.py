@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.clock import CommandedFrequency
-from quadruped_env.control.config import ControlConfig
-from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.policy import Policy
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.robot.robot import Robot, check_same_robot

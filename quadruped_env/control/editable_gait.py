@@ -7,9 +7,9 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.gait import COMMANDED, CommandedGait, SinusoidalGait
-from quadruped_env.gait.settings import GaitSettings, edited
+from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.robot.robot import Robot
 
 

@@ -18,20 +18,20 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.controllers import Controller, PolicyController
-from quadruped_env.control.interface import ControlInterface
 from quadruped_env.control.joint_command import LIMP, Target, limited
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.timestamp_filter import TimestampFilter
 from quadruped_env.control.velocity_command import VELOCITY, out_of_range
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.readings import Readings
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.rotations import rotate_inverse
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.rotations import rotate_inverse
 
 _ENV_IDS: Final = np.zeros(1, dtype=np.intp)
 _MAX_RAMP_STEPS: Final = 2.5

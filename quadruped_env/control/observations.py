@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.readings import Readings
+from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 
 Floats = NDArray[np.float64]

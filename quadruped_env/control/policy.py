@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load, save
 
-from quadruped_env._python import program_command
-from quadruped_env.control.config import COMMANDS, ActionConfig, Command, ControlConfig
+from quadruped_env.control.control_config import COMMANDS, ActionConfig, Command, ControlConfig
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.task_file import (
     KEPT_FILE,
@@ -29,13 +28,14 @@ from quadruped_env.control.task_file import (
     recorded_terms,
     robot_in,
 )
-from quadruped_env.documents import check_regular, read_json
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, did_you_mean, short
-from quadruped_env.files import write_whole
-from quadruped_env.provenance import TERRAIN_FILE, TaskFile
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.utils.documents import check_regular, read_json
+from quadruped_env.utils.files import write_whole
+from quadruped_env.utils.interpreter import program_command
+from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
 FORMAT_VERSION: Final = 1
 TENSORS_FILE: Final = "policy.safetensors"

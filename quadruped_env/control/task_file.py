@@ -12,13 +12,13 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Final, TypeVar
 
-from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.provenance import TaskFile
 from quadruped_env.robot.description import description_problem
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.documents import check_regular
+from quadruped_env.utils.provenance import TaskFile
 
 Term = TypeVar("Term")
 

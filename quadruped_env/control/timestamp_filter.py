@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 MAX_AGE: Final = 0.2
 """Maximum lag above the minimum lag, s."""

@@ -6,7 +6,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.config import Command
+from quadruped_env.control.control_config import Command
 from quadruped_env.errors import QuadrupedError
 
 VELOCITY: Final = 2

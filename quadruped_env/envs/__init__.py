@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING, Any
 import gymnasium
 
 from quadruped_env.envs import arguments
-from quadruped_env.envs.rough import ROUGH_CONFIG, MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
+from quadruped_env.envs.rough_envs import ROUGH_CONFIG, MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
 from quadruped_env.envs.single import MiniQuadrupedEnv
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
-from quadruped_env.task.tile_assignment import EPISODE_SECONDS
+from quadruped_env.task.randomization.tile_assignment import EPISODE_SECONDS
 
 if TYPE_CHECKING:
     from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
@@ -36,7 +36,7 @@ def register() -> None:
     """Register the environments for `gymnasium.make` and `make_vec`; `import quadruped_env` calls this."""
     for env_id, single, vector in (
         (ENV_ID, "single:MiniQuadrupedEnv", "vector:MiniQuadrupedVectorEnv"),
-        (ROUGH_ENV_ID, "rough:MiniQuadrupedRoughEnv", "rough:MiniQuadrupedRoughVectorEnv"),
+        (ROUGH_ENV_ID, "rough_envs:MiniQuadrupedRoughEnv", "rough_envs:MiniQuadrupedRoughVectorEnv"),
     ):
         if env_id not in gymnasium.registry:
             gymnasium.register(

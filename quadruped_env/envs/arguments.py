@@ -10,13 +10,13 @@ import numpy as np
 from gymnasium.vector import AutoresetMode
 from numpy.typing import NDArray
 
-from quadruped_env._plain import whole_number
 from quadruped_env.control.velocity_command import check_command
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.definition import BUILT_IN, load_task_file
+from quadruped_env.task.task_definition import BUILT_IN, load_task_file
+from quadruped_env.utils.plain import whole_number
 
 RENDER_MODES: Final = ("human", "rgb_array")
 

@@ -11,8 +11,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._opengl import has_display, import_errors
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.utils.opengl import has_display, import_errors
 
 NO_OPENGL: Final = (
     "no OpenGL to render with: install a software renderer (Debian and Ubuntu: 'apt-get install libegl1 "

@@ -9,11 +9,11 @@ import numpy as np
 from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
-from quadruped_env._plain import plain
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.envs.arguments import RENDER_MODES
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
+from quadruped_env.utils.plain import plain
 
 
 def action_space(robot: Robot) -> gymnasium.Space[NDArray[np.float32]]:

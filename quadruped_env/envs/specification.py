@@ -7,8 +7,8 @@ from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import Terrain, Tiles
 from quadruped_env.task import BUILT_IN, PRESETS, RandomizationConfig, TerrainConfig
-from quadruped_env.task.built_in_randomizations import RANDOMIZATIONS
-from quadruped_env.task.randomization import is_active
+from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
+from quadruped_env.task.randomization.randomization import is_active
 
 Class = TypeVar("Class", bound=type)
 

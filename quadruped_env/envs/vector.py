@@ -13,7 +13,6 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
-from quadruped_env._plain import whole_number
 from quadruped_env.envs import arguments, spaces
 from quadruped_env.envs.info import Info
 from quadruped_env.envs.member import MemberEnv
@@ -22,6 +21,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig, Transition
+from quadruped_env.utils.plain import whole_number
 
 
 class MiniQuadrupedVectorEnv(

@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
-from quadruped_env.evaluation.episode import Recording, play, publish
 from quadruped_env.evaluation.metrics import METRICS, measure
+from quadruped_env.evaluation.recorded_episode import Recording, play, publish
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.files import check_free, write_json
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import TrajectoryController
-from quadruped_env.progress import Progress, part_of
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory, saving
+from quadruped_env.utils.files import check_free, write_json
+from quadruped_env.utils.progress import Progress, part_of
 
 SHOWN: Final = (
     "fall_rate",

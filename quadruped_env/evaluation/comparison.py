@@ -9,7 +9,7 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.config import Range
+from quadruped_env.control.control_config import Range
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
@@ -24,10 +24,10 @@ from quadruped_env.policies import (
     PolicyController,
     ZeroController,
 )
-from quadruped_env.progress import Progress, part_of
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils.progress import Progress, part_of
 
 Command = tuple[float, float]
 

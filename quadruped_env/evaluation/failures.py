@@ -10,7 +10,7 @@ from quadruped_env.evaluation.comparison import Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means, without_fall_in_words
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.verdict import VELOCITY_TOLERANCE, YAW_RATE_TOLERANCE
-from quadruped_env.rotations import tilt, up_in_body
+from quadruped_env.utils.rotations import tilt, up_in_body
 
 SHOWN: Final = 3
 _TOLERANCES: Final = np.array([VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]])

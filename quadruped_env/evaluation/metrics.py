@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.robot import Robot
-from quadruped_env.rotations import tilt, yaw
 from quadruped_env.task.quantities import electrical_power, mechanical_power
+from quadruped_env.utils.rotations import tilt, yaw
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]

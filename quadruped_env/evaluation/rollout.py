@@ -9,15 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.trace import CommandedTrace, Flag, PerLeg, PerTerm, Recorder
 from quadruped_env.policies import Controller
-from quadruped_env.progress import Progress
 from quadruped_env.robot.motors import MotorConfig
-from quadruped_env.seeds import EVALUATION_SEEDS
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import BatchSimulation, Simulation
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.task.quantities import sliding_squared
-from quadruped_env.timestamps import NS_PER_SECOND
-from quadruped_env.trace import CommandedTrace, Flag, PerLeg, PerTerm, Recorder
+from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.seeds import EVALUATION_SEEDS
 
 DEFAULT_SECONDS: Final = 20.0
 FIRST_SEED: Final = EVALUATION_SEEDS.start

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.policy import SHIPPED, finished_directory, kept_content, shipped_directory
-from quadruped_env.documents import read_json
 from quadruped_env.policies import Policy, load_policy, trained_with
-from quadruped_env.provenance import TaskFile
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, run_name
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.provenance import TaskFile
 
 LATEST_RUN: Final = Path("runs", "latest")
 _OF_THE_RUN: Final = ("seed", "name", "checkpoint_seconds")

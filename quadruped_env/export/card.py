@@ -5,7 +5,8 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
-from quadruped_env.export.interface import (
+from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
+from quadruped_env.export.onnx_interface import (
     COMMAND,
     GAIT_PHASE,
     HISTORY,
@@ -15,7 +16,6 @@ from quadruped_env.export.interface import (
     NEXT_HISTORY,
     PolicyInterface,
 )
-from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
 
 CARD_PAGE: Final = "README.md"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")

@@ -6,25 +6,25 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env._plain import plain
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import Command, compare
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.graph import policy_graph
-from quadruped_env.export.interface import PolicyInterface
+from quadruped_env.export.evaluation_results import evaluation_of
 from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, files_of, manifest
-from quadruped_env.export.results import evaluation_of
+from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
-from quadruped_env.files import unwritable, whole, write_json
 from quadruped_env.policies import Policy
-from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.reporting.pages.page import without_nan
 from quadruped_env.reporting.pages.pictures import filmed
-from quadruped_env.training.run import PROGRESS_FILE
+from quadruped_env.training.run_directory import PROGRESS_FILE
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.files import unwritable, whole, write_json
+from quadruped_env.utils.plain import plain
+from quadruped_env.utils.progress import Progress
 
 FILM_FILE: Final = "film.webp"
 FILM_SECONDS: Final = 5.0

@@ -4,16 +4,16 @@ import hashlib
 from collections.abc import Mapping
 from typing import Any, Final
 
-from quadruped_env._plain import plain
 from quadruped_env._version import __version__
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
-from quadruped_env.export.graph import OPSET
-from quadruped_env.export.interface import HISTORY, LAST_ACTION, Input, PolicyInterface
+from quadruped_env.export.onnx_graph import OPSET
+from quadruped_env.export.onnx_interface import HISTORY, LAST_ACTION, Input, PolicyInterface
 from quadruped_env.gait.gaits import WHOLE_STEPS
 from quadruped_env.policies import Policy
+from quadruped_env.utils.plain import plain
 
 MANIFEST_FILE: Final = "manifest.json"
 GRAPH_FILE: Final = "policy.onnx"

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control import observations
-from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.export.interface import (
+from quadruped_env.export.onnx_interface import (
     ACTION,
     COMMAND,
     GAIT_PHASE,

@@ -20,14 +20,22 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env._plain import plain
-from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait.presets import ARTICLE, COMMANDED, LEG_PHASES, PRESETS, TUNED_FOR_ONE_SPEED, TUNED_ON, LegTable
+from quadruped_env.gait.gait_presets import (
+    ARTICLE,
+    COMMANDED,
+    LEG_PHASES,
+    PRESETS,
+    TUNED_FOR_ONE_SPEED,
+    TUNED_ON,
+    LegTable,
+)
 from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positions
 from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import NUMPY, Namespace
+from quadruped_env.utils.plain import plain
 
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)

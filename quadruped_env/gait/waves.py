@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait.presets import LEG_PHASES, TUNED_ON
+from quadruped_env.gait.gait_presets import LEG_PHASES, TUNED_ON
 from quadruped_env.robot.corners import corners, leg_jacobians, postures_with_feet_at
 from quadruped_env.robot.robot import Robot
 

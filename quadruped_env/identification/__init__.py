@@ -6,7 +6,7 @@ recording is used for the fit; the rest is held out to validate it.
 """
 
 from quadruped_env.identification.dataset import find_commands
+from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES
 from quadruped_env.identification.identify import BASES, Identification, identify
-from quadruped_env.identification.quantities import FITTED, QUANTITIES
 
 __all__ = ["BASES", "FITTED", "QUANTITIES", "Identification", "find_commands", "identify"]

@@ -8,11 +8,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.interpreter import program_command
 
 SIGNALS: Final = ("position", "velocity", "effort")
 UNITS: Final = {"position": "rad", "velocity": "rad/s", "effort": "N m"}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.identification.dataset import Recorded
-from quadruped_env.identification.quantities import (
+from quadruped_env.identification.fitted_parameters import (
     DELAY,
     HIGHEST,
     LOWEST,
@@ -22,11 +22,11 @@ from quadruped_env.identification.quantities import (
     value_of,
     with_values,
 )
-from quadruped_env.identification.rough import derivatives, half_widths, search
+from quadruped_env.identification.rough_least_squares import derivatives, half_widths, search
 from quadruped_env.identification.spec import joint_spec
-from quadruped_env.progress import Progress
 from quadruped_env.robot import MotorConfig
 from quadruped_env.robot.motors import fill_command_history
+from quadruped_env.utils.progress import Progress
 
 _UNDETERMINED: Final = 1.0
 """Maximum half-width of a 95 % interval under white noise, relative to the value or its scale. A parameter with a wider

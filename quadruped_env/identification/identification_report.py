@@ -7,13 +7,13 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.files import check_free, write_json
 from quadruped_env.identification.dataset import UNITS
 from quadruped_env.identification.identify import NO_INTERVALS, Identification, pooled
 from quadruped_env.reporting.pages.page import circumstances, figure, write_html
 from quadruped_env.reporting.palette import BLUE, INK, ORANGE
-from quadruped_env.reporting.plots.joints import Line, joint_panels
-from quadruped_env.reporting.results import REPORT_FILE
+from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
+from quadruped_env.reporting.report_directory import REPORT_FILE
+from quadruped_env.utils.files import check_free, write_json
 
 MOTORS_FILE: Final = "motors.json"
 NUMBERS_FILE: Final = "identification.json"

@@ -12,11 +12,11 @@ from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
 from quadruped_env.identification.fit import MotorFit
-from quadruped_env.identification.quantities import FITTED, QUANTITIES, names_of, quantity, value_of
-from quadruped_env.progress import Progress
+from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.progress import Progress
 
 BASES: Final = ("fixed", "free")
 NO_INTERVALS: Final = (

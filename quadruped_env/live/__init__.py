@@ -5,8 +5,8 @@
 """
 
 from quadruped_env.live.middleware.dds import Network
-from quadruped_env.live.middleware.graph import Endpoint, Graph
 from quadruped_env.live.middleware.node import Node, Publisher, Received, Subscription
+from quadruped_env.live.middleware.ros_graph import Endpoint, Graph
 from quadruped_env.live.middleware.topics import TOPICS, Topic
 from quadruped_env.live.session import Session, add_common_arguments
 

@@ -4,10 +4,10 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from quadruped_env._python import COMMAND, pasteable
 from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
-from quadruped_env.program import ArgumentParser, HelpFormatter, run_program
+from quadruped_env.utils.interpreter import COMMAND, pasteable
+from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = "The robot on live ROS 2 topics, without a ROS installation."
 _EPILOG = """\

@@ -4,15 +4,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
-from quadruped_env._python import program_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE
-from quadruped_env.live.middleware.graph import Endpoint
 from quadruped_env.live.middleware.node import Read, Subscription
+from quadruped_env.live.middleware.ros_graph import Endpoint
 from quadruped_env.live.middleware.topics import TOPICS, Topic
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.ros import MESSAGE_TYPES, Qos
+from quadruped_env.utils.interpreter import program_command
 
 DISCOVERY: Final = 1.5
 """Time within which existing publishers are discovered, with a margin, s."""

@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.gait.gaits import limit_violations
-from quadruped_env.gait.settings import GaitSettings
-from quadruped_env.live.messages.gaits import read_settings, settings_message
-from quadruped_env.live.messages.joints import JointReader, Joints
+from quadruped_env.live.messages.gait_messages import read_settings, settings_message
+from quadruped_env.live.messages.joint_messages import JointReader, Joints
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
-from quadruped_env.rotations import rotate
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
-from quadruped_env.viewer.robot import HISTORY_SECONDS, Offered, heading, world_vector
+from quadruped_env.utils.rotations import rotate
+from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, Offered, heading, world_vector
 from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 NAME: Final = "live robot"
@@ -48,7 +48,7 @@ _MIN_NORM: Final = 1e-3
 
 
 class LiveRobot:
-    """A `quadruped_env.viewer.robot.ViewedRobot` that takes its state from topics and sends commands as messages.
+    """A `ViewedRobot` that takes its state from topics and sends commands as messages.
 
     Args:
         node: the node that subscribes, and publishes commands and pushes.

@@ -10,9 +10,9 @@ from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.live.middleware.topics import PUSH
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.rotations import from_yaw
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.simulation.push_limit import PushLimit
+from quadruped_env.utils.rotations import from_yaw
 
 TIMESTEP: Final = 0.005
 """Duration of a physics step, s."""

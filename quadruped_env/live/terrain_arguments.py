@@ -3,9 +3,9 @@
 import argparse
 
 from quadruped_env.simulation import Terrain, find_terrain, flat
-from quadruped_env.simulation.ground import LEVELS
-from quadruped_env.simulation.terrain import NAMES
-from quadruped_env.task.definition import BUILT_IN, load_task_file
+from quadruped_env.simulation.built_in_terrains import NAMES
+from quadruped_env.simulation.terrain import LEVELS
+from quadruped_env.task.task_definition import BUILT_IN, load_task_file
 from quadruped_env.task.terrain_section import leg_scale
 
 

@@ -19,11 +19,11 @@ from quadruped_env.control.policy import kept_file, policy_directory
 from quadruped_env.control.task_file import TASK_FILE, recorded_file
 from quadruped_env.envs import ENV_ID
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
-from quadruped_env.files import shown_path
-from quadruped_env.provenance import TERRAIN_FILE, TaskFile
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
-from quadruped_env.task.config import config_differences, for_definition
+from quadruped_env.task.task_config import config_differences, for_definition
+from quadruped_env.utils.files import shown_path
+from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
 
 class Policy(control_policy.Policy):

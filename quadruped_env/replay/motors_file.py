@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.task import BUILT_IN, TaskConfig
+from quadruped_env.utils.documents import read_json
 
 
 def read_motors(path: Path, robot: Robot = MINI_QUADRUPED) -> MotorConfig:

@@ -9,20 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.episode import Recording, play
-from quadruped_env.files import check_free, write_json
-from quadruped_env.progress import Progress
+from quadruped_env.evaluation.recorded_episode import Recording, play
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.replay.saturation import Saturation, saturation
 from quadruped_env.replay.signal_comparison import Signals, lags, side_by_side
 from quadruped_env.reporting.films.film import FRAME_RATE, Clip
-from quadruped_env.reporting.results import REPORT_FILE
+from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.skeleton import Pose
 from quadruped_env.simulation import Terrain, build_model
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.trace import Trace
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
+from quadruped_env.utils.files import check_free, write_json
+from quadruped_env.utils.progress import Progress
 
 MODES: Final = ("kinematic", "dynamic")
 LIMIT_TOLERANCE: Final = 0.01

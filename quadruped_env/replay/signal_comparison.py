@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 
 SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}

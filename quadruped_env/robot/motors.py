@@ -9,9 +9,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import PlainFields
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import LARGEST, SMALLEST, is_quantity
+from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
+from quadruped_env.utils.plain import PlainFields
 
 VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""

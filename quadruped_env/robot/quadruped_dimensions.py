@@ -8,11 +8,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import PlainFields
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import is_quantity
 from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
 from quadruped_env.robot.solids import solid_box_inertia, solid_cylinder_inertia, solid_sphere_inertia
+from quadruped_env.utils.parameters import is_quantity
+from quadruped_env.utils.plain import PlainFields
 
 LEGS: Final = ("LF", "RF", "LH", "RH")
 """Names of the legs: left (L) or right (R), front (F) or hind (H)."""

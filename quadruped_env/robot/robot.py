@@ -13,12 +13,12 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env._plain import plain
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot import ground, transforms
+from quadruped_env.robot import link_transforms, resting_pose
+from quadruped_env.robot.link_transforms import Transform
 from quadruped_env.robot.motors import JointMotor, MotorConfig, kind_of_joint
 from quadruped_env.robot.skeleton import Pose, Skeleton
-from quadruped_env.robot.transforms import Transform
+from quadruped_env.utils.plain import plain
 
 Floats = NDArray[np.float64]
 
@@ -68,7 +68,7 @@ class Robot:
     foot_mirror: tuple[int, ...]
     """Index of each foot's counterpart on the other side."""
     sensors: Mapping[str, tuple[str, ...]]
-    """Sensors of the model for each field of `quadruped_env.readings.Readings`, in order."""
+    """Sensors of the model for each field of `quadruped_env.robot.readings.Readings`, in order."""
     motors: MotorConfig
     """Motors of the model."""
     mjcf: str
@@ -290,7 +290,7 @@ class Robot:
         Raises:
             QuadrupedError: as `forward_kinematics`.
         """
-        return ground.resting_pose(self.skeleton, positions)
+        return resting_pose.resting_pose(self.skeleton, positions)
 
     def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
         """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
@@ -306,14 +306,14 @@ class Robot:
         Raises:
             QuadrupedError: if a shape is wrong or a value is not finite.
         """
-        return transforms.joint_transforms(self.skeleton, positions, base_pose)
+        return link_transforms.joint_transforms(self.skeleton, positions, base_pose)
 
     def fixed_transforms(self) -> tuple[Transform, ...]:
         """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
 
         If every link has a joint, the result is empty; the publisher then sends an empty message.
         """
-        return transforms.fixed_transforms(self.skeleton)
+        return link_transforms.fixed_transforms(self.skeleton)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""

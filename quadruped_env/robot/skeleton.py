@@ -9,7 +9,7 @@ from mujoco.batch import Batch
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.rotations import rotate
+from quadruped_env.utils.rotations import rotate
 
 Pose = tuple[NDArray[np.float64], NDArray[np.float64]]
 

@@ -3,7 +3,7 @@
 The tables here need nothing. `cdr` needs the libraries of the `ros` extra, which it imports when it is first used.
 """
 
-from quadruped_env.ros.messages import MESSAGE_TYPES, Field, MessageType, message_type
+from quadruped_env.ros.message_types import MESSAGE_TYPES, Field, MessageType, message_type
 from quadruped_env.ros.qos import JOINT_STATES_QOS, LATCHED_QOS, SENSOR_DATA_QOS, TF_QOS, Qos
 
 __all__ = [

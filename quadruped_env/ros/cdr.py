@@ -4,8 +4,8 @@
     data = cdr.serialize(joint_state)
 
 A message is a dataclass of `rosbags`, with the fields of its `MessageType`. Fields left out have ROS's defaults: 0, ""
-or empty, and 1 for the w of a quaternion. For long recordings of joint states, `quadruped_env.ros.joint_state` gives
-the same bytes faster.
+or empty, and 1 for the w of a quaternion. For long recordings of joint states, `joint_state_bytes` gives the
+same bytes faster.
 """
 
 from collections.abc import Mapping
@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.ros.messages import Field, MessageType, message_type
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.message_types import Field, MessageType, message_type
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 
 @cache

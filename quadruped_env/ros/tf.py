@@ -7,7 +7,7 @@ from typing import Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 _STAMP: Final = struct.Struct("<iI")

@@ -5,18 +5,18 @@ from typing import Final, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env import rotations
-from quadruped_env.arrays import NUMPY
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.readings import Readings, sensor_columns
+from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.sim2sim.contact import Contact
 from quadruped_env.sim2sim.drake_model import DrakeModel
 from quadruped_env.sim2sim.drake_robot import DrakeRobot
 from quadruped_env.sim2sim.servos import Servos
 from quadruped_env.sim2sim.sites import Site
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.interface import SimulationState
+from quadruped_env.simulation.simulation_interface import SimulationState
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import NUMPY
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]

@@ -7,9 +7,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env import rotations
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.sim2sim.drake_robot import DrakeRobot
+from quadruped_env.utils import rotations
 
 Floats = NDArray[np.float64]
 

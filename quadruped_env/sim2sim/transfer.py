@@ -16,8 +16,8 @@ from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
-from quadruped_env.progress import Progress
 from quadruped_env.sim2sim.engines import Drake, MuJoCo
+from quadruped_env.utils.progress import Progress
 
 Floats = NDArray[np.float64]
 Engine = MuJoCo | Drake

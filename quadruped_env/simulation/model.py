@@ -12,9 +12,9 @@ from quadruped_env.robot.assets import asset_path
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot
-from quadruped_env.simulation.ground import Terrain
+from quadruped_env.simulation.built_in_terrains import flat
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS
-from quadruped_env.simulation.terrain import flat
+from quadruped_env.simulation.terrain import Terrain
 
 _SCENE: Final = "scene.xml"
 _ROBOT: Final = "mini_quadruped.xml"

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.simulation.interface import Simulation
+from quadruped_env.simulation.simulation_interface import Simulation
 
 
 def highest_ground(simulation: Simulation, positions: NDArray[np.float64]) -> NDArray[np.float64]:

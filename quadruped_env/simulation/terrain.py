@@ -1,136 +1,181 @@
-"""Built-in terrains: functions that give the heights of the ground around the start."""
+"""Terrains: named shapes of the ground, their parameters and levels, and the decorator that creates them."""
 
-import math
-from collections.abc import Sequence
-from typing import Annotated, Final
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Final, Self, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError, did_you_mean, short
-from quadruped_env.parameters import Parameter
-from quadruped_env.simulation.grid import MAX_POINTS, ROUNDING, START, Floats, Grid
-from quadruped_env.simulation.ground import LEVELS, Terrain, terrain
-from quadruped_env.simulation.tiles import Tiles, tiles_of
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.simulation.grid import CELL, MAX_POINTS, SIZE, Grid
+from quadruped_env.utils.parameters import Parameter, described, parameters_of, stay_importable
+from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
-__all__ = [
-    "LEVELS",
-    "MAX_POINTS",
-    "NAMES",
-    "TERRAINS",
-    "Grid",
-    "Terrain",
-    "Tiles",
-    "find_terrain",
-    "flat",
-    "hills",
-    "rough",
-    "terrain",
-    "tiles",
-]
+Floats = NDArray[np.float64]
 
-HIGHEST: Final = 0.055
-"""Height at the hardest level, m: 30 % of the built-in robot's leg length of 0.184 m."""
-STEEPEST: Final = math.radians(20.0)
-"""Slope at the hardest level, rad."""
-FINE: Final = 0.05
-"""Grid spacing of the terrains with edges, m. The side of a step is one cell wide."""
-_LARGE: Final = 24.0
-"""Side length of these terrains, m: a robot at 0.6 m/s walks for 18 s until it reaches the edge."""
-_FLIGHT: Final = 3
-"""Number of steps of a flight of stairs."""
-
-Height = Annotated[float, Parameter("m", 0.0)]
-Length = Annotated[float, Parameter("m", 0.2)]
+LEVELS: Final = 10
+"""Number of levels of a terrain that has levels, from 1 to the hardest."""
+FIELDS: Final = ("name", "seed", "level")
+"""Fields of every terrain in the config."""
 
 
-@terrain(hardest={})
-def flat(grid: Grid) -> Floats:
-    """Level ground."""
-    return np.zeros_like(grid.x)
+@dataclass(frozen=True)
+class Terrain:
+    """A named shape of the ground. Created by `terrain`; `variant` changes its seed, level and parameters."""
+
+    name: str
+    function: Callable[..., Any]
+    """Function (grid, parameters) -> heights (P, P), m. The start is at the origin."""
+    parameters: dict[str, tuple[Parameter, float]] = field(compare=False)
+    """Unit, valid range and default of each parameter."""
+    description: str = field(compare=False)
+    size: float = SIZE
+    """Side length of the square around the start, m."""
+    cell: float = CELL
+    """Grid spacing, m."""
+    hardest: Mapping[str, float] | None = field(default=None, compare=False)
+    """Values of some parameters at the hardest level, for the built-in robot; None: the terrain has no levels."""
+    seed: int = 0
+    level: int | None = None
+    """Level from 1 to `LEVELS`, which determines the parameters in `hardest`; None: they have their defaults."""
+    scale: float = 1.0
+    """Leg length relative to the built-in robot's, a factor on the lengths of the levels."""
+    values: tuple[tuple[str, float], ...] = ()
+    """Name and value of the parameters that differ from their defaults, or from those of the level."""
+    file: TaskFile | None = field(default=None, compare=False)
+    """User's file that defines it; None for a terrain that is built in or defined in Python alone."""
+
+    def __post_init__(self) -> None:
+        reserved = sorted(set(FIELDS) & set(self.parameters))
+        if reserved:
+            raise QuadrupedError(
+                f"terrain {self.name}: {reserved[0]!r} is a field of every terrain; rename the parameter"
+            )
+        if not (0.0 < self.cell <= self.size and self.size / self.cell <= MAX_POINTS - 1):
+            raise QuadrupedError(
+                f"terrain {self.name}: expected a size and a cell in m with 1 to {MAX_POINTS - 1} cells per side; "
+                f"found size={self.size:g}, cell={self.cell:g}"
+            )
+        for name, value in (self.hardest or {}).items():
+            if name not in self.parameters or not self.parameters[name][0].accepts(value):
+                raise QuadrupedError(
+                    f"terrain {self.name}: hardest must give valid values of its parameters; found {name}={value!r}"
+                )
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """Side lengths of the height field along x and y, m."""
+        return self.size, self.size
+
+    def defaults(self, level: int | None, scale: float = 1.0) -> dict[str, float]:
+        """Values of all parameters at a level, or without one.
+
+        Lengths are in proportion to the level and the leg length, angles to the level.
+
+        Args:
+            level: from 1 to `LEVELS`; None: the defaults of the parameters.
+            scale: leg length relative to the built-in robot's.
+
+        Raises:
+            QuadrupedError: if the level is not valid, or the terrain has no levels.
+        """
+        values = {name: default for name, (_, default) in self.parameters.items()}
+        if level is None:
+            return values
+        if self.hardest is None:
+            raise QuadrupedError(f"terrain {self.name}: found level {short(level)}, but it has no levels; leave it out")
+        if isinstance(level, bool) or not isinstance(level, (int, np.integer)) or not 1 <= level <= LEVELS:
+            raise QuadrupedError(
+                f"terrain {self.name}: level must be a whole number from 1 to {LEVELS}; found {short(level)}"
+            )
+        for name, value in self.hardest.items():
+            length = scale if self.parameters[name][0].unit == "m" else 1.0
+            values[name] = value * length * level / LEVELS
+        return values
+
+    def variant(self, seed: int = 0, level: int | None = None, scale: float = 1.0, **values: float) -> Self:
+        """The same terrain with a seed, a level and values of its parameters; the others have their defaults.
+
+        Args:
+            seed: seed of its random numbers.
+            level: from 1 to `LEVELS`; None: no level.
+            scale: leg length relative to the built-in robot's; it counts only with a level.
+            values: values of parameters by name.
+
+        Raises:
+            QuadrupedError: if the level is not valid, a parameter is unknown or its value is not valid.
+        """
+        defaults = self.defaults(level, scale)
+        for name, value in values.items():
+            if name not in self.parameters:
+                valid = ", ".join(self.parameters) or "none"
+                raise QuadrupedError(f"terrain {self.name}: unknown parameter {name!r}; its parameters are: {valid}")
+            parameter = self.parameters[name][0]
+            if not parameter.accepts(value):
+                raise QuadrupedError(f"terrain {self.name}: {name} must be {parameter.rule()}; found {short(value)}")
+        changed = ((name, float(value)) for name, value in sorted(values.items()) if value != defaults[name])
+        return replace(
+            self, seed=seed, level=level, scale=1.0 if level is None else float(scale), values=tuple(changed)
+        )
+
+    def provenance(self) -> dict[str, Any]:
+        """Name of the terrain and, as `terrain_file`, name and SHA-256 of the file that defines it, for results."""
+        return {"terrain": self.name, **({} if self.file is None else {TERRAIN_FILE: self.file.to_dict()})}
+
+    def heights(self) -> Floats:
+        """Heights (P, P) in m, first axis along y, second along x; the same seed gives the same heights.
+
+        Raises:
+            QuadrupedError: if the function raises an error or returns something else.
+        """
+        return self.heights_on(Grid.square(self.size, self.cell, np.random.default_rng(self.seed)))
+
+    def heights_on(self, grid: Grid) -> Floats:
+        """Heights (P, P) in m on a grid, which may be a tile's; errors as in `heights`."""
+        values = self.defaults(self.level, self.scale) | dict(self.values)
+        try:
+            heights = np.asarray(self.function(grid, **values), dtype=np.float64)
+        except Exception as error:
+            raise QuadrupedError(f"terrain {self.name}: {type(error).__name__}: {error}") from error
+        if heights.shape != grid.x.shape or not np.isfinite(heights).all():
+            found = f"shape {heights.shape}" if heights.shape != grid.x.shape else "a height that is not finite"
+            raise QuadrupedError(
+                f"terrain {self.name}: expected finite heights of shape {grid.x.shape}, as grid.x; found {found}"
+            )
+        return heights
 
 
-@terrain(hardest={"height": HIGHEST})
-def rough(grid: Grid, height: Height = 0.01, distance: Length = 0.2) -> Floats:
-    """Bumps of up to 1 cm, 0.2 m apart."""
-    return height * grid.smooth_noise(distance) * grid.fade
+@overload
+def terrain(function: Callable[..., Any], /) -> Terrain: ...
+@overload
+def terrain(
+    *, size: float = SIZE, cell: float = CELL, hardest: Mapping[str, float] | None = None
+) -> Callable[[Callable[..., Any]], Terrain]: ...
+def terrain(
+    function: Callable[..., Any] | None = None,
+    /,
+    *,
+    size: float = SIZE,
+    cell: float = CELL,
+    hardest: Mapping[str, float] | None = None,
+) -> Terrain | Callable[[Callable[..., Any]], Terrain]:
+    """Decorator: a function (grid) -> heights (P, P) becomes a terrain of the same name.
 
+    Arguments with a default, after the grid, are parameters that the config can change. Use it as `@terrain`, or with
+    arguments as `@terrain(cell=0.05, hardest={"height": 0.05})`.
 
-@terrain
-def hills(grid: Grid, height: Height = 0.08, distance: Length = 2.5) -> Floats:
-    """Hills of up to 8 cm, 2.5 m apart."""
-    return height * grid.smooth_noise(distance) * grid.fade
-
-
-@terrain(size=_LARGE, cell=FINE, hardest={"angle": STEEPEST})
-def slope(
-    grid: Grid,
-    angle: Annotated[float, Parameter("rad", 0.0, math.radians(45.0))] = math.radians(10.0),
-    length: Length = 2.0,
-) -> Floats:
-    """Slopes of 10 degrees up and down in turn, 2 m long, in squares around the start."""
-    pairs = max(1, math.floor(grid.ring_end / (2.0 * length) + ROUNDING))
-    # In a tile there is less space than that.
-    cells = math.floor(min(length, 0.5 * grid.ring_end / pairs) / FINE + ROUNDING)
-    length = cells * FINE
-    ring = np.where(grid.inside(2.0 * pairs * length), grid.ring, 0.0)
-    return grid.first * math.tan(angle) * (length - np.abs(length - ring % (2.0 * length)))
-
-
-@terrain(size=_LARGE, cell=FINE, hardest={"height": HIGHEST})
-def steps(grid: Grid, height: Height = 0.02, width: Length = 0.4) -> Floats:
-    """Square blocks of 0.4 m, high by 2 cm and low in turn."""
-    blocks = math.floor(grid.ring_end / width + ROUNDING)
-    column, line = (np.floor((np.abs(along) - START) / width + ROUNDING) for along in (grid.x, grid.y))
-    return height * ((column + line) % 2.0) * grid.inside(blocks * width)
-
-
-@terrain(size=_LARGE, cell=FINE, hardest={"height": HIGHEST})
-def stairs(grid: Grid, height: Height = 0.02, run: Length = 0.2) -> Floats:
-    """Stairs in squares around the start: 3 steps up and 3 down in turn, 2 cm high and 0.2 m long."""
-    pairs = math.floor((grid.ring_end + run) / (2.0 * _FLIGHT * run) + ROUNDING)
-    number = np.floor(grid.ring / run + ROUNDING) % (2.0 * _FLIGHT)
-    treads = _FLIGHT - np.abs(_FLIGHT - 1.0 - number)
-    return grid.first * height * treads * grid.inside(2.0 * _FLIGHT * pairs * run)
-
-
-@terrain(size=_LARGE, cell=FINE, hardest={"depth": HIGHEST})
-def gaps(
-    grid: Grid,
-    depth: Height = 0.02,
-    width: Annotated[float, Parameter("m", 0.1)] = 0.15,
-    distance: Length = 0.45,
-) -> Floats:
-    """Trenches in squares around the start, 2 cm deep, 0.15 m wide and 0.45 m apart."""
-    number = math.floor(grid.ring_end / distance + ROUNDING)
-    trench = (grid.ring + ROUNDING) % distance >= distance - width - ROUNDING
-    # At the edge the ground goes down to the bottom of the trenches, or it would end in a step of this height.
-    return -depth * np.maximum(trench & grid.inside(number * distance), grid.descent)
-
-
-@terrain(size=_LARGE, cell=FINE, hardest={"height": HIGHEST})
-def wave(grid: Grid, height: Height = 0.02, length: Length = 0.8) -> Floats:
-    """Waves of up to 2 cm along x and y, 0.8 m long."""
-    along_x, along_y = (np.cos(math.tau * along / length) for along in (grid.x, grid.y))
-    return 0.25 * height * (2.0 - along_x - along_y) * grid.fade
-
-
-tiles: Final = tiles_of((flat, slope, rough, steps, stairs, gaps, wave), FINE)
-"""All terrains with levels."""
-
-TERRAINS: Final = (flat, rough, hills, slope, steps, stairs, gaps, wave, tiles)
-"""Built-in terrains. A policy that was trained on flat ground can walk on `rough` and `hills`."""
-NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
-"""Their names, for the help of an option."""
-
-
-def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrain:
-    """The terrain of a name.
-
-    Raises:
-        QuadrupedError: if there is no such terrain.
+    Args:
+        function: function of a `Grid`.
+        size: side length of the square around the start, m.
+        cell: grid spacing, m.
+        hardest: values of some parameters at the hardest level; the terrain then has levels, and can be a kind of
+            `tiles` if its heights are 0 where `Grid.fade` is 0.
     """
-    for entry in terrains:
-        if entry.name == name:
-            return entry
-    names = [entry.name for entry in terrains]
-    raise QuadrupedError(f"terrain: {short(name)} is unknown; there are {', '.join(names)}{did_you_mean(name, names)}")
+
+    def decorate(function: Callable[..., Any]) -> Terrain:
+        stay_importable(function)
+        parameters, description = parameters_of(function), described(function)
+        return Terrain(function.__name__, function, parameters, description, size, cell, hardest)
+
+    return decorate if function is None else decorate(function)

@@ -8,7 +8,7 @@ import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation.grid import Floats, Grid, smoothstep
-from quadruped_env.simulation.ground import LEVELS, Terrain
+from quadruped_env.simulation.terrain import LEVELS, Terrain
 
 TILE: Final = 4.0
 """Side length of a tile, m: 13 times the length of the built-in robot's base."""

@@ -1,12 +1,18 @@
 """The task: config, terms (rewards, terminations, randomizations, commands, terrains), and the `Task` that runs it."""
 
-from quadruped_env.control.config import ActionConfig, Command
+from quadruped_env.control.control_config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
-from quadruped_env.parameters import Parameter
-from quadruped_env.provenance import TaskFile
 from quadruped_env.simulation.grid import Grid
-from quadruped_env.simulation.ground import Terrain, terrain
-from quadruped_env.task.config import (
+from quadruped_env.simulation.terrain import Terrain, terrain
+from quadruped_env.task.config_sections import Section
+from quadruped_env.task.context import TaskContext
+from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged
+from quadruped_env.task.randomization.event import Event
+from quadruped_env.task.randomization.model_fields import ModelField
+from quadruped_env.task.randomization.randomization import Randomization, SensorError
+from quadruped_env.task.randomization.randomization_presets import PRESETS, preset_values
+from quadruped_env.task.task import Task, Transition
+from quadruped_env.task.task_config import (
     CommandConfig,
     RandomizationConfig,
     RewardConfig,
@@ -14,16 +20,10 @@ from quadruped_env.task.config import (
     TerminationConfig,
     TerrainConfig,
 )
-from quadruped_env.task.context import TaskContext
-from quadruped_env.task.definition import BUILT_IN, TaskDefinition, load_task_file
-from quadruped_env.task.event import Event
-from quadruped_env.task.model_fields import ModelField
-from quadruped_env.task.presets import PRESETS, preset_values
-from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged
-from quadruped_env.task.randomization import Randomization, SensorError
-from quadruped_env.task.settings import Section
-from quadruped_env.task.task import Task, Transition
+from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition, load_task_file
 from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
+from quadruped_env.utils.parameters import Parameter
+from quadruped_env.utils.provenance import TaskFile
 
 __all__ = [
     "BUILT_IN",

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.arrays import NUMPY, Namespace
-from quadruped_env.task.draws import Keys
+from quadruped_env.task.randomization.draws import Keys
+from quadruped_env.utils.arrays import NUMPY, Namespace
 
 EnvIds = NDArray[np.intp]
 Values = tuple[NDArray[Any], ...]

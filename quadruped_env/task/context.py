@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.arrays import NUMPY, Namespace
 from quadruped_env.capture import Capture
-from quadruped_env.control.interface import ControlInterface
-from quadruped_env.control.memory import EpisodeMemory
-from quadruped_env.readings import Readings
+from quadruped_env.control.control_interface import ControlInterface
+from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import MotorConfig
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.utils.arrays import NUMPY, Namespace
 
 Floats = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from quadruped_env.control.observations import Field, MirrorRule, ObservationLay
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.context import TaskContext
+from quadruped_env.task.randomization.sensor_errors import Sensors
 from quadruped_env.task.reward_function import checked
-from quadruped_env.task.sensors import Sensors
 
 Floats = NDArray[np.float64]
 

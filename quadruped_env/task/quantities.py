@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.arrays import NUMPY, Namespace, frozen
+from quadruped_env.utils.arrays import NUMPY, Namespace, frozen
 
 _SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
 """Command below which `progress` is reduced in proportion, m/s and rad/s."""

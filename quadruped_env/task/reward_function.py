@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.capture import Functions
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
-from quadruped_env.task.settings import Section
 from quadruped_env.task.terms import RewardTerm, Termination
 
 Floats = NDArray[np.float64]

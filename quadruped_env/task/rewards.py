@@ -9,10 +9,10 @@ from typing import Annotated, Any, Final, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.parameters import Parameter
 from quadruped_env.task import quantities
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, reward, reward_group
+from quadruped_env.utils.parameters import Parameter
 
 Positive = Parameter.positive
 

@@ -14,19 +14,19 @@ import numpy as np
 from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env._plain import whole_number
-from quadruped_env.control.interface import ControlInterface
-from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.control.control_interface import ControlInterface
+from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.control.velocity_command import VELOCITY, check_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation, Tiles
-from quadruped_env.task.config import TaskConfig
 from quadruped_env.task.context import TaskContext
-from quadruped_env.task.draws import Draws
-from quadruped_env.task.episodes import Randomizer
 from quadruped_env.task.privileged import PrivilegedReadings, TrueState
+from quadruped_env.task.randomization.draws import Draws
+from quadruped_env.task.randomization.randomizer import Randomizer
+from quadruped_env.task.randomization.tile_assignment import TileAssignment
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
-from quadruped_env.task.tile_assignment import TileAssignment
+from quadruped_env.task.task_config import TaskConfig
+from quadruped_env.utils.plain import whole_number
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]

@@ -6,9 +6,9 @@ from typing import Annotated, Final, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.parameters import Parameter
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import Termination, termination
+from quadruped_env.utils.parameters import Parameter
 
 
 @termination(pure=True)

@@ -7,9 +7,9 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._plain import plain
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
+from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
+from quadruped_env.utils.plain import plain
 
 
 @dataclass(frozen=True)

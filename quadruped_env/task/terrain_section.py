@@ -4,15 +4,15 @@ import functools
 from collections.abc import Mapping, Sequence
 from typing import Any, Final, NamedTuple, Self
 
-from quadruped_env.control.config import check
+from quadruped_env.control.control_config import check
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.parameters import Parameter
 from quadruped_env.robot.robot import Robot
-from quadruped_env.simulation.ground import FIELDS, LEVELS, Terrain
-from quadruped_env.simulation.terrain import find_terrain
+from quadruped_env.simulation.built_in_terrains import find_terrain
+from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain
 from quadruped_env.simulation.tiles import Tiles
-from quadruped_env.task.definition import BUILT_IN, TaskDefinition
-from quadruped_env.task.settings import Entry, Schema, Section, number, parameter_entry, seed_entry
+from quadruped_env.task.config_sections import Entry, Schema, Section, number, parameter_entry, seed_entry
+from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
+from quadruped_env.utils.parameters import Parameter
 
 DEFAULT_TERRAIN: Final = "flat"
 _SHARE: Final = Parameter(low=0.0, exclusive=True)

@@ -10,7 +10,7 @@ from typing import Final
 
 import torch
 
-from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 
 _KEPT: Final = 0.98
 """Correlation of a wave with itself one control step later: it lasts for about a second, two strides."""

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
-from quadruped_env.seeds import check_training_seeds
 from quadruped_env.training.gait_styles import HIGH_STEPS, STYLES, Course, Judge, Style
 from quadruped_env.training.gait_trial import ROBOT, Achieved, Start, measure, trials
+from quadruped_env.utils.seeds import check_training_seeds
 
 CANDIDATES: Final = 32
 """Of each generation, next to its mean."""

@@ -9,7 +9,7 @@ from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task import BUILT_IN
-from quadruped_env.task.presets import with_preset
+from quadruped_env.task.randomization.randomization_presets import with_preset
 from quadruped_env.task.terrain_section import leg_scale
 
 

@@ -10,19 +10,15 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
-from quadruped_env._plain import plain
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, code_changes, finished_directory
 from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_file, recorded_terms
-from quadruped_env.documents import read_json
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.policies import Policy, load_policy, task_differences
-from quadruped_env.provenance import TERRAIN_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
-from quadruped_env.task.config import flat
-from quadruped_env.task.presets import PRESET
-from quadruped_env.training.config import TrainConfig, field_rule
-from quadruped_env.training.run import (
+from quadruped_env.task.randomization.randomization_presets import PRESET
+from quadruped_env.task.task_config import flat
+from quadruped_env.training.run_directory import (
     CONFIG_FILE,
     PROGRESS_COLUMNS,
     PROGRESS_FILE,
@@ -32,6 +28,10 @@ from quadruped_env.training.run import (
     TERM_COLUMN,
     run_name,
 )
+from quadruped_env.training.train_config import TrainConfig, field_rule
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.plain import plain
+from quadruped_env.utils.provenance import TERRAIN_FILE
 
 NO_SECTIONS: Final[Mapping[str, str]] = MappingProxyType({})
 KEPT: Final = (

@@ -6,8 +6,8 @@ from typing import Any, Final
 from stable_baselines3.common.callbacks import BaseCallback
 
 from quadruped_env.training.actor_critic import ActorCritic
-from quadruped_env.training.config import STRAIGHT_LEARNING_RATE, TrainConfig
 from quadruped_env.training.exploration import ClockNoise
+from quadruped_env.training.train_config import STRAIGHT_LEARNING_RATE, TrainConfig
 
 _FINAL_LEARNING_RATE: Final = 0.1
 """Share of the first learning rate that is left at the end."""

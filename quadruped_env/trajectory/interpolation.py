@@ -7,7 +7,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _DEGREE: Final = 2
 """Degree of the polynomial that `derivative` fits."""

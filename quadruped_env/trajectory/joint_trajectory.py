@@ -13,15 +13,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
-from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, Robot
-from quadruped_env.timestamps import NS_PER_SECOND
-from quadruped_env.trajectory import conversion, saving
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory import row_conversion, saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
 from quadruped_env.trajectory.joint_state import JointState
 from quadruped_env.trajectory.loading import Stream
 from quadruped_env.trajectory.maps import ColumnMap, JointMap
-from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.rows import ARRAYS, Rows
 from quadruped_env.trajectory.validation import (
     IN_MEMORY,
@@ -33,6 +32,7 @@ from quadruped_env.trajectory.validation import (
     checked_values,
     read_only,
 )
+from quadruped_env.utils.progress import Progress
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
@@ -246,7 +246,7 @@ class JointTrajectory:
         """
         if tuple(names) == self.names:
             return self
-        return self._of_rows(conversion.select(self.to_rows(), names, self.source.name))
+        return self._of_rows(row_conversion.select(self.to_rows(), names, self.source.name))
 
     def in_joint_order(self, robot: Robot = MINI_QUADRUPED) -> "JointTrajectory":
         """The trajectory with a robot's joints in their order.
@@ -370,11 +370,11 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if the map is invalid, or a joint that it names as a source is missing.
         """
-        return self._of_rows(conversion.retarget(self.to_rows(), JointMap.of(joint_map), self.source.name))
+        return self._of_rows(row_conversion.retarget(self.to_rows(), JointMap.of(joint_map), self.source.name))
 
     def from_degrees(self) -> "JointTrajectory":
         """The trajectory in rad and rad/s, for one in degrees and degrees/s."""
-        return self._of_rows(conversion.from_degrees(self.to_rows()))
+        return self._of_rows(row_conversion.from_degrees(self.to_rows()))
 
     def gaps(self, factor: float = 3.0) -> tuple[Gap, ...]:
         """Times between rows longer than `factor` times the median."""

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.progress import Progress
-from quadruped_env.trajectory.conversion import from_degrees, retarget
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import recognition
-from quadruped_env.trajectory.options import ReadOptions
-from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.read_options import ReadOptions
+from quadruped_env.trajectory.row_conversion import from_degrees, retarget
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, concatenated
 from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, validate
+from quadruped_env.utils.progress import Progress
 
 MAX_PLAUSIBLE: Final = 4.0 * np.pi
 """Two turns, rad. No joint of a leg reaches it, and a log in degrees nearly always does."""

@@ -48,9 +48,9 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Final, Self
 
-from quadruped_env.documents import read_toml
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY
+from quadruped_env.utils.documents import read_toml
 
 STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
 """Unit of time -> its length in ns, as a power of ten."""

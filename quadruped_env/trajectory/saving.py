@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.trajectory.formats import bag_writer, project_csv
 from quadruped_env.trajectory.formats.bag_writer import STORAGES, TF_RATE, BagOptions
 from quadruped_env.trajectory.rows import Rows
+from quadruped_env.utils.progress import Progress
 
 _CSV: Final = ".csv"
 _ROWS_PER_PIECE: Final = 4096

@@ -25,8 +25,8 @@ from websockets.asyncio.server import ServerConnection
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
-from quadruped_env._python import pip_command
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.utils.interpreter import pip_command
 from quadruped_env.viewer.access import LOG, AccessRules, Refusal, RefusalLog, page_address
 
 MAX_MESSAGE: Final = 16 * 1024

@@ -5,7 +5,7 @@ from typing import Final
 
 from quadruped_env.reporting.palette import ACTUAL, COMMANDED, CONTACT, FRONT, PUSH, leg_colours
 from quadruped_env.robot import Robot
-from quadruped_env.viewer.robot import Offered
+from quadruped_env.viewer.viewed_robot import Offered
 
 CONTACT_FORCES, VELOCITIES, TRAILS, NAMES = "contact forces", "velocity arrows", "foot trails", "names"
 OVERLAYS: Final = (CONTACT_FORCES, VELOCITIES, TRAILS, NAMES)

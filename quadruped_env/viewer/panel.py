@@ -8,17 +8,17 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait.settings import AMPLITUDES, FREQUENCIES
-from quadruped_env.simulation.ground import LEVELS
-from quadruped_env.viewer.controller import SPEEDS, ViewController
-from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, MAX_PUSH, max_force
+from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
+from quadruped_env.simulation.terrain import LEVELS
 from quadruped_env.viewer.keys import ARROWS_FIRST
 from quadruped_env.viewer.legend import CONTACT_FORCES, VELOCITIES
-from quadruped_env.viewer.lineup import MAX_ROBOTS, RANDOMIZATIONS
 from quadruped_env.viewer.panel_text import keys_html, legend_html, status_html
 from quadruped_env.viewer.paths import without_directories
-from quadruped_env.viewer.scene import Scene
+from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, MAX_PUSH, max_force
 from quadruped_env.viewer.snapshot import View
+from quadruped_env.viewer.view_controller import SPEEDS, ViewController
+from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.viewer_scene import Scene
 
 if TYPE_CHECKING:
     import viser

@@ -7,9 +7,9 @@ from typing import Final
 from quadruped_env.reporting.palette import GREY, INK, LIMIT
 from quadruped_env.robot import Robot
 from quadruped_env.viewer.legend import legend
-from quadruped_env.viewer.robot import Offered
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.take import MAX_SECONDS
+from quadruped_env.viewer.viewed_robot import Offered
+from quadruped_env.viewer.viewer_recording import MAX_SECONDS
 
 SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
 

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.files import shown_path
+from quadruped_env.utils.files import shown_path
 
 _ABSOLUTE: Final = re.compile(r"(?<![\w./])/(?:[^\s/'\"]+/)+[^\s/'\",;]*")
 

@@ -33,11 +33,11 @@ def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
             """Ignore the request: browsers may send it even without a share button."""
 
     # Imported here because they need viser.
-    from quadruped_env.viewer import wake_up
+    from quadruped_env.viewer import thread_messages
     from quadruped_env.viewer.guard import Guard
 
     guard = Guard(host)
-    wake_up.install()
+    thread_messages.install()
     port = _free_port(host, port)
     # viser prints its own banner.
     with contextlib.redirect_stdout(io.StringIO()), guard.installed():

@@ -9,22 +9,22 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.control.by_name import RUNS
-from quadruped_env.control.config import COMMANDS
+from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import find_controllers, kept_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
-from quadruped_env.training.run import CONFIG_FILE, LATEST
+from quadruped_env.training.run_directory import CONFIG_FILE, LATEST
 from quadruped_env.viewer.access import page_address
-from quadruped_env.viewer.controller import Command, ViewController
-from quadruped_env.viewer.lineup import START
+from quadruped_env.viewer.live_plots import Plots
 from quadruped_env.viewer.panel import Panel
-from quadruped_env.viewer.plots import Plots
-from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_server, stop_server
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.take import RESULTS
+from quadruped_env.viewer.view_controller import Command, ViewController
+from quadruped_env.viewer.viewer_recording import RESULTS
+from quadruped_env.viewer.viewer_robots import START
+from quadruped_env.viewer.viewer_scene import Scene
 
 TICK: Final = 0.02
 """Loop period, one control step at normal speed, s."""

@@ -6,9 +6,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait.settings import GaitSettings
+from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.simulation import Terrain
-from quadruped_env.viewer.robot import Offered, ViewedRobot, contact_forces, heading
+from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, contact_forces, heading
 from quadruped_env.viewer.viewed_trace import ViewedTrace
 
 

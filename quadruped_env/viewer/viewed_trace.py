@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.readings import Readings
+from quadruped_env.evaluation.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
 from quadruped_env.robot import Robot
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import Terrain
-from quadruped_env.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

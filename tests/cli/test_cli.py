@@ -14,7 +14,7 @@ from paths import ROOT
 from waiting import DEADLINE
 
 from quadruped_env import __version__
-from quadruped_env.cli.commands import SUMMARIES
+from quadruped_env.cli.invocation import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
 from quadruped_env.live.nodes import SUMMARIES as NODES
 

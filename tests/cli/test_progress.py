@@ -2,7 +2,7 @@
 
 import pytest
 
-from quadruped_env.cli.progress import ProgressLine
+from quadruped_env.cli.progress_line import ProgressLine
 
 
 @pytest.fixture

@@ -7,14 +7,15 @@ import pytest
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
+from quadruped_env.cli.common_options import randomization_option
 from quadruped_env.cli.main import make_parser
-from quadruped_env.cli.options import randomization_option
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
+from quadruped_env.training import train as training
 from quadruped_env.training.recipes import task_values
-from quadruped_env.viewer.lineup import RANDOMIZATIONS
+from quadruped_env.viewer.viewer_robots import RANDOMIZATIONS
 
 
 @pytest.mark.parametrize("program", ["train", "evaluate", "compare", "view"])
@@ -44,7 +45,6 @@ def test_option_is_typed_again_as_it_was_given():
 @pytest.fixture
 def asked(monkeypatch):
     """Settings of the trainings that the program would run."""
-    from quadruped_env.training import ppo
 
     trainings = []
 
@@ -52,7 +52,7 @@ def asked(monkeypatch):
         trainings.append(config)
         raise QuadrupedError("stopped")
 
-    monkeypatch.setattr(ppo, "train", stop)
+    monkeypatch.setattr(training, "train", stop)
     return trainings
 
 

@@ -7,9 +7,9 @@ import inspect
 import pytest
 
 from quadruped_env import JointTrajectory, QuadrupedError, trajectory
-from quadruped_env.cli.reading import add_reading_options, reading_options
+from quadruped_env.cli.reading_options import add_reading_options, reading_options
 from quadruped_env.trajectory import JointMap, JointRule
-from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.read_options import ReadOptions
 
 FIELDS = {field.name: field for field in dataclasses.fields(ReadOptions)}
 GIVEN = {

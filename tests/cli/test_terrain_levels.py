@@ -5,8 +5,8 @@ import json
 
 import pytest
 
+from quadruped_env.cli.common_options import add_evaluation_options, named_terrain, terrain_option
 from quadruped_env.cli.main import main
-from quadruped_env.cli.options import add_evaluation_options, named_terrain, terrain_option
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.live.__main__ import make_parser

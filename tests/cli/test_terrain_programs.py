@@ -12,13 +12,14 @@ from built_in import STANCE_HEIGHT
 from viewing import robot
 
 from quadruped_env import QuadrupedError
+from quadruped_env.cli.common_options import add_evaluation_options, named_terrain
 from quadruped_env.cli.main import main
-from quadruped_env.cli.options import add_evaluation_options, named_terrain
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.episode import record
+from quadruped_env.evaluation.recorded_episode import record
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.robot_option import robot_of
 from quadruped_env.live.simulated import SimulatedRobot
@@ -30,11 +31,10 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, load_task_file, terrain
-from quadruped_env.trace import Trace
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.lineup import LANE
-from quadruped_env.viewer.scene import Scene
 from quadruped_env.viewer.show import open_show
+from quadruped_env.viewer.viewer_robots import LANE
+from quadruped_env.viewer.viewer_scene import Scene
 
 HILLS = TaskConfig().on_terrain("hills", 2)
 FIELD = HeightField.of(build_model(terrain=HILLS.ground))
@@ -177,7 +177,7 @@ def test_ground_mesh_is_the_height_field_and_faces_up():
 
 def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, monkeypatch):
     filmed = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: filmed.extend(clips))
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: filmed.extend(clips))
     sources, _ = find_controllers(runs=tmp_path)
     controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", terrain=HILLS.ground)
     assert HeightField.of(controller.model()) is not None
@@ -198,7 +198,7 @@ def test_viewer_shows_a_level_and_the_tiles_of_a_policy(tmp_path, monkeypatch):
     np.testing.assert_array_equal(controller.model().hfield_data, build_model(terrain=stairs).hfield_data)
     controller.close()
     on_tiles = TaskConfig().on_terrain("tiles")
-    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: on_tiles)
+    monkeypatch.setattr("quadruped_env.viewer.viewed_robot.task_of", lambda *_: on_tiles)
     controller = ViewController(sources, ["policy flat"], tmp_path / "results")
     controller.set_source(1, "stand still")
     places = [robot(controller, i).data.qpos[:2].copy() for i in range(2)]
@@ -212,10 +212,10 @@ def test_viewer_shows_a_level_and_the_tiles_of_a_policy(tmp_path, monkeypatch):
 
 
 def test_viewer_without_a_named_terrain_takes_that_of_the_first_robots_task(tmp_path, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: HILLS)
+    monkeypatch.setattr("quadruped_env.viewer.viewed_robot.task_of", lambda *_: HILLS)
     sources, _ = find_controllers(runs=tmp_path)
     controller = ViewController(sources, ["policy flat"], tmp_path / "results")
-    monkeypatch.setattr("quadruped_env.viewer.robot.task_of", lambda *_: TaskConfig())
+    monkeypatch.setattr("quadruped_env.viewer.viewed_robot.task_of", lambda *_: TaskConfig())
     controller.set_source(1, "stand still")
     assert {robot(controller, i).terrain for i in range(2)} == {HILLS.ground}
     controller.close()

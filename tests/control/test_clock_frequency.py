@@ -23,8 +23,8 @@ from quadruped_env.control.live_controller import LiveController, Measurement, M
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.readings import Readings
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig
 
 TABLE = {"speeds": [0.1, 0.3, 0.6], "frequencies": [2.0, 2.5, 4.0], "turn_arm": 0.5}

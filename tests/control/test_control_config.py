@@ -5,7 +5,7 @@ import math
 import pytest
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.config import ActionConfig, Command, ControlConfig
+from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig
 
 SMALLEST = 1e-9
 

@@ -16,10 +16,10 @@ from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.card import example
-from quadruped_env.export.graph import policy_graph
+from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.readings import Readings
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig
 
 K, WIDTH = 4, 34

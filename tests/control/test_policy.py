@@ -118,7 +118,7 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, sym
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.models import export_policy, make_model
+    from quadruped_env.training.sb3_models import export_policy, make_model
 
     torch.manual_seed(0)
     config = TrainConfig(

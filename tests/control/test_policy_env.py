@@ -9,7 +9,7 @@ from gymnasium import make, make_vec
 from policies import TASK, make_policy
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy import SHIPPED
 from quadruped_env.envs import ENV_ID

@@ -54,7 +54,7 @@ def test_symmetric_policy_gives_mirrored_actions_and_equal_values_on_both_sides(
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.models import make_model
+    from quadruped_env.training.sb3_models import make_model
 
     observation = np.random.default_rng(0).uniform(-1, 1, (50, OBSERVATION_WIDTH)).astype(np.float32)
     both = torch.as_tensor(np.stack([observation, MIRROR.observation(observation)]))

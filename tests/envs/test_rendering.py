@@ -20,8 +20,9 @@ from environments import (
 from gymnasium.utils.passive_env_checker import env_render_passive_checker
 from waiting import output_of
 
-from quadruped_env import QuadrupedError, _opengl
+from quadruped_env import QuadrupedError
 from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.utils import opengl
 
 RENDER_TWICE = """
 import gymnasium, quadruped_env
@@ -228,9 +229,9 @@ def test_opengl_backend_is_chosen_only_where_none_is_set(monkeypatch, environmen
         monkeypatch.delenv(name, raising=False)
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
-    monkeypatch.setattr(_opengl.ctypes.util, "find_library", lambda name: name if name in libraries else None)
-    _opengl.choose_opengl()
-    assert _opengl.os.environ.get("MUJOCO_GL") == chosen
+    monkeypatch.setattr(opengl.ctypes.util, "find_library", lambda name: name if name in libraries else None)
+    opengl.choose_opengl()
+    assert opengl.os.environ.get("MUJOCO_GL") == chosen
 
 
 def test_the_package_imports_none_of_its_extras():

@@ -13,7 +13,7 @@ from gymnasium.vector import AutoresetMode
 
 from quadruped_env import QuadrupedError
 from quadruped_env.envs import ENV_ID, MAX_EPISODE_STEPS, ROUGH_CONFIG, ROUGH_ENV_ID, make_sb3_vec_env
-from quadruped_env.envs.rough import MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
+from quadruped_env.envs.rough_envs import MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
 from quadruped_env.task import TaskConfig
 
 STEPS = 40

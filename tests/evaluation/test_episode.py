@@ -6,7 +6,7 @@ from built_in import STANCE, STANCE_HEIGHT
 from trajectories import assert_same_numbers, standing
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.episode import play, publish, record
+from quadruped_env.evaluation.recorded_episode import play, publish, record
 from quadruped_env.policies import GaitController, ZeroController
 
 

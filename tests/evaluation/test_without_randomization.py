@@ -5,11 +5,11 @@ import pytest
 from comparisons import random_policy
 
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.episode import record
+from quadruped_env.evaluation.recorded_episode import record
 from quadruped_env.policies import ControllerSpec, PolicyController
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file, preset_values
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.lineup import RANDOMIZATIONS
+from quadruped_env.viewer.viewer_robots import RANDOMIZATIONS
 
 OWN = """
 from quadruped_env.task import ModelField, Randomization

@@ -21,9 +21,9 @@ from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.folder import export_policy
-from quadruped_env.export.graph import policy_graph
-from quadruped_env.export.interface import PolicyInterface
 from quadruped_env.export.manifest import manifest
+from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, find_controller, load_policy
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.task import ActionConfig, TaskConfig

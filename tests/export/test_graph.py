@@ -12,12 +12,12 @@ from policies import make_policy
 from quadruped_env import QuadrupedError
 from quadruped_env.control import CommandedFrequency
 from quadruped_env.control import policy as control_policy
-from quadruped_env.control.interface import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.export import PolicyInterface, runtime
-from quadruped_env.export.graph import IR_VERSION, OPSET, policy_graph
+from quadruped_env.export.onnx_graph import IR_VERSION, OPSET, policy_graph
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.readings import Readings
+from quadruped_env.robot.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
 
 onnx = pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
@@ -207,7 +207,7 @@ def test_graph_of_a_training_is_torchs_policy(symmetric):
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.models import export_policy, make_model
+    from quadruped_env.training.sb3_models import export_policy, make_model
 
     torch.manual_seed(0)
     config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)

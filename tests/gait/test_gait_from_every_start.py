@@ -6,8 +6,8 @@ import pytest
 
 from quadruped_env import CommandedGait
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.evaluation.suite.definition import full_suite
-from quadruped_env.evaluation.suite.gait import measures
+from quadruped_env.evaluation.suite.gait_measures import measures
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import CommandedGaitController
 
 pytestmark = pytest.mark.skipif(

@@ -7,7 +7,7 @@ import pytest
 
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.gait import PRESETS
-from quadruped_env.gait.settings import GaitSettings, edited
+from quadruped_env.gait.gait_settings import GaitSettings, edited
 
 PHASES = (0.0, 0.25, 0.5, 0.75)
 

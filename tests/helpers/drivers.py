@@ -6,7 +6,7 @@ from dataclasses import fields
 import numpy as np
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
 
-from quadruped_env.readings import Readings
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 
 ROWS = 5

@@ -32,7 +32,7 @@ def ranks_of(process):
     found = []
     for child in psutil.Process(process.pid).children(recursive=True):
         with contextlib.suppress(psutil.Error):
-            if "quadruped_env.training.distributed.rank" in child.cmdline():
+            if "quadruped_env.scale.ranks.rank" in child.cmdline():
                 found.append(child)
     return sorted(found, key=lambda child: child.cmdline()[-1])
 

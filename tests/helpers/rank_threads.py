@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from waiting import DEADLINE
 
-from quadruped_env.training.distributed.group import Group
+from quadruped_env.scale.ranks.torch_group import RankGroup
 
 
 class _Meeting:
@@ -14,7 +14,7 @@ class _Meeting:
         self.values = [None] * ranks
 
 
-class ThreadGroup(Group):
+class ThreadGroup(RankGroup):
     """A rank whose others are threads; it adds in the order of the ranks."""
 
     def __init__(self, meeting, rank, ranks):

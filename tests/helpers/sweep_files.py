@@ -5,11 +5,11 @@ import json
 from quadruped_env.cli.train import with_recipe
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.sweep import Dimension, SweepConfig
-from quadruped_env.sweep.driver import TrialBook
-from quadruped_env.sweep.records import SweepFolder
-from quadruped_env.sweep.results import collect, table, write
-from quadruped_env.sweep.search import proposals
+from quadruped_env.scale.sweep import Dimension, SweepConfig
+from quadruped_env.scale.sweep.search import proposals
+from quadruped_env.scale.sweep.sweep_driver import TrialBook
+from quadruped_env.scale.sweep.sweep_records import SweepFolder
+from quadruped_env.scale.sweep.sweep_results import collect, table, write
 from quadruped_env.training import TrainConfig
 
 SCORE = {"total": 0.5, "components": dict.fromkeys(COMPONENTS, 0.5)}

@@ -9,8 +9,8 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 
 from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.envs import ENV_ID
-from quadruped_env.readings import Readings
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import (
     CommandConfig,

@@ -3,9 +3,9 @@
 import numpy as np
 import torch
 
-from quadruped_env.readings import Readings
+from quadruped_env.robot.readings import Readings
+from quadruped_env.scale.gpu.torch_arrays import TensorArray, TorchArrays
 from quadruped_env.simulation import BatchSimulation
-from quadruped_env.torch_arrays import TensorArray, TorchArrays
 
 EXACT = {"model", "robot", "height_field", "num_envs", "sensor_columns", "compiled_field"}
 """Attributes that are the same for both kinds of arrays."""

@@ -14,8 +14,9 @@ from waiting import DEADLINE, wait_until
 
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, RSL_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, RSL_FILE
 
 SCRIPT = ROOT / "train" / "ppo.py"
 TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
@@ -40,16 +41,16 @@ def command(runs, *arguments):
 
 def learn(runs, config, resume=None):
     """Train in this process; the run directory."""
-    from quadruped_env.training.distributed.job import Job
-    from quadruped_env.training.distributed.launch import launch
+    from quadruped_env.scale.ranks.job import Job
+    from quadruped_env.scale.ranks.training_launch import launch
 
     return launch(Job(config, runs, "train", resume))[0]
 
 
 def learn_until(monkeypatch, note, runs, config):
     """Run directory of a training that Ctrl-C ends in the part that calls this method of its recorder."""
-    from quadruped_env.training import ppo
-    from quadruped_env.training.recorder import Recorder
+    from quadruped_env.training import train
+    from quadruped_env.training.training_recorder import Recorder
 
     usual = getattr(Recorder, note)
 
@@ -59,7 +60,7 @@ def learn_until(monkeypatch, note, runs, config):
 
     with monkeypatch.context() as patch:
         patch.setattr(Recorder, note, interrupt)
-        run, finished = ppo.train(config, runs, "test")
+        run, finished = train.train(config, runs, "test")
     assert not finished
     return run
 
@@ -105,3 +106,10 @@ def running(runs, *arguments, command=command):
     finally:
         process.kill()
         process.communicate()
+
+
+@pytest.fixture(scope="session")
+def run(tmp_path_factory):
+    """A complete run of eight updates, without checkpoints on a machine of any speed."""
+    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
+    return learn(tmp_path_factory.mktemp("runs"), config)

@@ -5,7 +5,7 @@ from settings import settings
 
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.models import make_model
+from quadruped_env.training.sb3_models import make_model
 
 ENVS = 16
 

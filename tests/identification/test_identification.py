@@ -13,12 +13,11 @@ from paths import DYNA1, ROOT
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.identify import add_arguments
-from quadruped_env.evaluation.episode import play, publish
+from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
 from quadruped_env.identification.dataset import align, held
 from quadruped_env.identification.fit import MotorFit
-from quadruped_env.identification.identification_report import save
-from quadruped_env.identification.quantities import (
+from quadruped_env.identification.fitted_parameters import (
     coordinate_derivatives,
     from_coordinates,
     names_of,
@@ -26,6 +25,7 @@ from quadruped_env.identification.quantities import (
     value_of,
     with_values,
 )
+from quadruped_env.identification.identification_report import save
 from quadruped_env.identification.spec import joint_spec
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay

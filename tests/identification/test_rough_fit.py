@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from quadruped_env.identification.rough import derivatives, half_widths, search
+from quadruped_env.identification.rough_least_squares import derivatives, half_widths, search
 
 TRUTH = np.array([1.2, 0.8])
 LOW, HIGH = np.full(2, 0.02), np.full(2, 50.0)

@@ -20,7 +20,7 @@ from waiting import DEADLINE, killed_on_failure, status_of, wait_until
 from quadruped_env import JOINT_NAMES, MissingExtraError, QuadrupedError, asset_path, forward_kinematics
 from quadruped_env.live import TOPICS, Network, Node, Topic
 from quadruped_env.live.__main__ import main
-from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.pace import Pace, Rate
 from quadruped_env.robot import MINI_QUADRUPED

@@ -14,7 +14,7 @@ from waiting import DEADLINE, killed_on_failure, output_of, status_of, wait_unti
 
 from quadruped_env import asset_path
 from quadruped_env.live import Topic
-from quadruped_env.live.messages.transforms import description_message
+from quadruped_env.live.messages.transform_messages import description_message
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos

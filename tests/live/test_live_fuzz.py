@@ -13,7 +13,7 @@ from waiting import wait_until
 from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.node import Received
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES, TOPICS
 from quadruped_env.live.nodes import node_module

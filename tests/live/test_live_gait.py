@@ -9,16 +9,16 @@ from live_nodes import joint_state, usable
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.gait.settings import GaitSettings, edited
+from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.messages.gaits import AdjustableGait, read_settings, settings_message
-from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.gait_messages import AdjustableGait, read_settings, settings_message
+from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.panel_text import status_html
-from quadruped_env.viewer.robot import Offered
+from quadruped_env.viewer.viewed_robot import Offered
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")

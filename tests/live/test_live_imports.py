@@ -42,4 +42,4 @@ def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node, code):
 
 def test_view_node_imports_the_viewer():
     """The names that the other test looks for exist."""
-    assert "quadruped_env.viewer.scene" in loaded_by("view")
+    assert "quadruped_env.viewer.viewer_scene" in loaded_by("view")

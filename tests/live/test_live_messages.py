@@ -12,7 +12,7 @@ from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.messages.text import check_field
+from quadruped_env.live.messages.message_text import check_field
 from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_STATES, TOPICS
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.pace import Pace

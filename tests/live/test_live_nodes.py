@@ -19,7 +19,7 @@ from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node, Topic
-from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.topics import (
     CMD_VEL,
     IMU,

@@ -18,9 +18,9 @@ from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.messages.joints import JointReader
-from quadruped_env.live.messages.sensors import Sensors
-from quadruped_env.live.messages.stamps import read_stamp
+from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.message_stamps import read_stamp
+from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session

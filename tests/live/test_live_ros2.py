@@ -11,8 +11,8 @@ from waiting import output_of, status_of, wait_until
 
 from quadruped_env import asset_path
 from quadruped_env.live import TOPICS, Topic
-from quadruped_env.live.messages.text import plain
-from quadruped_env.live.messages.transforms import description_message
+from quadruped_env.live.messages.message_text import plain
+from quadruped_env.live.messages.transform_messages import description_message
 from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF_STATIC
 from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.robot import MINI_QUADRUPED

@@ -12,16 +12,16 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.live.messages.commands import CommandWriter, positions_message, read_positions, read_target
-from quadruped_env.live.messages.imu import read_imu
-from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.command_messages import CommandWriter, positions_message, read_positions, read_target
+from quadruped_env.live.messages.imu_messages import read_imu
+from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
-from quadruped_env.readings import Readings
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot.readings import Readings
 from quadruped_env.ros import cdr
-from quadruped_env.rotations import rotate_inverse
 from quadruped_env.simulation import SingleSimulation, build_model
 from quadruped_env.task import Task
+from quadruped_env.utils.rotations import rotate_inverse
 
 ROW = np.zeros(1, dtype=np.intp)
 

@@ -22,13 +22,13 @@ from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, Sinusoid
 from quadruped_env.live import Network, Topic
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
 from quadruped_env.live.listener import common_qos
-from quadruped_env.live.messages.text import as_csv, as_yaml, field_at, plain
-from quadruped_env.live.messages.transforms import TransformWriter, description_message
+from quadruped_env.live.message_recorder import Recorder
+from quadruped_env.live.messages.message_text import as_csv, as_yaml, field_at, plain
+from quadruped_env.live.messages.transform_messages import TransformWriter, description_message
 from quadruped_env.live.middleware.dds import open_participant
 from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.nodes.hz import rate_text
 from quadruped_env.live.nodes.teleop import after, twist
-from quadruped_env.live.recorder import Recorder
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr

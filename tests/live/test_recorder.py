@@ -10,12 +10,12 @@ from paths import importing
 from waiting import DEADLINE
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.files import free_path
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.utils.files import free_path
 
 pytest.importorskip("rosbags")
+from quadruped_env.live.message_recorder import Recorder
 from quadruped_env.live.middleware.topics import JOINT_STATES
-from quadruped_env.live.recorder import Recorder
 from quadruped_env.ros import cdr
 
 

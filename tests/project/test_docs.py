@@ -12,7 +12,7 @@ from paths import ROOT
 from waiting import output_of
 
 from quadruped_env import SinusoidalGait
-from quadruped_env.cli.commands import SUMMARIES as COMMANDS
+from quadruped_env.cli.invocation import SUMMARIES as COMMANDS
 from quadruped_env.cli.main import make_parser
 from quadruped_env.live.__main__ import make_parser as make_node_parser
 from quadruped_env.live.nodes import SUMMARIES

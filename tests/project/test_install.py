@@ -9,7 +9,7 @@ import sys
 import pytest
 from paths import ROOT
 
-from quadruped_env import _python
+from quadruped_env.utils import interpreter
 
 CPU_INDEX = "https://download.pytorch.org/whl/cpu"
 TORCH = next(line for line in (ROOT / "constraints.txt").read_text().splitlines() if line.startswith("torch=="))
@@ -97,8 +97,8 @@ def checkout(tmp_path):
 
 @pytest.mark.parametrize("page", ["README.md", "README.zh-CN.md", "docs/install.md", "docs/troubleshooting.md"])
 def test_command_for_the_cpu_build_is_that_of_the_hints(page):
-    assert f"pip install {_python.CPU_TORCH}" in (ROOT / page).read_text()
-    assert CPU_INDEX in _python.CPU_TORCH
+    assert f"pip install {interpreter.CPU_TORCH}" in (ROOT / page).read_text()
+    assert CPU_INDEX in interpreter.CPU_TORCH
 
 
 PACKAGE = "install -c constraints.txt -e .[test]"

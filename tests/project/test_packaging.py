@@ -15,10 +15,10 @@ import pytest
 from paths import ROOT
 from tasks import LAYOUT
 
-from quadruped_env import _python
-from quadruped_env.cli.commands import SUMMARIES
+from quadruped_env.cli.invocation import SUMMARIES
 from quadruped_env.envs import MiniQuadrupedEnv
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils import interpreter
 
 USE = """
 import gymnasium, quadruped_env
@@ -58,8 +58,8 @@ def test_notice_names_the_tutorial_and_is_a_licence_file():
 def test_ranges_of_the_dependencies():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
-    oldest = ">={}.{}".format(*_python.OLDEST_MUJOCO)
-    assert {f"mujoco{oldest}", *_python.NEEDED} <= {
+    oldest = ">={}.{}".format(*interpreter.OLDEST_MUJOCO)
+    assert {f"mujoco{oldest}", *interpreter.NEEDED} <= {
         *project["dependencies"],
         *(re.split("[><=]", need)[0] for need in project["dependencies"]),
     }

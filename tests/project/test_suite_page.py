@@ -2,9 +2,9 @@
 
 from paths import ROOT
 
-from quadruped_env.evaluation.suite.definition import full_suite
 from quadruped_env.evaluation.suite.suite import COMPONENTS
-from quadruped_env.seeds import EVALUATION_SEEDS
+from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.utils.seeds import EVALUATION_SEEDS
 
 TEXT = " ".join((ROOT / "docs" / "suite.md").read_text().split())
 

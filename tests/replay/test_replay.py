@@ -9,7 +9,7 @@ from trajectories import assert_same_numbers, standing
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, forward_kinematics
 from quadruped_env.evaluation.baseline import run_baseline
-from quadruped_env.evaluation.episode import MAX_SECONDS, play, publish
+from quadruped_env.evaluation.recorded_episode import MAX_SECONDS, play, publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay

@@ -9,7 +9,7 @@ import pytest
 from paths import DYNA1, ROOT
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, SinusoidalGait, asset_path
-from quadruped_env.evaluation.episode import play, publish
+from quadruped_env.evaluation.recorded_episode import play, publish
 
 EVALUATE = ROOT / "evaluate"
 

@@ -12,8 +12,9 @@ from PIL import Image
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.control.policy import shipped_directory
-from quadruped_env.evaluation.episode import play, publish
+from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
 from quadruped_env.replay.replay import replay
@@ -21,7 +22,6 @@ from quadruped_env.reporting.films import film, overlay, video
 from quadruped_env.reporting.films.film import Camera, Clip
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.trace import Trace
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from quadruped_env.reporting.plots.joints import Line, joint_panels
+from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.robot import MINI_QUADRUPED
 
 ROWS = 200_000

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError, asset_path
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting import palette
 from quadruped_env.reporting.films import film, overlay
 from quadruped_env.reporting.films.film import Camera
@@ -22,7 +23,6 @@ from quadruped_env.reporting.palette import rgb
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.trace import Trace
 
 pytest.importorskip("trimesh")
 

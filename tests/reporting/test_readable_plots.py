@@ -11,7 +11,7 @@ from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import evaluation_report
 from quadruped_env.reporting.plots.canvas import draw_figure, legend_above
-from quadruped_env.reporting.plots.joints import Line, joint_panels
+from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.robot import MINI_QUADRUPED
 
 PAGE, MARGINS = 400.0, 2 * 0.9 * 16.0

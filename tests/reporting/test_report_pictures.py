@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from quadruped_env.evaluation.failures import Failure
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.pages import pictures
 from quadruped_env.reporting.pages.pictures import filmed, still_samples
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.trace import Trace
 
 
 def test_film_shows_slow_and_fast_walking_the_feet_turning_and_backwards(comparison):

@@ -13,7 +13,7 @@ from paths import ROOT
 from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation import subject
 from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.reporting import results
+from quadruped_env.reporting import report_directory
 
 
 def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
@@ -37,15 +37,15 @@ def test_a_checkpoint_is_named_with_its_run(run_directory):
 
 
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):
-    monkeypatch.setattr(results.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(report_directory.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"mini-quadruped\[report\]"):
-        results.prepare_output(tmp_path)
+        report_directory.prepare_output(tmp_path)
 
 
 def test_an_output_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(QuadrupedError, match=r"file.*cannot be created.*choose another directory"):
-        results.prepare_output(tmp_path / "file" / "out")
+        report_directory.prepare_output(tmp_path / "file" / "out")
 
 
 def program(*arguments, cwd):

@@ -7,7 +7,7 @@ from report_page import Page
 
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.reporting.pages.evaluation_report import write_report
-from quadruped_env.sim2sim import MuJoCo, results, run_transfer
+from quadruped_env.sim2sim import MuJoCo, run_transfer, transfer_results
 
 TITLE = "In a second physics engine"
 
@@ -27,13 +27,13 @@ def text_of(report):
 
 
 def test_report_shows_the_results_of_the_policy_and_leaves_out_those_of_another(subject, transfer, comparison):
-    path = results.save(transfer, subject, "python evaluate/sim2sim.py runs/<name> --seeds 2")
+    path = transfer_results.save(transfer, subject, "python evaluate/sim2sim.py runs/<name> --seeds 2")
     report, _, _ = write_report(subject, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
     shown = text_of(report)
     section = shown[shown.index(TITLE) : shown.index("The worst episodes")]
-    for sentence in (*results.verdict(transfer), *results.conditions(transfer)):
+    for sentence in (*transfer_results.verdict(transfer), *transfer_results.conditions(transfer)):
         assert sentence in section
-    for table in results.tables(transfer):
+    for table in transfer_results.tables(transfer):
         assert table.label in section
         for row in table.rows:
             assert " ".join(row) in section

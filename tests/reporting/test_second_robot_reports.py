@@ -18,15 +18,15 @@ from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare, compare_policies
-from quadruped_env.evaluation.episode import play, publish, record
 from quadruped_env.evaluation.metrics import GRAVITY, METRICS, joints_at_limit, measure
+from quadruped_env.evaluation.recorded_episode import play, publish, record
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.identification import identify
 from quadruped_env.identification.dataset import align
 from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.fitted_parameters import with_values
 from quadruped_env.identification.identification_report import save
-from quadruped_env.identification.quantities import with_values
 from quadruped_env.identification.spec import joint_spec
 from quadruped_env.policies import CommandedGaitController, Policy, TrajectoryController, find_controllers, load_policy
 from quadruped_env.replay.motors_file import read_motors
@@ -36,7 +36,7 @@ from quadruped_env.reporting import palette
 from quadruped_env.reporting.films.film import Camera, Clip, size_of
 from quadruped_env.reporting.films.overlay import GAIT_SECONDS, Overlay, gait_strip
 from quadruped_env.reporting.pages.evaluation_report import write_report
-from quadruped_env.reporting.plots.joints import Line, joint_panels
+from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 
@@ -356,7 +356,7 @@ class TestViewer:
 
     def test_recording_has_the_joints_of_the_robot(self, controller, tmp_path, monkeypatch):
         films = []
-        monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: films.extend(clips))
+        monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: films.extend(clips))
         controller.start_recording()
         controller.advance(0.2)
         controller.close()

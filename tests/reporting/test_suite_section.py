@@ -12,15 +12,15 @@ from report_page import Page
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
 from quadruped_env.evaluation.suite.findings import suite_findings
+from quadruped_env.evaluation.suite.measured_controller import Contender
 from quadruped_env.evaluation.suite.references import reference_row
 from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
+from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting.pages import run_comparison, suite_section
 from quadruped_env.reporting.pages.evaluation_report import write_report
-from quadruped_env.reporting.plots import suite as plots
+from quadruped_env.reporting.plots import suite_plots as plots
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ import pytest
 
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.reporting.pages.sweep_report import write_sweep_report
-from quadruped_env.reporting.plots import sweep as plots
+from quadruped_env.reporting.plots import sweep_plots as plots
 
 RATE = {"low": 1e-4, "high": 1e-2, "log": True}
 HIDDEN = {"choices": [[8], [16, 16]]}

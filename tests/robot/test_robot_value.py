@@ -12,8 +12,8 @@ import pytest
 from tutorial import random_positions
 
 from quadruped_env import QuadrupedError, build_model, forward_kinematics
-from quadruped_env.readings import sensor_columns
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, QuadrupedDesign, Robot
+from quadruped_env.robot.readings import sensor_columns
 
 OTHER = QuadrupedDesign(name="other", leg_names=("RH", "LH", "RF", "LF"), leg_length=0.2, base_mass=3.0)
 

@@ -300,7 +300,7 @@ class TestLive:
         assert 0.15 < speeds[-400:].mean() < 0.45
 
     def test_nodes_take_the_robot_from_a_file(self, start, nodes):
-        from quadruped_env.live.messages.joints import JointReader
+        from quadruped_env.live.messages.joint_messages import JointReader
         from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION
         from quadruped_env.ros import Qos, cdr
 

@@ -11,7 +11,7 @@ import ros2_peers
 from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import MESSAGE_TYPES, cdr, message_type
-from quadruped_env.ros.joint_state import Decoder, Encoder, decode_ros1
+from quadruped_env.ros.joint_state_bytes import Decoder, Encoder, decode_ros1
 from quadruped_env.ros.tf import tf_encoder, tf_numbers
 
 typesys = pytest.importorskip("rosbags.typesys")

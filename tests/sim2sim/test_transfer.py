@@ -14,7 +14,7 @@ from quadruped_env.cli.main import main
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.sim2sim import Drake, MuJoCo, results, run_transfer
+from quadruped_env.sim2sim import Drake, MuJoCo, run_transfer, transfer_results
 from quadruped_env.sim2sim.transfer import COMMANDS, Transfer
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import TaskConfig
@@ -88,7 +88,7 @@ def test_policy_carries_over_within_the_targets_and_without_more_falls(forward, 
     commands = ((0.5, 0.0), (0.0, 0.5))
     found = made(([0.5, 0.0], [forward, 0.0]), ([0.0, 0.5], [0.0, yaw_rate]), ((0.0, 0.0), (0.0, falls)), commands)
     assert found.carries_over() is expected
-    sentences = results.verdict(found)
+    sentences = transfer_results.verdict(found)
     assert ("does not carry over" in sentences[0]) is not expected
     assert sum("missed" in sentence for sentence in sentences) == (not expected and not falls)
 
@@ -99,7 +99,7 @@ def test_command_that_is_not_followed_here_leaves_the_conclusion_open(here):
     found = made(([here], [0.0]), ([0], [0]))
     assert found.carries_over() is None
     assert found.to_dict()["carries_over"] is None
-    assert results.verdict(found)[0] == (
+    assert transfer_results.verdict(found)[0] == (
         "Whether the policy carries over to Drake is open: in MuJoCo it does not follow the command of 0.5 m/s and "
         "0 rad/s."
     )
@@ -215,23 +215,23 @@ def test_missing_drake_is_an_error_that_names_the_extra(monkeypatch, tmp_path, c
 
 def test_results_survive_their_file(transfer, tmp_path):
     subject = find_subject("flat", tmp_path)
-    path = results.save(transfer, subject, "mini-quadruped sim2sim flat")
+    path = transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
     document = json.loads(path.read_text())
-    assert document["verdict"] == list(results.verdict(transfer))
-    loaded, _ = results.load(subject)
-    assert results.tables(loaded) == results.tables(transfer)
+    assert document["verdict"] == list(transfer_results.verdict(transfer))
+    loaded, _ = transfer_results.load(subject)
+    assert transfer_results.tables(loaded) == transfer_results.tables(transfer)
     assert loaded.to_dict() == transfer.to_dict()
-    assert results.load(find_subject("flat", tmp_path / "elsewhere")) is None
+    assert transfer_results.load(find_subject("flat", tmp_path / "elsewhere")) is None
 
 
 def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer, tmp_path):
     subject = find_subject("flat", tmp_path)
-    path = results.save(transfer, subject, "mini-quadruped sim2sim flat")
+    path = transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
     other = subject.policy
     weights = tuple(weight + 1.0 for weight in other.weights)
     changed = type(other)(weights, other.biases, other.activation, other.config, other.card)
     with pytest.warns(UserWarning, match=r"sim2sim\.json: is of another policy.*again"):
-        assert results.load(dataclasses.replace(subject, policy=changed)) is None
+        assert transfer_results.load(dataclasses.replace(subject, policy=changed)) is None
     for name, value in (
         ("format_version", 0),
         ("seeds", [0]),
@@ -243,12 +243,12 @@ def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer,
         document = {**json.loads(path.read_text()), name: value}
         path.write_text(json.dumps({key: entry for key, entry in document.items() if entry is not None}))
         with pytest.warns(UserWarning, match=r"sim2sim\.json: .*left out"):
-            assert results.load(subject) is None
-        results.save(transfer, subject, "mini-quadruped sim2sim flat")
+            assert transfer_results.load(subject) is None
+        transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
 
 
 def test_table_has_a_row_per_command_with_both_engines(transfer):
-    policy_table, _, standing = results.tables(transfer)
+    policy_table, _, standing = transfer_results.tables(transfer)
     assert [row[0] for row in policy_table.rows] == ["0.3, 0", "0, 0.5", "0, 0"]
     assert len(standing.rows) == 1
     here, there = transfer.means("policy", "yaw_rate", 1)

@@ -24,7 +24,7 @@ from drivers import (
 )
 from mujoco.batch import SimulationError
 
-from quadruped_env.readings import Readings
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation, SingleSimulation
 
 

@@ -13,8 +13,8 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.policies import CommandedGaitController, PolicyController, load_policy
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.simulation import model as model_module
+from quadruped_env.simulation.built_in_terrains import hills
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.terrain import hills
 from quadruped_env.task import Task
 
 ENV = np.zeros(1, dtype=np.intp)

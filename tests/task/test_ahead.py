@@ -5,9 +5,9 @@ import pytest
 from environments import SHOVED, assert_same, make_native
 
 from quadruped_env import QuadrupedError
-from quadruped_env.arrays import NUMPY
 from quadruped_env.task import ModelField, Randomization
 from quadruped_env.task.ahead import Ahead
+from quadruped_env.utils.arrays import NUMPY
 
 N = 5
 

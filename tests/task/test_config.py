@@ -11,7 +11,7 @@ import pytest
 import second_robot
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.robot import JointMotor, MotorConfig
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import (

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from quadruped_env.task.draws import Draws, Purposes, uniform
+from quadruped_env.task.randomization.draws import Draws, Purposes, uniform
 
 FIRST = Purposes({"first": 30, "second": 4})
 

@@ -255,7 +255,7 @@ def test_a_missing_file_is_refused_by_name(tmp_path):
 def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.ppo import train
+    from quadruped_env.training.train import train
 
     config = TrainConfig(num_envs=8, n_steps=8, batch_size=32, timesteps=128, hidden=(8,))
     directory, _ = train(config, tmp_path / "runs", "train", task_file=my_task)
@@ -291,7 +291,7 @@ def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tm
     from quadruped_env.control import PolicyController
     from quadruped_env.control.live_controller import LiveController
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.ppo import train
+    from quadruped_env.training.train import train
 
     text = EXAMPLES[2].replace("joint_torque", "foot_force").replace('"joints"', '"feet"')
     file = write(tmp_path, text)

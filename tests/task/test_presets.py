@@ -23,7 +23,7 @@ from quadruped_env.task import (
     load_task_file,
     preset_values,
 )
-from quadruped_env.task.randomization import bound
+from quadruped_env.task.randomization.randomization import bound
 
 
 def test_hard_has_a_delay_of_60_ms_at_its_edge_and_pushes_of_three_quarters_of_a_metre_per_second():

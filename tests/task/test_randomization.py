@@ -14,7 +14,7 @@ from tasks import (
     make_task,
 )
 
-from quadruped_env.control.memory import EpisodeMemory
+from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
@@ -27,7 +27,7 @@ from quadruped_env.task import (
     TaskConfig,
     load_task_file,
 )
-from quadruped_env.task import randomization as randomizations
+from quadruped_env.task.randomization import randomization as randomizations
 
 
 def test_starts_are_drawn_in_their_ranges():

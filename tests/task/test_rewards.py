@@ -8,8 +8,8 @@ import pytest
 from built_in import FOOT_RADIUS, STANCE
 from tasks import NEVER_FALLS, Terms, column, make_task, random_readings
 
-from quadruped_env.readings import Readings
 from quadruped_env.robot.motors import JointMotor, MotorConfig
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import RewardConfig, Task, TaskConfig, load_task_file, quantities
 

@@ -11,9 +11,9 @@ from tasks import LAYOUT, make_task
 
 from quadruped_env.control import ControlInterface
 from quadruped_env.envs import ENV_ID
-from quadruped_env.readings import Readings
+from quadruped_env.robot.readings import Readings
 from quadruped_env.task import RandomizationConfig, TaskConfig
-from quadruped_env.task.sensors import MEASURED as DISTURBED
+from quadruped_env.task.randomization.sensor_errors import MEASURED as DISTURBED
 
 STANCE = np.array([0.6, -0.72] * 4)
 SENSORS = {"imu_mounting": 0.2, "observation_latency": [0.0, 0.05]}

@@ -7,7 +7,7 @@ import pytest
 from settings import CLOCK_FREQUENCY, REWARD_PARAMETERS, REWARD_WEIGHTS
 from tasks import LAYOUT
 
-from quadruped_env.control.config import ControlConfig
+from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.task import TaskConfig
 
 CONFIG = {

@@ -9,7 +9,7 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from tasks import ACTION_WIDTH, NEVER_FALLS, STILL_START, Terms, column, make_env, make_task, random_readings
 
 from quadruped_env import CommandedGait, QuadrupedError
-from quadruped_env.control.config import COMMANDS
+from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.velocity_command import check_command
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import (
@@ -20,7 +20,7 @@ from quadruped_env.task import (
     TerminationConfig,
     terminations,
 )
-from quadruped_env.task.commands import CommandSampler
+from quadruped_env.task.command_sampling import CommandSampler
 
 # --- terminations ---
 

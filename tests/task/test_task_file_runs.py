@@ -23,9 +23,9 @@ from quadruped_env.live.nodes import controller
 from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig, load_task_file
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.ppo import train
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.training.train import train
 from quadruped_env.viewer import open_show
 
 REWARDS = """

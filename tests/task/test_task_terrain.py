@@ -20,7 +20,7 @@ from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
-from quadruped_env.simulation.terrain import hills, rough
+from quadruped_env.simulation.built_in_terrains import hills, rough
 from quadruped_env.task import Task, TaskConfig, TerrainConfig, load_task_file
 
 UNEVEN = ("rough", "hills", "stairs", "tiles")

@@ -7,8 +7,8 @@ import pytest
 
 from quadruped_env.simulation import find_terrain
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.draws import Draws
-from quadruped_env.task.tile_assignment import TileAssignment
+from quadruped_env.task.randomization.draws import Draws
+from quadruped_env.task.randomization.tile_assignment import TileAssignment
 
 TIMESTEP = 0.02
 TILES = find_terrain("tiles")

@@ -54,7 +54,7 @@ def test_goals_apply_to_the_best_number_of_envs():
 
 def test_training_to_walk_has_the_budget_of_a_gpu(monkeypatch):
     from benchmarks import gpu_speed
-    from quadruped_env.training.config import GPU_DEFAULTS
+    from quadruped_env.training.train_config import GPU_DEFAULTS
 
     budgets = []
 

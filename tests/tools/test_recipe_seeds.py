@@ -10,9 +10,9 @@ from comparisons import random_policy
 import recipe_seeds
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.suite.contender import Contender
+from quadruped_env.evaluation.suite.measured_controller import Contender
 from quadruped_env.policies import CommandedGaitController, load_policy
-from quadruped_env.reporting.plots.recipes import recipe_curves, smoothed
+from quadruped_env.reporting.plots.recipe_plots import recipe_curves, smoothed
 from quadruped_env.task import TaskConfig
 
 HEADER = "timesteps,seconds,return,fall_rate,forward_velocity_error,yaw_rate_error\n"

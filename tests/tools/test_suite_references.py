@@ -13,11 +13,11 @@ import suite_references
 from benchmarks import shipping
 from quadruped_env import QuadrupedError
 from quadruped_env.control.policy import SHIPPED
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import quick_suite
 from quadruped_env.evaluation.suite.findings import suite_findings
+from quadruped_env.evaluation.suite.measured_controller import Contender
 from quadruped_env.evaluation.suite.references import read_references
 from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
+from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import load_policy
 
 

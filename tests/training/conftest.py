@@ -3,24 +3,16 @@
 import argparse
 
 import pytest
-from trainings import SMALL, STEPS, learn
+from trainings import run  # noqa: F401  a fixture
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
-from quadruped_env.training import TrainConfig
-
-
-@pytest.fixture(scope="session")
-def run(tmp_path_factory):
-    """A complete run of eight updates, without checkpoints on a machine of any speed."""
-    config = TrainConfig(timesteps=8 * STEPS, name="first", checkpoint_seconds=1e6, **SMALL)
-    return learn(tmp_path_factory.mktemp("runs"), config)
 
 
 @pytest.fixture
 def asked(monkeypatch, tmp_path):
     """Function that returns the settings of the training that the program would run."""
-    from quadruped_env.training import ppo
+    from quadruped_env.training import train as training
 
     trainings = []
 
@@ -28,12 +20,12 @@ def asked(monkeypatch, tmp_path):
         trainings.append(config)
         raise QuadrupedError("stopped")
 
-    def run(*arguments):
+    def started(*arguments):
         parser = argparse.ArgumentParser()
         train.add_arguments(parser)
         with pytest.raises(QuadrupedError, match="stopped"):
             train.run(parser.parse_args(["-o", str(tmp_path), *arguments]), argparse.Namespace(line="train"))
         return trainings[-1]
 
-    monkeypatch.setattr(ppo, "train", stop)
-    return run
+    monkeypatch.setattr(training, "train", stop)
+    return started

@@ -13,14 +13,14 @@ from quadruped_env import MissingExtraError, QuadrupedError
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.export import PolicyInterface, runtime
-from quadruped_env.export.graph import policy_graph
+from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS, check_used
-from quadruped_env.training.models import algorithm_class, export_policy, go_on_from, linear_layers, make_model
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.training.sb3_models import algorithm_class, export_policy, go_on_from, linear_layers, make_model
 from quadruped_env.training.schedules import Scheduled
 
 WIDTH = 34

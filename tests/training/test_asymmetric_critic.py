@@ -18,9 +18,9 @@ from quadruped_env.policies import load_policy
 from quadruped_env.task import load_task_file, preset_values
 from quadruped_env.task.privileged import PRIVILEGED
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.models import export_policy, make_model
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.training.sb3_models import export_policy, make_model
 
 WIDTH = 34
 NAMES = [field.name for field in PRIVILEGED]

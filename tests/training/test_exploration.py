@@ -13,7 +13,7 @@ from stable_baselines3.common.callbacks import BaseCallback
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.exploration import ClockNoise
-from quadruped_env.training.models import make_model
+from quadruped_env.training.sb3_models import make_model
 from quadruped_env.training.schedules import Scheduled
 
 STEPS, ENVS = 30, 6

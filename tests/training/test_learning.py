@@ -7,8 +7,8 @@ from settings import settings
 
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
-from quadruped_env.training import ppo
-from quadruped_env.training.config import TrainConfig, defaults
+from quadruped_env.training import train
+from quadruped_env.training.train_config import TrainConfig, defaults
 
 SPEED = 0.4
 TASK = settings(forward_velocity=(0.3, 0.5), shares=(0.0, 1.0))
@@ -33,7 +33,7 @@ def test_ppo_with_a_small_budget_learns_to_walk_forward(tmp_path):
     found = []
     for seed in range(3):
         config = TrainConfig(action_mode="position", task=TASK, seed=seed, **defaults("ppo", "position") | BUDGET)
-        directory, finished = ppo.train(config, tmp_path / str(seed), "a test")
+        directory, finished = train.train(config, tmp_path / str(seed), "a test")
         assert finished
         found.append(evaluate(load_policy(directory).predict))
     # A fresh policy does what the zero action does, and stands: 6.0 per second at 0.00 m/s.

@@ -16,7 +16,7 @@ from quadruped_env.training import TrainConfig, recipes
 from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.recipes import RECIPES, Recipe, task_values
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE
 
 
 def task_of(config):

@@ -22,7 +22,7 @@ from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent, _difference
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 
 
 @pytest.fixture
@@ -215,7 +215,7 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
 
 def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.models import export_policy, go_on_from, make_model
+    from quadruped_env.training.sb3_models import export_policy, go_on_from, make_model
 
     parent = Parent.load(run)
     env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)

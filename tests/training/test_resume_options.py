@@ -11,7 +11,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli import train as cli
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.run import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE
 
 
 def asked_by(tmp_path, *arguments):
@@ -69,9 +69,9 @@ def test_option_of_the_task_that_a_resumed_training_would_not_obey_is_refused_by
 
 
 def test_options_of_the_task_that_the_run_has_are_accepted(hard_run, tmp_path, monkeypatch):
-    from quadruped_env.training import ppo
+    from quadruped_env.training import train as training
 
-    monkeypatch.setattr(ppo, "train", stop)
+    monkeypatch.setattr(training, "train", stop)
     options = ("--randomization", "hard", "--task", '{"randomization": {"payload": null}}', "--terrain", "steps")
     with pytest.raises(QuadrupedError, match="stopped"):
         asked_by(tmp_path, "--resume", str(hard_run), *options, "--level", "4")

@@ -13,7 +13,7 @@ from trainings import progress
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.policies import load_policy
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.run import Run
+from quadruped_env.training.run_directory import Run
 
 
 def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
@@ -52,7 +52,7 @@ import resource, sys
 from pathlib import Path
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.run import PROGRESS_COLUMNS, Run
+from quadruped_env.training.run_directory import PROGRESS_COLUMNS, Run
 run = Run(Path(sys.argv[1]), TrainConfig(), {}, "train")
 row = dict.fromkeys(PROGRESS_COLUMNS, 1.5)
 run.log(row)
@@ -70,7 +70,7 @@ except QuadrupedError as error:
 
 
 def test_a_training_on_a_full_disk_ends_with_one_clear_error_and_keeps_its_checkpoint(tmp_path, monkeypatch):
-    from quadruped_env.training import ppo
+    from quadruped_env.training import train
 
     def fsync(descriptor):
         # Full from the end of the first checkpoint on.
@@ -80,7 +80,7 @@ def test_a_training_on_a_full_disk_ends_with_one_clear_error_and_keeps_its_check
     monkeypatch.setattr(os, "fsync", fsync)
     config = TrainConfig(timesteps=10**9, num_envs=4, n_steps=8, batch_size=16, hidden=(8,), checkpoint_seconds=1e-3)
     with pytest.raises(QuadrupedError, match=r"cannot be written \(No space.*; what was saved before is kept in "):
-        ppo.train(config, tmp_path, "train")
+        train.train(config, tmp_path, "train")
     (run,) = (path for path in tmp_path.iterdir() if not path.is_symlink())
     assert not list(run.rglob(".*"))
     with pytest.warns(QuadrupedWarning, match="last checkpoint"):
@@ -90,7 +90,7 @@ def test_a_training_on_a_full_disk_ends_with_one_clear_error_and_keeps_its_check
 def test_a_training_whose_curves_cannot_be_written_ends_with_one_clear_error(tmp_path, monkeypatch, capfd):
     from tensorboard.summary.writer.record_writer import RecordWriter
 
-    from quadruped_env.training import ppo, recorder
+    from quadruped_env.training import train, training_recorder
 
     written = []
 
@@ -100,9 +100,9 @@ def test_a_training_whose_curves_cannot_be_written_ends_with_one_clear_error(tmp
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(RecordWriter, "write", fail)
-    monkeypatch.setattr(recorder, "_LOG_INTERVAL", 0.0)
+    monkeypatch.setattr(training_recorder, "_LOG_INTERVAL", 0.0)
     config = TrainConfig(timesteps=10**9, num_envs=4, n_steps=8, batch_size=16, hidden=(8,))
     with pytest.raises(QuadrupedError, match=r"-ppo: cannot be written \(No space left on device\); make room"):
-        ppo.train(config, tmp_path, "train")
+        train.train(config, tmp_path, "train")
     assert "Traceback" not in capfd.readouterr().err
     assert load_policy(tmp_path / "latest").card["timesteps"] > 0

@@ -7,7 +7,7 @@ from settings import TRAINING
 
 from quadruped_env import QuadrupedError
 from quadruped_env.training.algorithms import algorithm
-from quadruped_env.training.config import BOUNDS, STEPS_TO_WALK, TrainConfig, defaults, shortness
+from quadruped_env.training.train_config import BOUNDS, STEPS_TO_WALK, TrainConfig, defaults, shortness
 
 SMALLEST = math.nextafter(0.0, 1.0)
 LIMITS = {

@@ -19,7 +19,7 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import task_values
-from quadruped_env.training.run import CONFIG_FILE, PROGRESS_COLUMNS
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS
 
 
 @pytest.fixture(scope="module")

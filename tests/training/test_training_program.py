@@ -15,12 +15,12 @@ from trainings import SCRIPT, TINY, command
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.train import add_arguments, with_recipe
-from quadruped_env.control.config import ACTION_MODES
+from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.training.algorithms import ALGORITHMS
-from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.recipes import RECIPES
+from quadruped_env.training.train_config import TrainConfig
 
 
 def assert_refused(tmp_path, arguments, message):
@@ -92,7 +92,7 @@ def final_output(tmp_path, monkeypatch, capsys):
         assert ended.value.code == 0
         return capsys.readouterr().out.splitlines()
 
-    monkeypatch.setitem(sys.modules, "quadruped_env.training.ppo", types.SimpleNamespace(train=train))
+    monkeypatch.setitem(sys.modules, "quadruped_env.training.train", types.SimpleNamespace(train=train))
     return run
 
 

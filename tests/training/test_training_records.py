@@ -17,7 +17,7 @@ from trainings import progress
 
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig, models, ppo, recorder, schedules
+from quadruped_env.training import TrainConfig, sb3_models, schedules, train, training_recorder
 from quadruped_env.training.resume import Parent
 
 ENVS, N_STEPS, ROLLOUTS = 8, 8, 12
@@ -50,22 +50,22 @@ def config(**changes):
 
 
 class Watched:
-    """A training by `ppo.train` with a manual clock, and a record of its actions, rewards, falls and episodes."""
+    """A training by `train.train` with a manual clock, and a record of its actions, rewards, falls and episodes."""
 
     def __init__(self, monkeypatch):
         self.clock = 1000.0
         self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
         self.exploration, self.learning_rates = [], []
         self.model, self.closed = None, 0
-        for module in (schedules, recorder):
+        for module in (schedules, training_recorder):
             monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
-        monkeypatch.setattr(ppo, "make_sb3_vec_env", self._make_env)
-        monkeypatch.setattr(ppo, "make_model", self._make_model(models.make_model))
+        monkeypatch.setattr(train, "make_sb3_vec_env", self._make_env)
+        monkeypatch.setattr(train, "make_model", self._make_model(sb3_models.make_model))
         # On the class, because SB3 saves the attributes of an instance.
         monkeypatch.setattr(PPO, "train", self._update(PPO.train))
 
     def train(self, runs, config, resume=None):
-        self.directory, self.finished = ppo.train(config, runs, "a test", resume)
+        self.directory, self.finished = train.train(config, runs, "a test", resume)
         return self
 
     def _make_env(self, num_envs, **kwargs):

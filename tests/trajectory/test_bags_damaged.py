@@ -14,9 +14,9 @@ from quadruped_env import (
     QuadrupedError,
 )
 from quadruped_env.trajectory import JointMap, JointRule
-from quadruped_env.trajectory.convert import convert
+from quadruped_env.trajectory.file_conversion import convert
 from quadruped_env.trajectory.loading import Stream
-from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
 
 pytest.importorskip("rosbags")

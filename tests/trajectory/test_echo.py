@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.trajectory.convert import convert
-from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.file_conversion import convert
+from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.saving import WriteOptions
 
 yaml = pytest.importorskip("yaml")

@@ -9,12 +9,12 @@ import pytest
 from viewing import DT, joint_targets, now, robot, throw_on_the_back
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.episode import record
-from quadruped_env.gait.settings import GaitSettings, edited
+from quadruped_env.evaluation.recorded_episode import record
+from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.viewer.controller import RESTART_AFTER
-from quadruped_env.viewer.robot import contact_forces
+from quadruped_env.viewer.view_controller import RESTART_AFTER
+from quadruped_env.viewer.viewed_robot import contact_forces
 
 # --- the clock
 

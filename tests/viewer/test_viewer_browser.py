@@ -10,8 +10,8 @@ from viewing import showing
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.viewer.disturbances import MAX_PUSH
 from quadruped_env.viewer.legend import OVERLAYS
+from quadruped_env.viewer.pushes_and_forces import MAX_PUSH
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
@@ -255,7 +255,7 @@ def test_two_browsers_show_and_steer_the_same(stage, paused, chromium):
 
 @pytest.mark.slow
 def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
     with showing(tmp_path) as show:
         with browser.opened(chromium) as page:
             visit(page, show)
@@ -275,7 +275,7 @@ def test_a_browser_that_is_closed_leaves_a_complete_recording(tmp_path, chromium
 
 @pytest.mark.slow
 def test_errors_are_shown_in_the_page(tmp_path, page, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
     run = tmp_path / "runs" / "damaged"
     load_policy("flat").save(run)
     (run / CARD_FILE).write_text("{")

@@ -11,16 +11,16 @@ from viewing import DT, now, robot
 
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.control.policy import SHIPPED
-from quadruped_env.evaluation.episode import publish
+from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import COMMANDED
 from quadruped_env.policies import ControllerSpec, ZeroController
 from quadruped_env.reporting import palette
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain, flat
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.disturbances import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
 from quadruped_env.viewer.legend import OVERLAYS, legend
-from quadruped_env.viewer.robot import Offered
+from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
+from quadruped_env.viewer.viewed_robot import Offered
 
 SHOWN = dict.fromkeys(OVERLAYS, True)
 

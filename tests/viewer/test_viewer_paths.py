@@ -8,9 +8,9 @@ from viewing import showing
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.evaluation.episode import publish
-from quadruped_env.files import shown_path
+from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.policies import find_controllers, load_policy
+from quadruped_env.utils.files import shown_path
 from quadruped_env.viewer.paths import without_directories
 
 
@@ -64,7 +64,7 @@ def test_nothing_that_the_server_sends_names_a_directory_of_the_machine(tmp_path
     """The names of sources, and messages about files: one that is saved, and one that is damaged."""
     pytest.importorskip("viser")
     pytest.importorskip("mjviser")
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
     run, damaged = tmp_path / "run", tmp_path / "runs" / "damaged"
     for directory in (run, damaged):
         load_policy("flat").save(directory)

@@ -7,7 +7,7 @@ import pytest
 from viewing import DT
 
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.viewer.plots import GAIT_SECONDS, gait_diagram, reward_bars
+from quadruped_env.viewer.live_plots import GAIT_SECONDS, gait_diagram, reward_bars
 
 
 def test_the_gait_diagram_shows_each_stance_once():

@@ -10,14 +10,14 @@ from waiting import DEADLINE, wait_until
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.policies import find_controllers
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.controller import RESTART_AFTER
 from quadruped_env.viewer.panel_text import status_html
-from quadruped_env.viewer.take import MAX_WAITING
+from quadruped_env.viewer.view_controller import RESTART_AFTER
+from quadruped_env.viewer.viewer_recording import MAX_WAITING
 
 
 def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch):
     films = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: films.append(clips))
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: films.append(clips))
     controller = control("policy flat")
     controller.set_command(0.4, 0.0)
     controller.advance(0.2)
@@ -49,7 +49,7 @@ def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch)
 
 @pytest.mark.parametrize("end", ["reset", "set_source", "watch", "close", "fall"])
 def test_recording_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
     controller = control("gait trot", "stand still")
     controller.start_recording()
     controller.advance(0.2)
@@ -74,7 +74,7 @@ def test_recording_without_opengl_is_saved_without_a_video(control, tmp_path, mo
     def fail(path, clips):
         raise QuadrupedError("no OpenGL to render with")
 
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", fail)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", fail)
     controller = control("stand still")
     assert not controller.saving
     controller.start_recording()
@@ -98,8 +98,8 @@ def test_recording_that_cannot_be_saved_is_reported(tmp_path):
 
 
 def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
-    monkeypatch.setattr("quadruped_env.viewer.controller.MAX_SECONDS", 0.5)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.view_controller.MAX_SECONDS", 0.5)
     controller = control("stand still")
     controller.start_recording()
     for _ in range(10):
@@ -112,7 +112,7 @@ def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, mo
 
 
 def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
     controller = control("stand still")
     assert "recording" not in status_html(controller.view())
     controller.start_recording()
@@ -122,7 +122,7 @@ def test_panel_shows_the_maximum_time_of_a_recording(control, monkeypatch):
 
 def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
     go_on = threading.Event()
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: go_on.wait(DEADLINE))
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: go_on.wait(DEADLINE))
     controller = control("stand still")
     for _ in range(MAX_WAITING):
         controller.start_recording()
@@ -137,8 +137,8 @@ def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeyp
 
 
 def test_recordings_of_a_show_are_bounded(control, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: None)
-    monkeypatch.setattr("quadruped_env.viewer.take.MAX_TAKES", 1)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.MAX_TAKES", 1)
     controller = control("stand still")
     controller.start_recording()
     controller.stop_recording()
@@ -150,7 +150,7 @@ def test_recordings_of_a_show_are_bounded(control, monkeypatch):
 @pytest.mark.parametrize(("source", "follows"), [("policy flat", True), ("gait trot", False)])
 def test_film_shows_the_command_if_the_robot_follows_it(control, monkeypatch, source, follows):
     films = []
-    monkeypatch.setattr("quadruped_env.viewer.take.save_film", lambda path, clips: films.extend(clips))
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: films.extend(clips))
     controller = control(source)
     controller.set_command(0.3, 0.1)
     controller.start_recording()

@@ -8,10 +8,10 @@ from viewing import DT, joint_targets, now, robot
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.control.policy import CARD_FILE, SHIPPED
-from quadruped_env.evaluation.episode import publish
+from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import find_controllers, load_policy
-from quadruped_env.viewer.lineup import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import threading
 
 from viewer_clients import connected_browser
 
-from quadruped_env.viewer.wake_up import WakeUp
+from quadruped_env.viewer.thread_messages import WakeUp
 
 
 def set_elsewhere(event):

@@ -22,7 +22,7 @@ from quadruped_env import JointTrajectory
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.trajectory import saving
 from quadruped_env.trajectory.loading import Stream
-from quadruped_env.trajectory.options import ReadOptions
+from quadruped_env.trajectory.read_options import ReadOptions
 stay_on_one_core()
 """
 _END: Final = """
@@ -51,7 +51,7 @@ start = time.perf_counter()
 messages = len(JointTrajectory.load(sys.argv[1]))
 """
 _CONVERT: Final = """
-from quadruped_env.trajectory.convert import convert
+from quadruped_env.trajectory.file_conversion import convert
 start = time.perf_counter()
 messages = convert(Path(sys.argv[1]), Path(sys.argv[2]), ReadOptions(), saving.WriteOptions()).rows
 """

@@ -12,10 +12,10 @@ from benchmarks.learning_speed import WalkTest, walk_test
 from benchmarks.measures import Say
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.scale.gpu.warp_env import WarpVecEnv
+from quadruped_env.scale.gpu.warp_training import WarpModel
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.config import GPU_DEFAULTS, WARP_DEVICES, TrainConfig, defaults
-from quadruped_env.training.warp import WarpModel
-from quadruped_env.training.warp_env import WarpVecEnv
+from quadruped_env.training.train_config import GPU_DEFAULTS, WARP_DEVICES, TrainConfig, defaults
 
 GOALS: Final = {"env": 1e6, "training": 4e5}
 """Steps per second to reach on a GPU of a data centre, at the best number of envs."""

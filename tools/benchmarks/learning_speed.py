@@ -16,9 +16,9 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Policy, PolicyController
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.config import TrainConfig, defaults
-from quadruped_env.training.models import export_policy, make_model
+from quadruped_env.training.sb3_models import export_policy, make_model
 from quadruped_env.training.schedules import Scheduled
+from quadruped_env.training.train_config import TrainConfig, defaults
 
 COMMAND: Final = (0.5, 0.0)
 EPISODES: Final = 64

@@ -18,10 +18,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.files import write_whole
-from quadruped_env.live.messages.commands import read_target
-from quadruped_env.live.messages.joints import JointReader
-from quadruped_env.live.messages.stamps import read_stamp
+from quadruped_env.live.messages.command_messages import read_target
+from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.message_stamps import read_stamp
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
@@ -29,7 +28,8 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.files import write_whole
 
 COMMAND_PERIOD: Final = 0.1
 """Time between messages on /cmd_vel, s."""

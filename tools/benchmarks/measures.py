@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.files import write_json
+from quadruped_env.utils.files import write_json
 
 Say = Callable[[str], None]
 

@@ -1,6 +1,6 @@
 """Two ranks against one, with the same envs in total: steps per second, time to walk, and what an update exchanges.
 
-Every measurement runs in processes of its own, and the ranks are those of `quadruped_env.training.distributed`.
+Every measurement runs in processes of its own, and the ranks are those of `quadruped_env.scale.ranks`.
 """
 
 import json
@@ -15,8 +15,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
-from quadruped_env.program import end_with_parent
-from quadruped_env.training.distributed.job import threads_per_rank
+from quadruped_env.scale.ranks.job import threads_per_rank
+from quadruped_env.utils.program import end_with_parent
 
 NEVER: Final = float("inf")
 _ITERATIONS: Final = 2
@@ -139,13 +139,11 @@ def _prepared(group: Any, **settings: Any) -> tuple[Any, Any]:
 
     from quadruped_env.cli.train import with_recipe
     from quadruped_env.robot import MINI_QUADRUPED
-    from quadruped_env.training import ppo
-    from quadruped_env.training.config import TrainConfig
-    from quadruped_env.training.distributed.model import DistributedPPO
+    from quadruped_env.training import train
+    from quadruped_env.training.train_config import TrainConfig
 
     config = TrainConfig(**with_recipe({"ranks": group.ranks, **settings}, MINI_QUADRUPED, ()))
-    kind = DistributedPPO.on(group) if group.ranks > 1 else None
-    _, _, _, model = ppo.prepare(config, None, None, group, kind=kind)
+    _, _, _, model = train.prepare(config, None, None, group)
     model.set_logger(Logger(None, []))
     return config, model
 
@@ -154,7 +152,7 @@ def _measure_speed(group: Any, rounds: int) -> dict[str, Any]:
     """Rank 0 also trains alone, in turns; meanwhile the others wait for it without using a core."""
     from stable_baselines3.common.callbacks import BaseCallback
 
-    from quadruped_env.training.distributed.group import ALONE
+    from quadruped_env.training.group import ALONE
 
     class Clock(BaseCallback):
         def _on_training_start(self) -> None:
@@ -220,9 +218,9 @@ def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
 
 def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str, float | None]:
     from benchmarks.learning_speed import COMMAND, walk_test
-    from quadruped_env.training import ppo
-    from quadruped_env.training.models import export_policy
-    from quadruped_env.training.statistics import StepStatistics
+    from quadruped_env.training import train
+    from quadruped_env.training.sb3_models import export_policy
+    from quadruped_env.training.step_statistics import StepStatistics
 
     config, model = _prepared(group, seed=seed, timesteps=timesteps, **_WALKING)
     result: dict[str, float | None] = {"seconds": None, "timesteps": None}
@@ -245,7 +243,7 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
                 self.stopped = True
             self._resumed = time.perf_counter()
 
-    ppo.learn(config, model, Watch(config, group), fresh=True)
+    train.learn(config, model, Watch(config, group), fresh=True)
     return result
 
 
@@ -258,10 +256,11 @@ MEASURES: Final[Mapping[str, Callable[..., dict[str, Any]]]] = {
 
 def _main() -> None:
     # First, because it sets a variable that torch reads when it is loaded.
-    import quadruped_env.training.ppo  # noqa: F401
+    import quadruped_env.training.train  # noqa: F401
 
     # isort: split
-    from quadruped_env.training.distributed.group import ALONE, on_this_machine
+    from quadruped_env.scale.ranks.torch_group import on_this_machine
+    from quadruped_env.training.group import ALONE
 
     end_with_parent()
     values = json.loads(sys.argv[1])

@@ -18,12 +18,12 @@ from quadruped_env.evaluation.suite.command_map import envelope
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.suite.references import reference_row
 from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.files import write_whole
 from quadruped_env.policies import Policy, PolicyController, load_policy
-from quadruped_env.progress import Progress, part_of
 from quadruped_env.reporting.pages.page import without_nan
-from quadruped_env.rotations import up_in_body
-from quadruped_env.training.run import PROGRESS_FILE
+from quadruped_env.training.run_directory import PROGRESS_FILE
+from quadruped_env.utils.files import write_whole
+from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.rotations import up_in_body
 
 ACCEPTANCE_COMMANDS: Final = tuple((round(0.1 * i, 1), 0.0) for i in range(6))
 """Standing, and forwards up to 0.5 m/s."""

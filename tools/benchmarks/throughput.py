@@ -15,9 +15,9 @@ from benchmarks.measures import Measure, Say, row, run_python, seconds_of
 def training_over_bare() -> list[Measure]:
     """PPO end to end over a bare `Batch.step` on all cores."""
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.config import TrainConfig, defaults
-    from quadruped_env.training.models import make_model
+    from quadruped_env.training.sb3_models import make_model
     from quadruped_env.training.schedules import Scheduled
+    from quadruped_env.training.train_config import TrainConfig, defaults
 
     config = TrainConfig(action_mode="position", **defaults("ppo", "position"))
     env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position")

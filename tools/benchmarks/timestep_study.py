@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.files import write_json
 from quadruped_env.gait import SinusoidalGait
-from quadruped_env.progress import Progress
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.progress import Progress
 
 CONTROL_TIMESTEP: Final = 0.02
 """Control time step, s: joint targets change at this interval, independent of the physics step."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.evaluation.confidence import CONFIDENCE, Estimate
-from quadruped_env.evaluation.suite.results import estimate
+from quadruped_env.evaluation.suite.plain_numbers import estimate
 from quadruped_env.evaluation.suite.suite import COMPONENTS, check_comparable
 
 Floats = NDArray[np.float64]

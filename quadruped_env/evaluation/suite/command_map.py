@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.suite.contender import Contender, mean_velocities
-from quadruped_env.evaluation.suite.definition import CommandMap
-from quadruped_env.evaluation.suite.results import mean_of, number, share
-from quadruped_env.progress import Progress
+from quadruped_env.evaluation.suite.measured_controller import Contender, mean_velocities
+from quadruped_env.evaluation.suite.plain_numbers import mean_of, number, share
+from quadruped_env.evaluation.suite.suite_definition import CommandMap
+from quadruped_env.utils.progress import Progress
 
 Floats = NDArray[np.float64]
 

@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.confidence import CONFIDENCE
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import Pushes
-from quadruped_env.evaluation.suite.results import share
-from quadruped_env.progress import Progress
-from quadruped_env.rotations import yaw
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.plain_numbers import share
+from quadruped_env.evaluation.suite.suite_definition import Pushes
 from quadruped_env.task import Task
+from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.rotations import yaw
 
 Floats = NDArray[np.float64]
 

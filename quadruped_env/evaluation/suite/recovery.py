@@ -6,19 +6,19 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env import rotations
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import Recovery, Release
-from quadruped_env.evaluation.suite.results import mean, share
-from quadruped_env.progress import Progress
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.plain_numbers import mean, share
+from quadruped_env.evaluation.suite.suite_definition import Recovery, Release
 from quadruped_env.robot import Robot
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task.terrain_section import leg_scale
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.utils import rotations
+from quadruped_env.utils.progress import Progress
 
 Floats = NDArray[np.float64]
 

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.suite.suite import COMPONENTS, check_results
+from quadruped_env.utils.documents import read_json
 
 REFERENCE_FILE: Final = Path(__file__).with_name("references.json")
 """Written by `tools/suite_references.py`; a package without it has no reference rows."""

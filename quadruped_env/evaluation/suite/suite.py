@@ -5,21 +5,21 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.documents import read_json
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.suite import (
     command_map,
-    disturbances,
-    gait,
+    gait_measures,
     pushes,
     recovery,
+    suite_disturbances,
     terrains,
     transients,
 )
-from quadruped_env.evaluation.suite.contender import Contender, conditions
-from quadruped_env.evaluation.suite.definition import Suite, full_suite
-from quadruped_env.parameters import is_quantity
-from quadruped_env.progress import Progress, part_of
+from quadruped_env.evaluation.suite.measured_controller import Contender, conditions
+from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.parameters import is_quantity
+from quadruped_env.utils.progress import Progress, part_of
 
 RESULTS_FILE: Final = "suite.json"
 
@@ -36,10 +36,10 @@ COMPONENTS: Final = {
 
 _RUN: Final[dict[str, Callable[[Any, Contender, Progress | None], dict[str, Any]]]] = {
     "commands": command_map.run,
-    "gait": gait.run,
+    "gait": gait_measures.run,
     "transients": transients.run,
     "pushes": pushes.run,
-    "disturbances": disturbances.run,
+    "disturbances": suite_disturbances.run,
     "terrain": terrains.run,
     "recovery": recovery.run,
 }
@@ -112,10 +112,10 @@ def scores(suite: Suite, parts: Mapping[str, Any]) -> dict[str, Any]:
     """Score and its components, in [0, 1]: `total`, the mean of the components, and `components`."""
     components = {
         "commands": command_map.score(parts["commands"]),
-        "gait": gait.score(parts["gait"], suite.gait),
+        "gait": gait_measures.score(parts["gait"], suite.gait),
         "transients": transients.score(parts["transients"]),
         "pushes": pushes.score(parts["pushes"]),
-        "disturbances": disturbances.score(parts["disturbances"], suite.disturbances),
+        "disturbances": suite_disturbances.score(parts["disturbances"], suite.disturbances),
         "terrain": terrains.score(parts["terrain"], suite.terrain),
         "recovery": recovery.score(parts["recovery"]),
     }

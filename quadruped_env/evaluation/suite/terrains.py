@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.evaluation.rollout import run_episodes
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import TerrainPart
-from quadruped_env.evaluation.suite.results import share
-from quadruped_env.progress import Progress, part_of
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.plain_numbers import share
+from quadruped_env.evaluation.suite.suite_definition import TerrainPart
 from quadruped_env.simulation import TERRAINS, Tiles, find_terrain
+from quadruped_env.utils.progress import Progress, part_of
 
 
 def run(part: TerrainPart, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:

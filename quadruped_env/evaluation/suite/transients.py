@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import Change, Transients
-from quadruped_env.evaluation.suite.results import mean, share
-from quadruped_env.progress import Progress
-from quadruped_env.rotations import yaw
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.plain_numbers import mean, share
+from quadruped_env.evaluation.suite.suite_definition import Change, Transients
 from quadruped_env.task import Task
+from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.rotations import yaw
 
 Floats = NDArray[np.float64]
 

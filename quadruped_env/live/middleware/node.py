@@ -17,13 +17,13 @@ from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.middleware.dds import Network, open_participant
-from quadruped_env.live.middleware.graph import Graph
 from quadruped_env.live.middleware.profiles import dds_qos
+from quadruped_env.live.middleware.ros_graph import Graph
 from quadruped_env.live.middleware.topics import Topic
 from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.live.middleware.wire import wire_type
 from quadruped_env.ros import Qos, cdr
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
 _LATENCIES: Final = 1000

@@ -23,16 +23,16 @@ from quadruped_env.control.live_controller import JointCommand, LiveController, 
 from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, kept_file, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.commands import CommandWriter, positions_message
-from quadruped_env.live.messages.imu import Imu, read_imu
-from quadruped_env.live.messages.joints import JointReader, Joints
+from quadruped_env.live.messages.command_messages import CommandWriter, positions_message
+from quadruped_env.live.messages.imu_messages import Imu, read_imu
+from quadruped_env.live.messages.joint_messages import JointReader, Joints
 from quadruped_env.live.middleware.node import Subscription, message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _NEEDED: Final = ("positions", "velocities")
 _POLL_PERIOD: Final = 0.01

@@ -6,7 +6,7 @@ mini-quadruped live display --preset walk
 import argparse
 
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.launch import common, launch
+from quadruped_env.live.node_launch import common, launch
 from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
 from quadruped_env.viewer import PORT
 

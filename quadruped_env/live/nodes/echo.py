@@ -15,7 +15,7 @@ import io
 import sys
 
 from quadruped_env.live.listener import Listener
-from quadruped_env.live.messages.text import as_csv, as_yaml, check_field, field_at, plain
+from quadruped_env.live.messages.message_text import as_csv, as_yaml, check_field, field_at, plain
 from quadruped_env.live.middleware.node import Read, message_reader
 from quadruped_env.live.middleware.topics import Topic
 from quadruped_env.live.session import Session

@@ -24,9 +24,9 @@ from numpy.typing import NDArray
 from quadruped_env.control.joint_command import limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.commands import CommandWriter
-from quadruped_env.live.messages.gaits import AdjustableGait, read_settings, settings_message
-from quadruped_env.live.messages.joints import JointReader
+from quadruped_env.live.messages.command_messages import CommandWriter
+from quadruped_env.live.messages.gait_messages import AdjustableGait, read_settings, settings_message
+from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.pace import Pace
@@ -35,8 +35,8 @@ from quadruped_env.live.session import Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
-from quadruped_env.ros.joint_state import Encoder
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.joint_state_bytes import Encoder
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 RATE: Final = 20.0
 """Publishing rate of joint states, as in the tutorial, Hz."""

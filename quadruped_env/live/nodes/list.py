@@ -8,7 +8,7 @@ import argparse
 import itertools
 
 from quadruped_env.live.listener import DISCOVERY, NO_TOPICS
-from quadruped_env.live.middleware.graph import Endpoint, Graph
+from quadruped_env.live.middleware.ros_graph import Endpoint, Graph
 from quadruped_env.live.session import Session
 
 

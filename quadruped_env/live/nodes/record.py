@@ -15,11 +15,11 @@ and `--salvage` recovers it. The recorded motion and the recorded joint targets 
 import argparse
 from pathlib import Path
 
-from quadruped_env.files import free_path
 from quadruped_env.live.listener import Listener
-from quadruped_env.live.recorder import Recorder
+from quadruped_env.live.message_recorder import Recorder
 from quadruped_env.live.session import Session
 from quadruped_env.trajectory.formats.bag_writer import STORAGES
+from quadruped_env.utils.files import free_path
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import Target
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.messages.commands import read_positions, read_target
-from quadruped_env.live.messages.joints import JointReader, Joints
-from quadruped_env.live.messages.sensors import Sensors
+from quadruped_env.live.messages.command_messages import read_positions, read_target
+from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.node import Received, message_reader
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
 from quadruped_env.live.pace import Pace
@@ -33,7 +33,7 @@ from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 STEPS_PER_STATE: Final = 2
 _PUSH_LOG_PERIOD: Final = 1.0

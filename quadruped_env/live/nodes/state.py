@@ -8,8 +8,8 @@ fixed frame is `base_link`, or `odom` together with `sim`.
 import argparse
 import time
 
-from quadruped_env.live.messages.joints import JointReader
-from quadruped_env.live.messages.transforms import TransformWriter, description_message, fixed_message
+from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.transform_messages import TransformWriter, description_message, fixed_message
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session

@@ -12,14 +12,14 @@ program ends or is killed, the controller makes the robot stand.
 import argparse
 from typing import Any
 
-from quadruped_env.control.config import COMMANDS
+from quadruped_env.control.control_config import COMMANDS
+from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
 from quadruped_env.live.middleware.node import Publisher
 from quadruped_env.live.middleware.topics import CMD_VEL
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.ros import cdr
-from quadruped_env.steering import FORWARD_STEP, TURN_STEP, next_step
 
 PERIOD = 0.1
 """Time between messages, s."""

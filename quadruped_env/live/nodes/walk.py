@@ -10,7 +10,7 @@ import argparse
 import sys
 
 from quadruped_env.control.policy import LIVE_POLICY
-from quadruped_env.live.launch import common, launch
+from quadruped_env.live.node_launch import common, launch
 from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
 from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
 from quadruped_env.viewer import PORT

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.rendering import SceneRenderer
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.progress import Progress
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.films.overlay import Overlay
 from quadruped_env.robot import Robot
-from quadruped_env.rotations import from_yaw, multiply, rotate, yaw
 from quadruped_env.simulation import Terrain, build_model, flat
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
-from quadruped_env.trace import Trace
+from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.rotations import from_yaw, multiply, rotate, yaw
 
 Picture = NDArray[np.uint8]
 

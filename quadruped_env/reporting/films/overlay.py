@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.palette import ACTUAL, COMMANDED, GREY, INK, leg_colours
 from quadruped_env.robot import Robot
-from quadruped_env.trace import Trace
 
 AVERAGED: Final = 0.5
 """Window over which the shown velocity is averaged, about a stride, s."""

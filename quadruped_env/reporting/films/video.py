@@ -8,11 +8,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env._python import pip_command
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.files import check_free, write_whole
-from quadruped_env.progress import Progress
 from quadruped_env.reporting.films.film import FRAME_RATE, Camera, Clip, Picture, check_opengl
+from quadruped_env.utils.files import check_free, write_whole
+from quadruped_env.utils.interpreter import pip_command
+from quadruped_env.utils.progress import Progress
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
 STILLS: Final = 4

@@ -14,7 +14,6 @@ from quadruped_env.evaluation.failures import Failure, worst_episodes
 from quadruped_env.evaluation.metrics import WINDOW
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages.page import (
@@ -30,8 +29,9 @@ from quadruped_env.reporting.pages.page import (
 )
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
-from quadruped_env.reporting.results import prepare_output
-from quadruped_env.sim2sim import results as sim2sim
+from quadruped_env.reporting.report_directory import prepare_output
+from quadruped_env.sim2sim import transfer_results as sim2sim
+from quadruped_env.utils.progress import Progress
 
 _EPISODE: Final = "The episode is the first one without a fall, or else the longest."
 

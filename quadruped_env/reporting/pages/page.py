@@ -14,12 +14,12 @@ from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
 from quadruped_env.evaluation.subject import Subject
-from quadruped_env.files import write_json, write_whole
 from quadruped_env.policies import task_differences
-from quadruped_env.provenance import git_commit, machine, versions
 from quadruped_env.reporting.plots.canvas import label
-from quadruped_env.reporting.results import REPORT_FILE
+from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.robot import Robot
+from quadruped_env.utils.files import write_json, write_whole
+from quadruped_env.utils.provenance import git_commit, machine, versions
 
 METRICS_FILE: Final = "metrics.json"
 FORMAT_VERSION: Final = 3

@@ -10,13 +10,13 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_mes
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.failures import Failure
 from quadruped_env.evaluation.metrics import START_UP
-from quadruped_env.progress import Progress
+from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.films.film import Camera, Clip, Picture
 from quadruped_env.reporting.films.overlay import AVERAGED
 from quadruped_env.reporting.films.video import encode_mp4, encode_webp, halved
 from quadruped_env.reporting.pages.page import data_url, words
-from quadruped_env.reporting.pages.scene import scene_html
-from quadruped_env.trace import Trace
+from quadruped_env.reporting.pages.replay_scene import scene_html
+from quadruped_env.utils.progress import Progress
 
 FEET: Final = "feet"
 """Title of close-ups of the feet."""

@@ -11,7 +11,6 @@ from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
-from quadruped_env.progress import Progress
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages.page import (
@@ -26,7 +25,8 @@ from quadruped_env.reporting.pages.page import (
 )
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
-from quadruped_env.reporting.results import prepare_output
+from quadruped_env.reporting.report_directory import prepare_output
+from quadruped_env.utils.progress import Progress
 
 
 def find_subjects(

@@ -8,12 +8,12 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.evaluation.suite.aggregate import aggregate
 from quadruped_env.evaluation.suite.findings import direction_in_words
-from quadruped_env.evaluation.suite.gait import PER_FOOT, UNITS
+from quadruped_env.evaluation.suite.gait_measures import PER_FOOT, UNITS
 from quadruped_env.evaluation.suite.references import read_references, references_for
 from quadruped_env.evaluation.suite.suite import COMPONENTS, RESULTS_FILE, check_comparable, ranked, read_results
-from quadruped_env.files import write_json
 from quadruped_env.reporting.pages.page import circumstances, figure, without_nan
-from quadruped_env.reporting.plots import suite as plots
+from quadruped_env.reporting.plots import suite_plots as plots
+from quadruped_env.utils.files import write_json
 
 _GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
     "clearance": ("Clearance of the lowest foot", 1000.0, 1, "mm"),

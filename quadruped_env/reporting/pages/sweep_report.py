@@ -8,10 +8,10 @@ from typing import Any, Final
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.reporting.pages.page import circumstances, figure, write_html
 from quadruped_env.reporting.pages.suite_section import interval
-from quadruped_env.reporting.plots import sweep as plots
-from quadruped_env.reporting.plots.learning import read_progress
-from quadruped_env.reporting.results import REPORT_FILE, prepare_output
-from quadruped_env.training.run import PROGRESS_FILE
+from quadruped_env.reporting.plots import sweep_plots as plots
+from quadruped_env.reporting.plots.learning_plots import read_progress
+from quadruped_env.reporting.report_directory import REPORT_FILE, prepare_output
+from quadruped_env.training.run_directory import PROGRESS_FILE
 
 SHOWN_TRIALS: Final = 200
 """Trials in the table of a page; results.csv has all."""

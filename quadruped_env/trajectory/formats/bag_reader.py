@@ -10,16 +10,16 @@ from contextlib import ExitStack
 from pathlib import Path, PurePath
 from typing import Any, Final
 
-from quadruped_env.documents import MAX_DEPTH
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.joint_state import Decoder, RawJointState, decode_ros1
+from quadruped_env.ros.joint_state_bytes import Decoder, RawJointState, decode_ros1
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import salvage
 from quadruped_env.trajectory.formats.echo_text import yaml_module
-from quadruped_env.trajectory.formats.messages import assembled
+from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.formats.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
-from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import Rows
+from quadruped_env.utils.documents import MAX_DEPTH
 
 ROS1_DIGEST: Final = "3066dcd76a6cfaef579bd0f34173e9fd"
 """MD5 digest of ROS 1's definition of the message."""

@@ -22,15 +22,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.files import PART, unwritable, whole
 from quadruped_env.robot import Robot
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
-from quadruped_env.ros.joint_state import Encoder
+from quadruped_env.ros.joint_state_bytes import Encoder
 from quadruped_env.ros.tf import TfEncoder, tf_encoder, tf_numbers
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.salvage.records import zstd
 from quadruped_env.trajectory.interpolation import interpolate
 from quadruped_env.trajectory.rows import KINDS, Rows
+from quadruped_env.utils.files import PART, unwritable, whole
 
 STORAGES: Final = {"mcap": ".mcap", "sqlite3": ".db3"}
 """Storage -> suffix of its files."""

@@ -11,10 +11,10 @@ from typing import Final, TextIO
 
 import numpy as np
 
-from quadruped_env.documents import check_regular
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.trajectory.reading import Reading, salvaged
+from quadruped_env.trajectory.file_reading import Reading, salvaged
 from quadruped_env.trajectory.rows import KINDS, Rows
+from quadruped_env.utils.documents import check_regular
 
 MISSING: Final = "values that the column map marks as missing: read as not recorded (NaN)"
 _ROWS_PER_PIECE: Final = 4096

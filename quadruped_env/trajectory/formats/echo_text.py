@@ -16,11 +16,11 @@ from itertools import takewhile
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.joint_state import RawJointState
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.joint_state_bytes import RawJointState
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import lines, opened, parse_number
-from quadruped_env.trajectory.formats.messages import assembled
-from quadruped_env.trajectory.reading import Reading
+from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.rows import KINDS, Rows
 
 LOST: Final = "A message was lost!!!"

@@ -10,6 +10,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import short
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import (
     Layout,
     StampParser,
@@ -20,7 +21,6 @@ from quadruped_env.trajectory.formats.delimited import (
     table_rows,
 )
 from quadruped_env.trajectory.maps import STAMP_UNITS, Column, ColumnMap
-from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import ARRAYS, KINDS, Rows
 
 _MAX_SHOWN: Final = 12

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.files import whole
-from quadruped_env.progress import Progress
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import Layout, lines, opened, parse_whole, salvaged_text, table_rows
-from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, TORQUE_ONLY, Rows
+from quadruped_env.utils.files import whole
+from quadruped_env.utils.progress import Progress
 
 STAMP_COLUMN: Final = "stamp_ns"
 

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from typing import Final
 
-from quadruped_env.documents import check_regular
 from quadruped_env.errors import short
 from quadruped_env.robot.description import description_problem
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, salvage
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC
-from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import Rows
+from quadruped_env.utils.documents import check_regular
 
 Reader = Callable[[Reading], Iterator[Rows]]
 

@@ -9,8 +9,8 @@ from scipy.stats import trim_mean
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite.aggregate import aggregate, interquartile_mean, stratified_interquartile_mean
-from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
 from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 
 
 def test_interquartile_mean_by_hand():

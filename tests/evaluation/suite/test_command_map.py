@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from quadruped_env.evaluation.suite import command_map
-from quadruped_env.evaluation.suite.definition import full_suite
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 
 PART = replace(
     full_suite().commands, forward_velocity=(-0.2, -0.1, 0.0, 0.1, 0.2, 0.4), yaw_rate=(-0.5, 0.0, 0.5), num_seeds=2

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from quadruped_env.evaluation.suite import pushes
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import full_suite
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import TaskConfig

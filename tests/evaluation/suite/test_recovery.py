@@ -6,13 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from quadruped_env import QuadrupedError, rotations
+from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import recovery
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import Release, full_suite
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.suite_definition import Release, full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils import rotations
 
 PART = full_suite().recovery
 STANDING = Contender("standing", ZeroController(), TaskConfig())

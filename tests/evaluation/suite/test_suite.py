@@ -10,8 +10,7 @@ from comparisons import random_policy
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import suite as module
-from quadruped_env.evaluation.suite.contender import Contender, reference_contenders
-from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.measured_controller import Contender, reference_contenders
 from quadruped_env.evaluation.suite.references import (
     read_references,
     reference_row,
@@ -27,6 +26,7 @@ from quadruped_env.evaluation.suite.suite import (
     read_results,
     run_suite,
 )
+from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig

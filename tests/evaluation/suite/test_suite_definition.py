@@ -9,14 +9,14 @@ import pytest
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.rollout import FIRST_SEED
-from quadruped_env.evaluation.suite import definition
-from quadruped_env.evaluation.suite.definition import full_suite, quick_suite
-from quadruped_env.seeds import EVALUATION_SEEDS, check_training_seeds
+from quadruped_env.evaluation.suite import suite_definition
+from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.simulation import TERRAINS
 from quadruped_env.task import PRESETS
-from quadruped_env.training.config import TrainConfig
 from quadruped_env.training.gait_tuning import search
-from quadruped_env.training.ppo import train
+from quadruped_env.training.train import train
+from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.utils.seeds import EVALUATION_SEEDS, check_training_seeds
 
 SHA256_OF_VERSION_1 = "378825e1babf0dc0ad4ce135a2dc6395bc33f735079768d8470e9b8b3b3e3e23"
 """Changes if any number of the definition does, the preset `hard` and the terrains included: that is a new version."""
@@ -24,7 +24,7 @@ PARTS = ("commands", "gait", "transients", "pushes", "disturbances", "terrain", 
 
 
 def test_hash_of_the_version_is_the_one_that_results_were_made_with():
-    assert (definition.NAME, definition.VERSION) == ("mq-eval", 1)
+    assert (suite_definition.NAME, suite_definition.VERSION) == ("mq-eval", 1)
     assert full_suite().sha256 == SHA256_OF_VERSION_1
 
 
@@ -52,14 +52,14 @@ def test_every_change_of_a_number_changes_the_hash(change):
 
 
 def test_hash_covers_the_values_of_the_preset_and_of_the_terrains(monkeypatch):
-    before = definition.Suite().sha256
+    before = suite_definition.Suite().sha256
     document = full_suite().to_dict()
     assert document["disturbances"]["together"]["randomization"]["push_speed"] == [0.75, 0.75]
     assert document["disturbances"]["together"]["randomization"].keys() == PRESETS["hard"].keys()
     assert document["terrain"]["shapes"]["stairs"] == {"height": 0.02, "run": 0.2}
     changed = {**PRESETS["hard"], "friction": (0.4, 1.2)}
-    monkeypatch.setattr(definition, "PRESETS", {**PRESETS, "hard": changed})
-    suite = replace(full_suite(), disturbances=definition.Disturbances(12, full_suite().disturbances.first_seed))
+    monkeypatch.setattr(suite_definition, "PRESETS", {**PRESETS, "hard": changed})
+    suite = replace(full_suite(), disturbances=suite_definition.Disturbances(12, full_suite().disturbances.first_seed))
     assert suite.sha256 != before
 
 

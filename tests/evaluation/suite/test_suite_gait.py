@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from synthetic import DT, synthetic_rollout
 
-from quadruped_env.evaluation.suite import gait
-from quadruped_env.evaluation.suite.definition import full_suite
+from quadruped_env.evaluation.suite import gait_measures
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.rotations import from_roll_pitch_yaw
+from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
 PART = full_suite().gait
 STRIDE = 25
@@ -32,22 +32,24 @@ def stride(apexes, steps):
 
 def test_swing_apexes_are_those_of_whole_swings_that_last_long_enough():
     height, contact = stride([0.01, 0.02, 0.03], 3 * STRIDE)
-    np.testing.assert_allclose(gait.swing_apexes(height, contact, DT, 0.05), [0.01, 0.02, 0.03])
+    np.testing.assert_allclose(gait_measures.swing_apexes(height, contact, DT, 0.05), [0.01, 0.02, 0.03])
     # The swings at both ends are cut: their apex may have been missed.
     cut = slice(8, 2 * STRIDE + 9)
-    np.testing.assert_allclose(gait.swing_apexes(height[cut], contact[cut], DT, 0.05), [0.02])
+    np.testing.assert_allclose(gait_measures.swing_apexes(height[cut], contact[cut], DT, 0.05), [0.02])
     # A bounce of two samples is no swing; one of three samples is 0.06 s long.
     for samples, found in ((2, 0), (3, 1)):
         bounce, grounded = np.zeros(50), np.ones(50, dtype=bool)
         bounce[20 : 20 + samples], grounded[20 : 20 + samples] = 0.004, False
-        assert len(gait.swing_apexes(bounce, grounded, DT, 0.05)) == found
-    assert len(gait.swing_apexes(np.ones(50), np.zeros(50, dtype=bool), DT, 0.05)) == 0
+        assert len(gait_measures.swing_apexes(bounce, grounded, DT, 0.05)) == found
+    assert len(gait_measures.swing_apexes(np.ones(50), np.zeros(50, dtype=bool), DT, 0.05)) == 0
 
 
 def clearance_of(height, contact, strides, counted=None):
     shape = (len(height), 1, 1)
     counted = np.ones((len(height), 1), dtype=bool) if counted is None else counted
-    return gait.clearance(height.reshape(shape), contact.reshape(shape), counted, np.array([strides]), DT, 0.05)[0, 0]
+    return gait_measures.clearance(
+        height.reshape(shape), contact.reshape(shape), counted, np.array([strides]), DT, 0.05
+    )[0, 0]
 
 
 def test_clearance_is_the_fifth_percentile_of_the_apexes():
@@ -77,11 +79,11 @@ def test_touchdowns_are_counted_between_counted_samples():
     contact[:, 0, 0] = [0, 1, 0, 1, 1, 0, 1, 0]
     contact[:, 0, 1] = 1
     counted = np.ones((8, 1), dtype=bool)
-    np.testing.assert_array_equal(gait.touchdowns(contact, counted), [[3, 0]])
+    np.testing.assert_array_equal(gait_measures.touchdowns(contact, counted), [[3, 0]])
     counted[6:] = False
-    np.testing.assert_array_equal(gait.touchdowns(contact, counted), [[2, 0]])
+    np.testing.assert_array_equal(gait_measures.touchdowns(contact, counted), [[2, 0]])
     counted[0] = False
-    np.testing.assert_array_equal(gait.touchdowns(contact, counted), [[1, 0]])
+    np.testing.assert_array_equal(gait_measures.touchdowns(contact, counted), [[1, 0]])
 
 
 def test_speed_limit_share_is_the_time_with_any_joint_over_its_limit():
@@ -91,10 +93,10 @@ def test_speed_limit_share_is_the_time_with_any_joint_over_its_limit():
     velocity[9, 0, 1] = 99.0
     counted = np.ones((10, 1), dtype=bool)
     limit = np.array([4.75, 4.75])
-    assert gait.speed_limit_share(velocity, counted, limit) == pytest.approx(0.5)
+    assert gait_measures.speed_limit_share(velocity, counted, limit) == pytest.approx(0.5)
     counted[9] = False
-    assert gait.speed_limit_share(velocity, counted, limit) == pytest.approx(4 / 9)
-    assert gait.speed_limit_share(velocity, counted, np.array([5.0, 4.75])) == pytest.approx(2 / 9)
+    assert gait_measures.speed_limit_share(velocity, counted, limit) == pytest.approx(4 / 9)
+    assert gait_measures.speed_limit_share(velocity, counted, np.array([5.0, 4.75])) == pytest.approx(2 / 9)
 
 
 def test_rate_of_a_ramp_and_of_an_alternation():
@@ -102,13 +104,13 @@ def test_rate_of_a_ramp_and_of_an_alternation():
     values = np.zeros((100, 2, 2))
     values[:, 0] = 3.0 * DT * np.arange(100)[:, None]
     values[:, 1, 0] = 0.5 * (-1.0) ** np.arange(100)  # changes by 1 in every step; the other joint not at all
-    np.testing.assert_allclose(gait.rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
+    np.testing.assert_allclose(gait_measures.rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
 
 
 def test_roll_and_pitch_are_those_of_the_orientation_whatever_the_heading():
     roll, pitch = 0.2, -0.3
     for yaw in (0.0, 1.0, -3.0):
-        found = gait.roll_and_pitch(from_roll_pitch_yaw([roll, pitch, yaw]))
+        found = gait_measures.roll_and_pitch(from_roll_pitch_yaw([roll, pitch, yaw]))
         np.testing.assert_allclose(found, (roll, pitch))
 
 
@@ -136,9 +138,9 @@ def walking(frequency=2.0, apex=0.02, touchdowns_extra=False):
 
 
 def test_measures_of_a_synthetic_gait():
-    values = gait.measures(walking(), PART)
-    assert list(values) == list(gait.UNITS)
-    for name in gait.PER_FOOT:
+    values = gait_measures.measures(walking(), PART)
+    assert list(values) == list(gait_measures.UNITS)
+    for name in gait_measures.PER_FOOT:
         assert values[name].shape == (1, 4)
     np.testing.assert_allclose(values["stride_frequency"], 2.0, rtol=2e-3)
     np.testing.assert_allclose(values["clearance"], 0.02)
@@ -148,7 +150,7 @@ def test_measures_of_a_synthetic_gait():
     np.testing.assert_allclose(values["pitch"], 0.02, rtol=1e-2)
     assert values["joint_limit_share"] == 0.0
     assert values["speed_limit_share"] == 0.0
-    bouncing = gait.measures(walking(touchdowns_extra=True), PART)
+    bouncing = gait_measures.measures(walking(touchdowns_extra=True), PART)
     np.testing.assert_allclose(bouncing["touchdowns_per_stride"], 2.0, rtol=5e-3)
     np.testing.assert_allclose(bouncing["clearance"], 0.02)  # a bounce is no swing
 
@@ -156,9 +158,11 @@ def test_measures_of_a_synthetic_gait():
 def test_speed_limit_is_a_share_of_the_robots_own():
     velocity = np.zeros((250, 1, 8))
     velocity[50:150, 0, 3] = 0.96 * MINI_QUADRUPED.velocity_limit[3]
-    assert gait.measures(synthetic_rollout(joint_velocity=velocity), PART)["speed_limit_share"] == pytest.approx(0.5)
+    assert gait_measures.measures(synthetic_rollout(joint_velocity=velocity), PART)[
+        "speed_limit_share"
+    ] == pytest.approx(0.5)
     velocity[50:150, 0, 3] = 0.94 * MINI_QUADRUPED.velocity_limit[3]
-    assert gait.measures(synthetic_rollout(joint_velocity=velocity), PART)["speed_limit_share"] == 0.0
+    assert gait_measures.measures(synthetic_rollout(joint_velocity=velocity), PART)["speed_limit_share"] == 0.0
 
 
 def entry(**changes):
@@ -185,4 +189,4 @@ def entry(**changes):
 )
 def test_score_of_a_gait(changes, expected):
     result = {"feet": ["RF", "LF", "RH", "LH"], "commands": [entry(**changes), entry()]}
-    assert gait.score(result, PART) == pytest.approx(0.5 * (expected + 1.0))
+    assert gait_measures.score(result, PART) == pytest.approx(0.5 * (expected + 1.0))

@@ -8,8 +8,8 @@ from settings import settings
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import terrains
-from quadruped_env.evaluation.suite.contender import Contender
-from quadruped_env.evaluation.suite.definition import full_suite
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import CommandedGaitController, ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig

@@ -7,7 +7,7 @@ import pytest
 from synthetic import DT, synthetic_rollout
 
 from quadruped_env.evaluation.suite import transients
-from quadruped_env.evaluation.suite.definition import Change, full_suite
+from quadruped_env.evaluation.suite.suite_definition import Change, full_suite
 
 PART = full_suite().transients
 BEFORE, AFTER = round(PART.before / DT), round(PART.after / DT)

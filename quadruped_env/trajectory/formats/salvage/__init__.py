@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.salvage import mcap_scanner, ros1_scanner, sqlite3_scanner
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic, zstd, zstd_has_checksum
-from quadruped_env.trajectory.reading import Reading
 
 DIRECTORY: Final = "dir"
 MCAP: Final = ".mcap"

@@ -6,9 +6,9 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Final
 
-from quadruped_env.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic, decompress
-from quadruped_env.trajectory.reading import Reading
 
 _MAGIC: Final = b"#ROSBAG V2.0\n"
 _MESSAGE, _CHUNK, _CONNECTION = 2, 5, 7

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
+from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.salvage.records import MAX_SIZE, Message, Topic
-from quadruped_env.trajectory.reading import Reading
 
 _HEADER: Final = 100
 """Bytes of the header, at the beginning of the first page."""

@@ -1,0 +1,190 @@
+"""Options that several commands have in common: the same name and meaning in each."""
+
+import argparse
+import shlex
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.control.policy import SHIPPED
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.comparison import NUM_SEEDS
+from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
+from quadruped_env.reporting.films.video import STILLS, SUFFIXES
+from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
+from quadruped_env.simulation.terrain import LEVELS, Terrain
+from quadruped_env.task import PRESETS
+
+NEXT_FREE: Final = "or that name with the next free number"
+SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
+"""Names of the shipped policies, for a help text."""
+
+
+def add_run(parser: argparse.ArgumentParser) -> None:
+    """Add the policy to read, `RUN`."""
+    text = f"a run's directory, or {SHIPPED_POLICIES}, which ship (default: runs/latest, or {SHIPPED[0]})"
+    parser.add_argument("run", nargs="?", metavar="RUN", help=text)
+
+
+def add_output(
+    parser: argparse.ArgumentParser, metavar: str, text: str, default: Path | None = None, alias: str = "--out"
+) -> None:
+    """Add `-o`, `--output`: where results are written.
+
+    Args:
+        parser: of the command.
+        metavar: kind of the path, such as DIR.
+        text: help, with the default.
+        default: value without the option.
+        alias: an earlier spelling, which works and is not shown.
+    """
+    parser.add_argument("-o", "--output", type=Path, metavar=metavar, default=default, help=text)
+    parser.add_argument(alias, dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
+
+
+def add_overwrite(parser: argparse.ArgumentParser, text: str = "replace files that exist") -> None:
+    """Add `--overwrite`."""
+    parser.add_argument("--overwrite", action="store_true", help=text)
+
+
+def add_video(parser: argparse.ArgumentParser) -> None:
+    """Add `--video`."""
+    parser.add_argument(
+        "--video",
+        type=Path,
+        metavar="FILE",
+        help=f"also film the robot: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
+    )
+
+
+def add_task_file(parser: argparse.ArgumentParser) -> None:
+    """Add `--task` and `--trust-task`, for commands that read policies."""
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        "--task",
+        type=Path,
+        metavar="FILE",
+        help="Python file of the terms or the robot that a run was trained with, if it was, also another version of "
+        "it; it is executed (docs/make-it-yours.md)",
+    )
+    add_trust_task(group, "execute the copy of that file that the run keeps, in place of --task FILE")
+
+
+def add_trust_task(parser: argparse._ActionsContainer, text: str) -> None:
+    """Add `--trust-task`."""
+    parser.add_argument("--trust-task", action="store_true", help=text)
+
+
+def add_robot_file(parser: argparse.ArgumentParser, terrain: bool = False) -> None:
+    """Add `--task`, for commands that need the robot alone, or the robot and its terrain."""
+    other = "another robot or terrain than the built-in ones" if terrain else "another robot than the built-in one"
+    parser.add_argument(
+        "--task",
+        type=Path,
+        metavar="FILE",
+        help=f"Python file that defines {other}; it is executed (docs/make-it-yours.md)",
+    )
+
+
+def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
+    """Add `--terrain` and `--level`.
+
+    Args:
+        parser: of the command.
+        default: ground without the option, in words.
+    """
+    parser.add_argument(
+        "--terrain",
+        metavar="NAME",
+        help=f"the ground: {NAMES} (docs/terrain.md), or one from --task's file (default: {default})",
+    )
+    parser.add_argument(
+        "--level",
+        type=int,
+        metavar="N",
+        help=f"level of the --terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/terrain.md)",
+    )
+
+
+def named_terrain(arguments: argparse.Namespace) -> str | Terrain | None:
+    """The terrain of `--terrain` and `--level`, with the file of `--task`; its name without level and file.
+
+    None without `--terrain`.
+
+    Raises:
+        QuadrupedError: if the file has no such terrain or cannot be loaded, or there is no such level.
+    """
+    name: str | None = arguments.terrain
+    check_level_has_terrain(arguments)
+    if name is None or (arguments.task is None and arguments.level is None):
+        return name
+    from quadruped_env.task import load_task_file
+
+    terrain = find_terrain(name, TERRAINS if arguments.task is None else load_task_file(arguments.task).terrains)
+    return terrain if arguments.level is None else terrain.variant(level=arguments.level)
+
+
+def check_level_has_terrain(arguments: argparse.Namespace) -> None:
+    """Raise a QuadrupedError for `--level` without `--terrain`."""
+    if arguments.level is not None and arguments.terrain is None:
+        raise QuadrupedError(f"--level: found {arguments.level} without --terrain; name the terrain, too")
+
+
+def terrain_option(arguments: argparse.Namespace) -> str:
+    """The options `--terrain` and `--level` as a user types them again, and a space; nothing without a terrain."""
+    if arguments.terrain is None:
+        return ""
+    level = "" if arguments.level is None else f"--level {arguments.level} "
+    return f"--terrain {shlex.quote(arguments.terrain)} {level}"
+
+
+def add_randomization(parser: argparse.ArgumentParser, default: str) -> None:
+    """Add `--randomization`.
+
+    Args:
+        parser: of the command.
+        default: randomization without the option, in words.
+    """
+    parser.add_argument(
+        "--randomization",
+        choices=tuple(PRESETS),
+        metavar="PRESET",
+        help=f"randomization of the episodes: {', '.join(PRESETS)} (default: {default}; docs/randomization.md)",
+    )
+
+
+def randomization_option(preset: str | None) -> str:
+    """The option `--randomization` as a user types it again, and a space; nothing without a preset."""
+    return "" if preset is None else f"--randomization {preset} "
+
+
+def task_option(arguments: argparse.Namespace) -> str:
+    """The option `--task` or `--trust-task` as a user types it again, and a space; nothing without a file."""
+    if arguments.trust_task:
+        return "--trust-task "
+    return "" if arguments.task is None else f"--task {shlex.quote(str(arguments.task))} "
+
+
+def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:
+    """Add the options of commands that write a report.
+
+    Args:
+        parser: of the command.
+        default_output: where the report goes without `--output`, in words.
+    """
+    parser.add_argument(
+        "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        default=DEFAULT_SECONDS,
+        metavar="S",
+        help="length of an episode, s (default: %(default)g)",
+    )
+    add_task_file(parser)
+    add_terrain(parser, "that of the policy's task")
+    add_randomization(parser, "none")
+    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
+    add_video(parser)
+    add_overwrite(parser, "replace the file of --video if it exists")
+    add_output(parser, "DIR", f"directory of the report (default: {default_output})")

@@ -1,0 +1,160 @@
+"""Configuration that training and a real robot share: action scaling, control rate and commands."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Final, Literal, Self
+
+from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.gait import COMMANDED, CommandedGait
+from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
+from quadruped_env.utils.plain import PlainFields
+
+ACTION_MODES: Final = ("position", "residual")
+MAX_DECIMATION: Final = 1000
+"""Maximum number of physics steps per control step."""
+PHYSICS_TIMESTEPS: Final = (1e-5, 1.0)
+"""Shortest and longest physics time step, s."""
+MAX_HISTORY: Final = 1000
+"""Maximum number of control steps that a policy observes at once."""
+
+Range = tuple[float, float]
+
+
+def check(condition: bool, name: str, value: object, rule: str) -> None:
+    """Raise a QuadrupedError that names the field, the value and the rule, unless the condition holds."""
+    if not condition:
+        raise QuadrupedError(f"config: {name} must be {rule}; found {short(value)}")
+
+
+def check_history(history: Any) -> None:
+    """Raise a QuadrupedError unless a value is a number of control steps."""
+    rule = f"a whole number of control steps, 1 or more (1: only the present observation), at most {MAX_HISTORY}"
+    check(type(history) is int and 1 <= history <= MAX_HISTORY, "observation_history", history, rule)
+
+
+def check_rates(decimation: Any, physics_timestep: Any) -> None:
+    """Raise a QuadrupedError unless two values are a number of physics steps per control step and a time step in s."""
+    valid = type(decimation) is int and 1 <= decimation <= MAX_DECIMATION
+    check(valid, "decimation", decimation, f"1 or more, at most {MAX_DECIMATION}")
+    low, high = PHYSICS_TIMESTEPS
+    check(
+        is_quantity(physics_timestep, low, high),
+        "physics_timestep",
+        physics_timestep,
+        f"positive, {low:g} to {high:g} (s)",
+    )
+
+
+def check_range(name: str, value: Any) -> None:
+    """Raise a QuadrupedError unless a value is a pair (low, high) with low <= high, each at most `LARGEST` in size."""
+    rule = "a pair (low, high) with low <= high"
+    check(isinstance(value, (tuple, list)) and len(value) == 2, name, value, rule)
+    check(all(map(is_quantity, value)), name, value, f"{rule}, each from {-LARGEST:g} to {LARGEST:g}")
+    check(value[0] <= value[1], name, value, rule)
+
+
+@dataclass(frozen=True)
+class ActionConfig(PlainFields):
+    """Conversion of an action to joint targets."""
+
+    mode: Literal["position", "residual"] = "position"
+    """`position`: relative to the stance. `residual`: relative to the scripted gait: a zero action is the gait."""
+    position_scale: float = 0.6
+    """Change of the joint target per unit of action in `position` mode, rad."""
+    residual_scale: float = 0.4
+    """Change of the joint target per unit of action in `residual` mode, rad."""
+    gait: Literal["tuned", "crouched", "low", "fast"] = "tuned"
+    """Scripted gait of the `residual` mode. `crouched` bends its legs further, for policies on terrain; the steps of
+    `low` are low and quick, so that a push tips the robot over less easily; `fast` takes longer strides. They need gait
+    clocks of their own frequencies, 3.6, 5 and 3.2 Hz."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.mode not in ACTION_MODES:
+            raise QuadrupedError(
+                f"action_mode: {short(self.mode)} is unknown; valid modes are {', '.join(ACTION_MODES)}"
+            )
+        for name in ("position_scale", "residual_scale"):
+            value = getattr(self, name)
+            check(is_quantity(value, SMALLEST), f"action.{name}", value, f"positive (rad), at most {LARGEST:g}")
+        check(self.gait in tuple(COMMANDED), "action.gait", self.gait, f"one of {', '.join(COMMANDED)}")
+
+    @property
+    def scale(self) -> float:
+        """Change of the joint target per unit of action in the selected mode, rad."""
+        return self.residual_scale if self.mode == "residual" else self.position_scale
+
+    def scripted_gait(self, robot: Robot) -> CommandedGait | None:
+        """Gait of a robot to which actions are added; None in `position` mode."""
+        return CommandedGait.preset(self.gait, robot) if self.mode == "residual" else None
+
+
+@dataclass(frozen=True)
+class Command(PlainFields):
+    """One component of the command."""
+
+    name: str
+    """Name of the component, and of its field in `config["command"]`, which holds the range."""
+    unit: str
+    range: Range
+    """Valid range (low, high). Episodes draw the component uniformly from it, together with the velocity command."""
+    default: float = 0.0
+    """Value for a fixed command that leaves this component out."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_range(f"command.{self.name}", self.range)
+
+
+COMMANDS: Final = (
+    Command("forward_velocity", "m/s", (-0.3, 0.6)),
+    Command("yaw_rate", "rad/s", (-0.8, 0.8)),
+)
+"""The velocity command, which every task has."""
+
+
+@dataclass(frozen=True)
+class ControlConfig:
+    """Fields of a task's config that a `ControlInterface` needs."""
+
+    timestep: float = 0.02
+    """Time between actions, s."""
+    clock_frequency: Frequency = 3.4
+    """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
+    observation_history: int = 1
+    """Control steps whose observations a policy gets at once."""
+    action: ActionConfig = field(default_factory=ActionConfig)
+    commands: tuple[Command, ...] = COMMANDS
+    """Components of the command, the velocity command first."""
+
+    @classmethod
+    def of_task(cls, values: Any, commands: Sequence[Command] = COMMANDS) -> Self:
+        """Create a config from the plain values of a task's config, as stored in a policy's file.
+
+        Args:
+            values: result of `TaskConfig.to_dict`.
+            commands: components of the command; their ranges are replaced by those in `values`.
+
+        Raises:
+            QuadrupedError: if a field is missing or not valid; the message names the field.
+        """
+        if not isinstance(values, dict):
+            raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
+        default = cls()
+        decimation, physics_timestep = values.get("decimation", 4), values.get("physics_timestep", 0.005)
+        check_rates(decimation, physics_timestep)
+        history = values.get("observation_history", default.observation_history)
+        check_history(history)
+        try:
+            ranges = {command.name: command.range for command in commands} | values.get("command", {})
+            return cls(
+                timestep=float(physics_timestep * decimation),
+                clock_frequency=frequency_of(values.get("clock_frequency", default.clock_frequency)),
+                observation_history=history,
+                action=ActionConfig(**values.get("action", {})),
+                commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
+            )
+        except TypeError as error:
+            raise QuadrupedError(f"config: a field has a value of the wrong type ({error})") from error

@@ -1,0 +1,228 @@
+"""Interface between a policy and the joints, identical in training, in evaluation and on a real robot."""
+
+import math
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.capture import Functions
+from quadruped_env.control.clock import frequency_at
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
+from quadruped_env.gait import joint_phases, wave_positions
+from quadruped_env.robot.readings import Readings
+from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import NUMPY, Namespace
+
+Floats = NDArray[np.float64]
+
+# Scalars are arrays and vectors have an axis for the envs, because for a single env conversion and broadcasting cost
+# more than the arithmetic.
+_ONE: Final = np.array(1.0)
+_MINUS_ONE: Final = np.array(-1.0)
+_CYCLE: Final = np.array(math.tau)
+_NEXT: Final = np.array(1)
+
+_ROWS_IN_ONE: Final = 16
+"""Number of observations, at most, that are scaled and clipped as one row."""
+
+
+class ControlInterface:
+    """Gait clock, command, actions and observations of N robots.
+
+    In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves, and
+    `observe(readings)` returns the next observation. The values of an env do not depend on N: see the rules in
+    CONTRIBUTING.md.
+
+    Args:
+        robot: robot that is controlled.
+        config: time step, clock, action scaling and ranges of the command.
+        num_envs: number of envs, N.
+        fields: fields of the observation.
+        xp: array functions.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        config: ControlConfig,
+        num_envs: int = 1,
+        fields: Sequence[ObservationField] = OBSERVATIONS,
+        xp: Namespace = NUMPY,
+    ) -> None:
+        self._xp = xp
+        self.robot = robot
+        self.config = config
+        self.num_envs = num_envs
+        self.layout = ObservationLayout.of(robot, fields, config.observation_history)
+        self.memory = memory = EpisodeMemory(num_envs, xp)
+        self.action: Floats = memory.zeros("action", robot.num_joints)
+        """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
+        self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
+        """Action of the step before, (N, J)."""
+        self.commands: Floats = memory.zeros("commands", max(len(config.commands), VELOCITY))
+        """All components of the command, in the order of `config.commands`, (N, C)."""
+        self.command: Floats = self.commands[:, :VELOCITY]
+        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
+        self.moving: Floats = memory.zeros("moving")
+        """1.0 where a motion is commanded, else 0.0, (N,)."""
+        self.phase: Floats = memory.zeros("phase")
+        """Phase of the gait clock in [0, 2 pi), (N,), rad."""
+        self._phase_step: Floats = memory.zeros("phase_step")
+        """Advance of the gait clock per control step at the present command, (N,), rad."""
+        self.steps: NDArray[np.int64] = memory.zeros("steps", dtype=np.int64)
+        """Number of control steps since the reset, (N,)."""
+        self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
+        self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
+        self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
+        # A ring: the observation of step s is at s modulo the number of steps.
+        depth = config.observation_history
+        past = (depth, self.layout.width) if depth > 1 else (0, 0)
+        self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
+        self._env_ids, self._ages = xp.arange(num_envs)[:, None], xp.arange(depth)
+        self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
+        self._gait = config.action.scripted_gait(robot)
+        self._joint_phases = joint_phases(robot)
+        self._leg_phases = xp.constant(self._joint_phases[None, :: robot.num_joints // robot.num_legs])
+        self._joint_phases = xp.constant(self._joint_phases)
+        self.stance: Floats = xp.constant(robot.stance[None])
+        """Joint positions of the stance (1, J), rad."""
+        self._low, self._high = (
+            xp.constant(robot.joint_position_low[None]),
+            xp.constant(robot.joint_position_high[None]),
+        )
+        self._scale = np.array(config.action.scale)
+        # NumPy takes three times as long for many short rows as for a few long ones.
+        self._rows_in_one = max(k for k in range(1, _ROWS_IN_ONE + 1) if num_envs % k == 0)
+        scale, low, high = (
+            np.tile(bound, self._rows_in_one)[None] for bound in (self.layout.scale, self.layout.low, self.layout.high)
+        )
+        self._observation_scale = xp.constant(scale)
+        self._observation_low, self._observation_high = xp.asarray(low, np.float32), xp.asarray(high, np.float32)
+        self._clock = xp.zeros((num_envs, 2))
+        self._raw = xp.zeros((num_envs, self.layout.width))
+        self._observed: Readings | None = None
+        self._fields: Functions | None = None
+        self.reset(xp.arange(num_envs))
+
+    def __getstate__(self) -> dict[str, Any]:
+        # `command` is a view, and unpickling would turn it into a copy; captured fields refer to other arrays then.
+        kept = {name: value for name, value in self.__dict__.items() if name != "command"}
+        return {**kept, "_observed": None, "_fields": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.command = self.commands[:, :VELOCITY]
+
+    def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0, command: Floats | None = None) -> None:
+        """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero."""
+        self.memory.clear(env_ids)
+        self.phase[env_ids] = phase
+        # Also for zero: clock and scripted gait follow the command.
+        self.set_command(env_ids, self._xp.zeros((len(env_ids), VELOCITY)) if command is None else command)
+
+    def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
+        """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
+        self.commands[env_ids, : command.shape[1]] = command
+        velocity = command[:, :VELOCITY]
+        fast = np.abs(velocity) > MOVING_THRESHOLD
+        self.moving[env_ids] = fast[:, 0] | fast[:, 1]
+        self._phase_step[env_ids] = self._clock_step(velocity)
+        if self._gait is not None:
+            self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity, self._xp)
+
+    def _clock_step(self, velocity: Floats) -> Floats:
+        """Advance of the clock per control step (R,) in rad at velocity commands (R, 2)."""
+        return math.tau * frequency_at(self.config.clock_frequency, velocity) * self.config.timestep
+
+    def command_of(self, name: str) -> Floats:
+        """One component of the command by name, (N,)."""
+        return self.commands[:, self._columns[name]]
+
+    @property
+    def time(self) -> Floats:
+        """Time since the reset at which the current control step began, (N,), s."""
+        return np.maximum(self.steps - 1, 0) * self.config.timestep
+
+    def _captured(self, readings: Readings) -> Functions:
+        """The observation's fields, as functions of these readings and this interface."""
+        return Functions(
+            [(entry.read, entry.pure, self._raw[:, self.layout.slices[entry.name]]) for entry in self.layout.fields],
+            lambda capture: (capture.stand_in(readings), capture.stand_in(self)),
+        )
+
+    def advance(self) -> None:
+        """Begin a control step: advance the clock and set the action to zero."""
+        # For a single env, NumPy takes longer to change a number in place than to compute a new one and copy it.
+        self.steps[:] = self.steps + _NEXT
+        np.remainder(self.phase + self._phase_step, _CYCLE, self.phase)
+        self.previous_action[:] = self.action
+        self.action.fill(0.0)
+
+    def joint_target(self, action: NDArray[np.floating[Any]]) -> Floats:
+        """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
+        # A ufunc that converts its input takes longer than a conversion and the ufunc one after the other.
+        np.minimum(action.astype(np.float64), _ONE, out=self.action)
+        np.maximum(self.action, _MINUS_ONE, out=self.action)
+        target = self.action * self._scale
+        return self.within_limits(np.add(target, self.nominal(), target))
+
+    def within_limits(self, target: Floats) -> Floats:
+        """Joint targets (N, J) in rad, clipped in place to the joints' ranges."""
+        np.minimum(target, self._high, out=target)
+        return np.maximum(target, self._low, out=target)
+
+    def nominal(self) -> Floats:
+        """Joint positions for a zero action, in rad: the stance (1, J), or the scripted gait (N, J)."""
+        if self._gait is None:
+            return self.stance
+        return wave_positions(self.phase, self._joint_phases, self._sine, self._cosine, self._offset)
+
+    def leg_clock(self) -> Floats:
+        """Sine of each leg's phase, (N, L); positive while the foot should swing."""
+        return np.sin(self.phase[:, None] + self._leg_phases)
+
+    @property
+    def clock(self) -> Floats:
+        """Sine and cosine of the phase, 0 where standing is commanded, (N, 2)."""
+        np.sin(self.phase, self._clock[:, 0])
+        np.cos(self.phase, self._clock[:, 1])
+        return self._clock * self.moving[:, None]
+
+    def observe(self, readings: Readings, noise: Floats | None = None) -> NDArray[np.float32]:
+        """Observations (N, layout.history * layout.width) in a new array: of this step, then of the steps before.
+
+        Before an episode's first step there is none, so its first observation stands for them. A second call in the
+        same step replaces the observation of the first.
+
+        Args:
+            readings: readings of the N robots.
+            noise: added to the unscaled readings, (N, layout.width).
+        """
+        raw = self._raw
+        if readings is not self._observed or self._fields is None:
+            self._observed, self._fields = readings, self._captured(readings)
+        self._fields.update(readings, self)
+        if noise is not None:
+            raw += noise
+        long_rows = raw if self._rows_in_one == 1 else raw.reshape(-1, self._rows_in_one * self.layout.width)
+        np.multiply(long_rows, self._observation_scale, long_rows)
+        # Clipping after the conversion gives the same numbers, as rounding keeps their order, and takes half the time.
+        present = long_rows.astype(np.float32)
+        np.minimum(present, self._observation_high, out=present)
+        np.maximum(present, self._observation_low, out=present)
+        if long_rows is not raw:
+            present = present.reshape(raw.shape)
+        return present if self.layout.history == 1 else self._stacked(present)
+
+    def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
+        """The present observations (N, width) and those of the steps before."""
+        past, depth = self._past, self.layout.history
+        past[self._env_ids[:, 0], self.steps % depth] = present
+        first = self.steps == 0
+        past[first] = present[first, None]
+        return past[self._env_ids, (self.steps[:, None] - self._ages) % depth].reshape(self.num_envs, -1)

@@ -1,0 +1,139 @@
+"""Controllers that the suite measures, and the task in which it measures them."""
+
+import dataclasses
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.envs.arguments import task_config
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.comparison import evaluation_task
+from quadruped_env.evaluation.metrics import counted_samples, masked_mean
+from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
+from quadruped_env.evaluation.suite.suite_definition import Command
+from quadruped_env.gait import SinusoidalGait
+from quadruped_env.policies import (
+    CommandedGaitController,
+    Controller,
+    GaitController,
+    Policy,
+    PolicyController,
+    ZeroController,
+)
+from quadruped_env.robot import Robot
+from quadruped_env.simulation import Terrain, flat
+from quadruped_env.simulation.height_field import GROUND
+from quadruped_env.task import BUILT_IN, TaskConfig
+from quadruped_env.task.randomization.randomization_presets import scaled_to
+from quadruped_env.utils.progress import Progress
+
+
+@dataclass(frozen=True)
+class Contender:
+    """A controller and the task that it was made for."""
+
+    name: str
+    controller: Controller
+    config: TaskConfig
+
+    @classmethod
+    def of_policy(cls, policy: Policy, name: str) -> "Contender":
+        """A trained policy in its own task."""
+        return cls(name, PolicyController(policy, name), policy.config)
+
+    def task(
+        self,
+        commands: Iterable[Command],
+        randomization: Mapping[str, Any] | None = None,
+        terrain: Terrain = flat,
+    ) -> TaskConfig:
+        """Task of the suite: physics, falls and randomization are the same for all controllers of a robot.
+
+        The observation, the action, the control rate and the gait clock are the controller's own. Motors and
+        terminations are the robot's and the built-in ones, whatever the controller's task has.
+
+        Args:
+            commands: commands that its ranges must include.
+            randomization: values of the config's section on top of the preset `none`; masses, forces and lengths are
+                those of the built-in robot, and scaled to another one.
+            terrain: the ground.
+
+        Raises:
+            QuadrupedError: if the controller's task replaces a built-in termination.
+        """
+        config = task_config(self.controller.action_mode, self.config)
+        definition = dataclasses.replace(config.definition, terminations=BUILT_IN.terminations)
+        config = dataclasses.replace(config.with_definition(definition), motor=config.robot.motors)
+        defaults = TaskConfig().for_robot(config.robot).termination
+        missing = sorted(set(defaults) - set(config.termination))
+        if missing:
+            raise QuadrupedError(
+                f"{self.name}: its task file replaces the termination with the parameter {missing[0]!r}, and the suite "
+                f"needs the built-in ones; give the file's termination another name"
+            )
+        config = dataclasses.replace(config, termination=config.termination.replace(**defaults))
+        config = evaluation_task(config.on_terrain(terrain), list(commands), "none")
+        values = scaled_to(randomization or {}, config.robot)
+        return dataclasses.replace(config, randomization=config.randomization.replace(**values))
+
+    def run(
+        self,
+        commands: Iterable[Command],
+        seeds: range,
+        seconds: float,
+        progress: Progress | None = None,
+        randomization: Mapping[str, Any] | None = None,
+        before_step: BeforeStep | None = None,
+        reached: Iterable[Command] = (),
+    ) -> Rollout:
+        """Roll out on flat ground; `reached` are further commands that `before_step` sets."""
+        commands = list(commands)
+        config = self.task([*commands, *reached], randomization)
+        return roll_out(self.controller, commands, seeds, seconds, config, progress, before_step)
+
+    @property
+    def robot(self) -> Robot:
+        """Robot that is controlled."""
+        return self.config.robot
+
+
+STANDING: Final = "standing"
+
+
+def reference_contenders(policies: Mapping[str, Policy], robot: Robot) -> tuple[Contender, ...]:
+    """Contenders of the reference rows: standing, the tutorial's gait, the tuned gait, and policies by name."""
+    config = TaskConfig().for_robot(robot)
+    return (
+        Contender(STANDING, ZeroController(), config),
+        Contender("article", GaitController(SinusoidalGait.preset("article", robot), "article"), config),
+        Contender("tuned", CommandedGaitController(), config),
+        *(Contender.of_policy(policy, name) for name, policy in policies.items()),
+    )
+
+
+def mean_velocities(rollout: Rollout) -> NDArray[np.float64]:
+    """Mean forward velocity in m/s and yaw rate in rad/s of each episode (N, 2), after the start-up.
+
+    NaN for an episode that falls during the start-up.
+    """
+    return masked_mean(rollout.velocity, counted_samples(rollout))
+
+
+def conditions(contender: Contender) -> dict[str, Any]:
+    """Robot and physics of a contender's task, which must be the same in results that are compared."""
+    config = contender.task([(0.0, 0.0)])
+    model = config.compiled_model()
+    option = model.opt
+    return {
+        "robot": config.robot.identity,
+        "physics_timestep": config.physics_timestep,
+        "cone": int(option.cone),
+        "impratio": float(option.impratio),
+        "integrator": int(option.integrator),
+        "solver": int(option.solver),
+        "noslip_iterations": int(option.noslip_iterations),
+        "friction": model.geom(GROUND).friction.tolist(),
+    }

@@ -1,0 +1,242 @@
+"""The ONNX graph of a policy: from sensor readings to joint targets, without any code of this package."""
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env._version import __version__
+from quadruped_env.control import observations
+from quadruped_env.control.clock import CommandedFrequency
+from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.export.onnx_interface import (
+    ACTION,
+    COMMAND,
+    GAIT_PHASE,
+    HISTORY,
+    JOINT_TARGET,
+    NEXT_GAIT_PHASE,
+    NEXT_HISTORY,
+    Input,
+    PolicyInterface,
+)
+from quadruped_env.gait.gaits import WHOLE_STEPS
+
+OPSET: Final = 26
+"""Version of ONNX's operators: the newest that ONNX Runtime 1.31 runs."""
+IR_VERSION: Final = 13
+"""Version of ONNX's file format that belongs to it."""
+BATCH: Final = "batch"
+"""Name of the first axis of all inputs and outputs, of any length."""
+
+_FLOAT: Final = 1
+"""ONNX's number of the type float32."""
+_OPERATORS: Final = {"elu": "Elu", "tanh": "Tanh", "relu": "Relu"}
+"""Activation function of a policy -> ONNX operator."""
+
+
+def policy_graph(interface: PolicyInterface, name: str) -> bytes:
+    """The graph of a policy as an ONNX file.
+
+    It takes every input of `PolicyInterface.inputs`, computes the observation from them (offset, scale, clipping, gait
+    clock), the network's action, and the joint targets, to which in `residual` mode the scripted gait belongs. A
+    symmetric policy's network holds both of its sides.
+
+    Args:
+        interface: policy with its inputs and outputs.
+        name: name of the graph.
+
+    Raises:
+        MissingExtraError: if onnx is not installed.
+        QuadrupedError: if ONNX has no operator for the policy's activation function.
+    """
+    policy = interface.policy
+    if policy.activation not in _OPERATORS:
+        raise QuadrupedError(
+            f"export: there is no ONNX operator for the activation {policy.activation!r}; train with one of "
+            f"{', '.join(_OPERATORS)}"
+        )
+    graph = _Graph()
+    clock, phase = _clock(graph, interface)
+    observation = _with_history(graph, interface, _observation(graph, interface, clock))
+    action = _network(graph, interface, observation)
+    _joint_target(graph, interface, action, phase)
+    return graph.finish(name, interface.inputs, interface.outputs)
+
+
+def _phase_step(graph: "_Graph", interface: PolicyInterface) -> str:
+    """Advance of the gait clock in rad, (N, 1) or a constant."""
+    frequency = interface.frequency
+    if not isinstance(frequency, CommandedFrequency):
+        return graph.constant(interface.phase_step(frequency))
+    arms = graph.constant([[1.0], [frequency.turn_arm]])
+    speed = graph.add("MatMul", graph.add("Abs", COMMAND), arms)
+    knots, values = np.array(frequency.speeds), np.array(frequency.frequencies)
+    widths = np.diff(knots)
+    # Part of the speed within each interval (N, K - 1).
+    parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
+    change = graph.add("MatMul", parts, graph.constant((np.diff(values) / widths)[:, None]))
+    present = graph.add("Add", change, graph.constant(values[0]))
+    return graph.add("Mul", present, graph.constant(interface.phase_step(1.0)))
+
+
+def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
+    """Sine and cosine of the phase, 0 where standing is commanded (N, 2), and the phase after this step (N, 1)."""
+    if not interface.has_clock:
+        return "", ""
+    size = graph.add("Abs", COMMAND)
+    largest = graph.add("ReduceMax", size, graph.integers([1]), keepdims=1)
+    moving = graph.add("Cast", graph.add("Greater", largest, graph.constant(MOVING_THRESHOLD)), to=_FLOAT)
+    both = graph.add("Concat", graph.add("Sin", GAIT_PHASE), graph.add("Cos", GAIT_PHASE), axis=1)
+    later = graph.add("Add", GAIT_PHASE, _phase_step(graph, interface))
+    phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=NEXT_GAIT_PHASE)
+    return graph.add("Mul", both, moving), phase
+
+
+def _observation(graph: "_Graph", interface: PolicyInterface, clock: str) -> str:
+    """Observation (N, width): each input minus its offset, scaled and clipped."""
+    layout = interface.layout
+    columns = [clock if entry is observations.gait_clock else entry.name for entry in interface.policy.fields]
+    readings = graph.add("Concat", *columns, axis=1)
+    relative = graph.add("Sub", readings, graph.constant(interface.offsets))
+    scaled = graph.add("Mul", relative, graph.constant(layout.scale))
+    return graph.clipped(scaled, layout.low, layout.high)
+
+
+def _with_history(graph: "_Graph", interface: PolicyInterface, present: str) -> str:
+    """Observation of this step and of those before (N, history * width)."""
+    width = interface.history_width
+    if not width:
+        return present
+    repeated = graph.add("Concat", *[present] * (interface.layout.history - 1), axis=1)
+    past = graph.add("Where", graph.add("IsNaN", HISTORY), repeated, HISTORY)
+    stacked = graph.add("Concat", present, past, axis=1)
+    start, end, axis = (graph.integers([value]) for value in (0, width, 1))
+    graph.add("Slice", stacked, start, end, axis, output=NEXT_HISTORY)
+    return stacked
+
+
+def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> str:
+    """Action (N, J) in [-1, 1]."""
+    policy = interface.policy
+    *inner, last = zip(policy.weights, policy.biases, strict=True)
+    x = observation
+    for weight, bias in inner:
+        layer = graph.add("Gemm", x, graph.constant(weight), graph.constant(bias))
+        x = graph.add(_OPERATORS[policy.activation], layer)
+    x = graph.add("Gemm", x, graph.constant(last[0]), graph.constant(last[1]))
+    if policy.output == "tanh":
+        return graph.add("Tanh", x, output=ACTION)
+    return graph.clipped(x, -1.0, 1.0, output=ACTION)
+
+
+def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phase: str) -> None:
+    """Joint targets (N, J): stance or scripted gait plus the scaled action, within the joints' ranges."""
+    policy, robot = interface.policy, interface.policy.robot
+    change = graph.add("Mul", action, graph.constant(policy.control.action.scale))
+    nominal = graph.constant(robot.stance) if interface.gait is None else _gait(graph, interface, phase)
+    target = graph.add("Add", change, nominal)
+    graph.clipped(target, robot.joint_position_low, robot.joint_position_high, output=JOINT_TARGET)
+
+
+def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
+    """Joint positions (N, J) of the scripted gait; see `CommandedGait.waves`."""
+    gait = interface.gait
+    assert gait is not None
+    knots = np.array(gait.speeds)
+    widths = np.diff(knots)
+    speed, yaw_rate = (graph.add("MatMul", COMMAND, graph.constant(column)) for column in np.eye(2)[:, :, None])
+    shares = (
+        graph.add("Div", graph.add("Abs", value), graph.constant(whole))
+        for value, whole in zip((speed, yaw_rate), WHOLE_STEPS, strict=True)
+    )
+    fade = graph.add("Min", graph.add("Max", *shares), graph.constant(1.0))
+    # See `turn_size`.
+    rate = graph.add("Min", graph.add("Abs", yaw_rate), graph.constant(gait.largest_yaw_rate))
+    turning = graph.add("Sqrt", graph.add("Mul", rate, graph.constant(gait.largest_yaw_rate)))
+    size = graph.add("Mul", graph.add("Sign", yaw_rate), turning)
+    # Part of the speed within each interval of the table (N, K - 1).
+    parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
+
+    def interpolated(table: NDArray[np.float64]) -> str:
+        change = graph.add("MatMul", parts, graph.constant(np.diff(table, axis=0) / widths[:, None]))
+        return graph.add("Add", change, graph.constant(table[0]))
+
+    waves = []
+    at_rest = (np.zeros(1), np.zeros(1), interface.policy.robot.stance)
+    for resting, straight, turn, side in zip(at_rest, gait.straight, gait.turn, gait.side, strict=True):
+        whole = graph.add("Add", interpolated(straight), graph.add("Mul", turning, interpolated(turn)))
+        whole = graph.add("Add", whole, graph.add("Mul", size, interpolated(side)))
+        rest = graph.constant(resting)
+        waves.append(graph.add("Add", rest, graph.add("Mul", fade, graph.add("Sub", whole, rest))))
+    sine, cosine, offset = waves
+    angle = graph.add("Add", phase, graph.constant(interface.joint_phases))
+    swing = graph.add(
+        "Add",
+        graph.add("Mul", sine, graph.add("Sin", angle)),
+        graph.add("Mul", cosine, graph.add("Cos", angle)),
+    )
+    return graph.add("Add", swing, offset)
+
+
+class _Graph:
+    """Builder of an ONNX graph, whose values are named in the order in which they are added."""
+
+    def __init__(self) -> None:
+        try:
+            import onnx
+        except ImportError as error:
+            raise MissingExtraError("Export to ONNX", "export") from error
+        self._onnx: Any = onnx
+        self._nodes: list[Any] = []
+        self._constants: list[Any] = []
+
+    def add(self, operator: str, *inputs: str, output: str = "", **attributes: Any) -> str:
+        """Add a node; returns the name of its result."""
+        output = output or f"{operator.lower()}_{len(self._nodes)}"
+        self._nodes.append(self._onnx.helper.make_node(operator, inputs, [output], **attributes))
+        return output
+
+    def clipped(self, value: str, low: ArrayLike, high: ArrayLike, output: str = "") -> str:
+        """A value within bounds, which broadcast; NaN stays NaN."""
+        return self.add("Min", self.add("Max", value, self.constant(low)), self.constant(high), output=output)
+
+    def constant(self, values: ArrayLike) -> str:
+        """Name of a constant, float32."""
+        return self._constant(np.asarray(values, dtype=np.float32))
+
+    def integers(self, values: ArrayLike) -> str:
+        """Name of a constant, int64."""
+        return self._constant(np.asarray(values, dtype=np.int64))
+
+    def _constant(self, values: Any) -> str:
+        name = f"constant_{len(self._constants)}"
+        self._constants.append(self._onnx.numpy_helper.from_array(np.ascontiguousarray(values), name))
+        return name
+
+    def finish(self, name: str, inputs: tuple[Input, ...], outputs: tuple[Input, ...]) -> bytes:
+        """The checked graph as a file."""
+        helper = self._onnx.helper
+        graph = helper.make_graph(
+            self._nodes,
+            name,
+            [self._value(entry) for entry in inputs],
+            [self._value(entry) for entry in outputs],
+            self._constants,
+        )
+        model = helper.make_model(
+            graph,
+            opset_imports=[helper.make_opsetid("", OPSET)],
+            ir_version=IR_VERSION,
+            producer_name="mini-quadruped",
+            producer_version=__version__,
+        )
+        self._onnx.checker.check_model(model, full_check=True)
+        content: bytes = model.SerializeToString(deterministic=True)
+        return content
+
+    def _value(self, entry: Input) -> Any:
+        text = f"{entry.description} Unit: {entry.unit}."
+        return self._onnx.helper.make_tensor_value_info(entry.name, _FLOAT, [BATCH, entry.width], text)

@@ -1,0 +1,98 @@
+"""Joint states and joint commands, validated and in the robot's joint order."""
+
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.robot import Robot
+from quadruped_env.ros.joint_state_bytes import Decoder, RawJointState
+
+MAX_VALUE: Final = 1e3
+"""Largest accepted position or velocity, rad or rad/s. Larger values indicate corrupt data and would lead to NaN."""
+
+
+class Joints(NamedTuple):
+    """One message in the order of the robot's joints; a field that the message leaves out is `None`."""
+
+    stamp: int
+    """Timestamp, ns."""
+    positions: NDArray[np.float64] | None
+    """Joint positions (J,), rad."""
+    velocities: NDArray[np.float64] | None
+    """Joint velocities (J,), rad/s."""
+    efforts: NDArray[np.float64] | None
+    """Joint torques (J,), N m; NaN means unknown."""
+
+
+class JointReader:
+    """Reads the messages of one topic.
+
+    Args:
+        topic: topic name for error messages.
+        robot: robot whose joints the messages contain.
+        needs: fields of `Joints` that every message must contain.
+    """
+
+    def __init__(self, topic: str, robot: Robot, needs: Sequence[str] = ()) -> None:
+        self._topic = topic
+        self._joints = robot.joint_names
+        self._needs = tuple(needs)
+        self._decode = Decoder()
+        self._names: tuple[str, ...] | None = None
+        self._order = np.empty(0, dtype=np.intp)
+
+    def __call__(self, data: bytes) -> Joints:
+        """Decode the CDR bytes of a JointState.
+
+        Raises:
+            QuadrupedError: if the bytes are corrupt, the names are not this robot's, the numbers of values and names
+                differ, a position or velocity is not finite or exceeds `MAX_VALUE`, or a needed field is missing.
+        """
+        try:
+            raw = self._decode(data)
+            if raw.names is not self._names:
+                self._order = _order(raw.names, self._joints)
+                self._names = raw.names
+            joints = Joints(
+                raw.stamp,
+                self._values(raw, "position"),
+                self._values(raw, "velocity"),
+                self._values(raw, "effort", finite=False),
+            )
+            if any(getattr(joints, field) is None for field in self._needs):
+                raise QuadrupedError(f"needs {' and '.join(self._needs)}; send one value per joint")
+            return joints
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{self._topic}: {error}") from error
+
+    def _values(self, raw: RawJointState, field: str, finite: bool = True) -> NDArray[np.float64] | None:
+        given = getattr(raw, field)
+        if not given:
+            return None
+        if len(given) != len(raw.names):
+            raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one per joint")
+        values = np.array(given)[self._order]
+        if finite and not (np.abs(values) <= MAX_VALUE).all():
+            wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
+            raise QuadrupedError(
+                f"{field} of {self._joints[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
+            )
+        return values
+
+
+def _order(names: tuple[str, ...], joints: tuple[str, ...]) -> NDArray[np.intp]:
+    """Index of each of the robot's joints in a list of names."""
+    if sorted(names) != sorted(joints):
+        unknown = [name for name in names if name not in joints]
+        missing = [name for name in joints if name not in names]
+        if unknown or missing:
+            what = f"unknown {unknown[0]!r}" if unknown else f"{missing[0]} is missing"
+        else:
+            what = "one comes twice"
+        raise QuadrupedError(
+            f"the names are not this robot's: {what} among {len(names)}; expected each of {', '.join(joints)} once"
+        )
+    return np.array([names.index(name) for name in joints])

@@ -1,0 +1,81 @@
+"""The robot's sensor topics, published from a simulation's readings."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.live.messages.message_stamps import write_stamp
+from quadruped_env.live.middleware.node import Node
+from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
+from quadruped_env.robot.link_transforms import ODOMETRY_FRAME
+from quadruped_env.robot.readings import Readings
+from quadruped_env.robot.robot import Robot
+from quadruped_env.ros import cdr
+from quadruped_env.ros.joint_state_bytes import Encoder
+from quadruped_env.ros.tf import TfEncoder
+
+
+class Sensors:
+    """The robot's publishers: joint states, IMU, odometry, the base's transform and the clock.
+
+    Args:
+        node: the publishing node.
+        robot: robot whose readings are sent.
+    """
+
+    def __init__(self, node: Node, robot: Robot) -> None:
+        base = robot.base_name
+        self._clock, self._imu, self._odometry = node.publish(CLOCK), node.publish(IMU), node.publish(ODOMETRY)
+        self._tf, self._joints = node.publish(TF), node.publish(JOINT_STATES)
+        self._encode_joints = Encoder(robot.joint_names)
+        self._encode_tf = TfEncoder([(ODOMETRY_FRAME, base)])
+        self._time = cdr.message("rosgraph_msgs/msg/Clock")
+        self._attitude = cdr.message("sensor_msgs/msg/Imu", header=cdr.header(0, base))
+        self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=base)
+
+    def send(self, stamp: int, state: Readings) -> None:
+        """Send all messages of one time step.
+
+        Args:
+            stamp: timestamp, ns.
+            state: readings of a single env.
+        """
+        position, (w, x, y, z) = state.base_position[0], state.orientation[0].tolist()
+        rate, velocity = state.angular_velocity_b[0], state.linear_velocity_b[0]
+
+        write_stamp(self._time.clock, stamp)
+        self._clock.send(self._time)
+
+        imu = self._attitude
+        write_stamp(imu.header.stamp, stamp)
+        imu.orientation.w, imu.orientation.x, imu.orientation.y, imu.orientation.z = w, x, y, z
+        _write_vector(imu.angular_velocity, rate)
+        _write_vector(imu.linear_acceleration, state.linear_acceleration_b[0])
+        self._imu.send(imu)
+
+        # After the IMU message, since a controller uses both; before the others, since the controller waits for it.
+        self._joints.send_bytes(
+            self._encode_joints(
+                stamp,
+                state.joint_position[0].tobytes(),
+                state.joint_velocity[0].tobytes(),
+                state.joint_torque[0].tobytes(),
+            )
+        )
+
+        odom = self._odom
+        write_stamp(odom.header.stamp, stamp)
+        _write_vector(odom.pose.pose.position, position)
+        turn = odom.pose.pose.orientation
+        turn.w, turn.x, turn.y, turn.z = w, x, y, z
+        _write_vector(odom.twist.twist.linear, velocity)
+        _write_vector(odom.twist.twist.angular, rate)
+        self._odometry.send(odom)
+
+        self._tf.send_bytes(self._encode_tf(stamp, np.array([[*position, x, y, z, w]])))
+
+
+def _write_vector(vector: Any, values: NDArray[np.float64]) -> None:
+    """Write numbers (3,) into a message's vector or point."""
+    vector.x, vector.y, vector.z = values.tolist()

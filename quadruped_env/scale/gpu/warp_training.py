@@ -1,0 +1,235 @@
+"""A training on a GPU: the task on MuJoCo Warp, PPO of rsl-rl, and the same run directory as on the CPU."""
+
+import copy
+import io
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any, Protocol
+
+# First, because it sets a variable that torch reads when it is loaded.
+from quadruped_env.training.sb3_models import check_finite, linear_layers, resuming
+
+# isort: split
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.envs.arguments import task_config
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.policies import Policy
+from quadruped_env.scale.gpu.warp_statistics import WarpStatistics
+from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
+from quadruped_env.training.actor_critic import symmetrized
+from quadruped_env.training.group import ALONE, Group
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run_directory import RSL_FILE, Run, check_latest
+from quadruped_env.training.schedules import Schedule
+from quadruped_env.training.step_statistics import StepStatistics
+from quadruped_env.training.train import stop_on_signal
+from quadruped_env.training.train_config import WARP_DEVICES, TrainConfig, on_gpu
+from quadruped_env.training.training_recorder import Recorder, record
+from quadruped_env.utils.seeds import check_training_seeds
+
+try:
+    import torch
+
+    from quadruped_env.scale.gpu.warp_env import WarpVecEnv
+    from quadruped_env.scale.ranks.warp_rank_model import make_rank_ppo
+except ImportError as error:  # pragma: no cover
+    raise MissingExtraError("--device cuda", "gpu") from error
+
+
+class Watcher(Protocol):
+    """Object that watches a training and may end it, such as a `Recorder`."""
+
+    ended: bool
+    """True if the training is to end after this rollout, without an update"""
+
+    def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
+        """Called before the first step."""
+        ...
+
+    def on_step(self) -> bool:
+        """Called after each control step of all envs; False ends the training."""
+        ...
+
+    def on_rollout_end(self) -> None:
+        """Called before each update."""
+        ...
+
+
+class WarpModel:
+    """A training's networks and its place in the schedules, with the attributes that a `Recorder` reads.
+
+    Args:
+        config: settings of the training.
+        env: the envs, of several ranks this one's share.
+        group: this rank.
+    """
+
+    def __init__(self, config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> None:
+        self.config, self._env, self._group = config, env, group
+        self.ppo = make_rank_ppo(config, env, group)
+        self.num_timesteps = 0
+        self.learning_rate = Schedule(config)
+        self.logger: Any = None
+
+    def get_env(self) -> WarpVecEnv:
+        """The envs."""
+        return self._env
+
+    def set_logger(self, logger: Any) -> None:
+        """Set the logger of the progress, of Stable-Baselines3."""
+        self.logger = logger
+
+    def learn(self, recorder: Watcher) -> None:
+        """Train until the budget is used, or the recorder stops it.
+
+        Raises:
+            DifferentWeightsError: if the weights of the ranks differ after an update.
+        """
+        ppo, env, config = self.ppo, self._env, self.config
+        first = self.num_timesteps
+        recorder.on_training_start({}, {})
+        observations = env.get_observations()
+        ppo.train_mode()
+        while config.seconds is not None or self.num_timesteps - first < config.timesteps:
+            self._follow_schedules()
+            with torch.no_grad():
+                for _ in range(config.n_steps):
+                    observations, rewards, done, extras = env.step(ppo.act(observations))
+                    ppo.process_env_step(observations, rewards, done, extras)
+                    self.num_timesteps += env.num_envs * self._group.ranks
+                    if not recorder.on_step():
+                        return
+                ppo.compute_returns(observations)
+            recorder.on_rollout_end()
+            if recorder.ended:
+                return
+            ppo.update()
+            if self._group.ranks > 1:
+                weights = [*ppo.actor.parameters(), *ppo.critic.parameters()]
+                self._group.check_same(weights, f"after {self.num_timesteps:,} steps")
+
+    def _follow_schedules(self) -> None:
+        """Set the bound of the exploration and the learning rate for the share of the budget that is left."""
+        actor: Any = self.ppo.actor
+        actor.distribution.log_std_param.data.clamp_(max=self.learning_rate.log_std_bound)
+        for group in self.ppo.optimizer.param_groups:
+            group["lr"] = self.learning_rate()
+
+    def save(self, file: io.BytesIO) -> None:
+        """Write the networks and the optimizer's state."""
+        torch.save(self.ppo.save(), file)
+
+    def go_on_from(self, parent: Parent) -> None:
+        """Take over a run's networks, optimizer, step count and place in the schedules.
+
+        Raises:
+            QuadrupedError: if its file cannot be read.
+        """
+        path = parent.directory / RSL_FILE
+        with resuming(path):
+            state = torch.load(path, map_location=self._env.device, weights_only=True)
+            check_finite(state)
+            self.ppo.load(state, None, strict=True)
+        self.num_timesteps = parent.timesteps
+        self.learning_rate.go_on(parent.timesteps, parent.budget_left)
+
+    def policy(self, task: TaskConfig, card: dict[str, Any]) -> Policy:
+        """The deterministic part of the policy as plain arrays."""
+        actor: Any = self.ppo.actor
+        layers = linear_layers(copy.deepcopy(actor.mlp).cpu(), self.config.activation)
+        if self.config.symmetric:
+            layers = symmetrized(layers, MirrorMap.of(self._env.task.control.layout))
+        return Policy(
+            weights=tuple(weight for weight, _ in layers),
+            biases=tuple(bias for _, bias in layers),
+            activation=self.config.activation,
+            config=task,
+            card=card,
+        )
+
+
+class WarpRecorder(Recorder, WarpStatistics):
+    """Watches a training on a GPU."""
+
+    resume_file = RSL_FILE
+
+    def _policy(self, card: dict[str, Any]) -> Policy:
+        model: Any = self.model
+        return model.policy(self._task_config, card)
+
+
+def train(
+    config: TrainConfig,
+    runs: Path,
+    command: str,
+    resume: Path | None = None,
+    task_file: Path | None = None,
+    group: Group = ALONE,
+) -> tuple[Path, bool]:
+    """Train a policy on a GPU; see `quadruped_env.training.train.train`."""
+    check_latest(runs)
+    config, parent, env, model = prepare(config, resume, task_file, group)
+    task = env.task.config
+    facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
+    run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
+    recorder = WarpRecorder(run, config, task, 0.0 if parent is None else parent.seconds, group)
+    record(run, model, recorder, lambda: learn(model, recorder))
+    return run.directory, not recorder.stopped
+
+
+def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
+    """Train as a rank other than 0, which writes no files; see `train`."""
+    _, _, _, model = prepare(config, resume, task_file, group)
+    learn(model, WarpStatistics(model.config, group))
+
+
+def prepare(
+    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE
+) -> tuple[TrainConfig, Parent | None, WarpVecEnv, WarpModel]:
+    """Everything that a training, or one rank of it, needs to learn; see `quadruped_env.training.train.prepare`."""
+    parent = None
+    if resume is not None:
+        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
+        parent.check(asdict(config))
+        config = replace(config, task=parent.with_reward(config.task))
+    task = task_config(config.action_mode, config.task, task_file)
+    check_training_seeds("config.terrain.seed", task.terrain["seed"])
+    device = device_of(config.device, group)
+    if group.rank == 0:
+        print(
+            f"MuJoCo Warp loads its kernels for {device}; once per machine it compiles them, which takes minutes",
+            flush=True,
+        )
+    share = config.num_envs // group.ranks
+    env = WarpVecEnv(task, share, device, config.seed + group.rank * share, config.asymmetric_critic)
+    if group.ranks > 1 and on_gpu(config.device):
+        torch.cuda.set_device(env.device)  # on which NCCL synchronizes
+    model = WarpModel(config, env, group)
+    if parent is not None:
+        model.go_on_from(parent)
+    return config, parent, env, model
+
+
+def learn(model: WarpModel, statistics: StepStatistics) -> None:
+    """Train a model until its budget is used, or a signal stops it.
+
+    Args:
+        model: of `prepare`.
+        statistics: callback that knows when to stop.
+    """
+    callback: Any = statistics
+    callback.init_callback(model)
+    with stop_on_signal(statistics):
+        model.learn(callback)
+
+
+def device_of(device: str, group: Group) -> str:
+    """Warp's name of the device of a rank: of several ranks on GPUs, each has the GPU with its index.
+
+    Args:
+        device: as `--device`.
+        group: the rank.
+    """
+    if group.ranks == 1 or not on_gpu(device):
+        return WARP_DEVICES.get(device, device)
+    return f"cuda:{group.local_rank}"

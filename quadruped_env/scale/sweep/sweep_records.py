@@ -1,0 +1,325 @@
+"""The files of a sweep: its definition, and a folder per trial with its settings, its run directory and its result.
+
+    sweep.json                definition
+    trials/0003/trial.json    settings
+    trials/0003/scores.csv    scores during the training, with --scheduler asha
+    trials/0003/<time>-ppo/   run directory, as of a training by itself
+    trials/0003/result.json   result; a trial that has none is trained again when the sweep is resumed
+
+The files are all that a sweep goes on from: nothing is unpickled.
+"""
+
+import contextlib
+import csv
+import fcntl
+import io
+import json
+import os
+import time
+import uuid
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
+from quadruped_env.evaluation.suite.suite import read_results
+from quadruped_env.scale.sweep.sweep_definition import FORMAT_VERSION, SweepConfig
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.training.train_config import field_rule
+from quadruped_env.utils.documents import check_regular, read_json
+from quadruped_env.utils.files import free_path, unwritable, whole, write_json, write_whole
+from quadruped_env.utils.parameters import is_quantity
+from quadruped_env.utils.provenance import git_commit, machine, versions
+
+SWEEP_FILE: Final = "sweep.json"
+TRIALS: Final = "trials"
+TRIAL_FILE: Final = "trial.json"
+RESULT_FILE: Final = "result.json"
+SCORES_FILE: Final = "scores.csv"
+ERROR_FILE: Final = "error.txt"
+STATES: Final = ("finished", "stopped", "failed")
+"""States of a result: the whole budget was used; ASHA stopped the trial; it ended with an error."""
+SCORE_COLUMNS: Final = ("rung", "timesteps", "seconds", "score")
+_LOCK_FILE: Final = ".lock"
+_AGAIN: Final = "resume the sweep, which puts this trial aside and trains it again"
+
+
+def _is_score(value: Any) -> bool:
+    parts = value.get("components") if isinstance(value, dict) else None
+    return isinstance(parts, dict) and all(map(is_quantity, (value.get("total"), *parts.values())))
+
+
+_Check = tuple[Callable[[Any], bool], str]
+"""Function that is true of valid values of a field, and these in words."""
+_AMOUNT: Final[_Check] = (lambda value: is_quantity(value, 0.0, 1e15), "a number, 0 or more")
+_RESULT: Final[dict[str, _Check]] = {
+    "state": (lambda value: value in STATES, f"one of {', '.join(STATES)}"),
+    "score": (lambda value: value is None or _is_score(value), "null, or numbers: total and components"),
+    "run": (
+        lambda value: isinstance(value, str) and value == Path(value).name and value not in ("", ".."),
+        "the name of a directory",
+    ),
+    **{name: (lambda value: isinstance(value, str), "a text") for name in ("node", "error")},
+    **dict.fromkeys(("timesteps", "training_seconds", "scoring_seconds", "peak_memory_mb"), _AMOUNT),
+}
+"""Field of a result -> check, and valid values in words."""
+_OPTIONAL: Final = _RESULT.keys() - {"state"}
+
+
+@dataclass(frozen=True)
+class SweepFolder:
+    """The directory of a sweep."""
+
+    path: Path
+    identity: str
+    """Random name of the sweep, which each of its trials has."""
+    config: SweepConfig
+
+    @classmethod
+    def create(cls, parent: Path, name: str, config: SweepConfig, command: str) -> "SweepFolder":
+        """Make `<parent>/<time>-<name>/` with its definition.
+
+        Raises:
+            QuadrupedError: if it cannot be written.
+        """
+        stamp = time.strftime("%Y%m%d-%H%M%S")
+        for suffix in ("", *(f"-{i}" for i in range(2, 1000))):
+            path = parent / f"{stamp}-{name}{suffix}"
+            try:
+                (path / TRIALS).mkdir(parents=True)
+            except FileExistsError:
+                continue
+            except OSError as error:
+                raise QuadrupedError(
+                    f"--output: cannot create {path} ({error.strerror}); name another place"
+                ) from error
+            break
+        identity = uuid.uuid4().hex
+        document = {
+            "format_version": FORMAT_VERSION,
+            "sweep": identity,
+            **config.to_dict(),
+            "command": command,
+            "git_commit": git_commit(),
+            "versions": versions(),
+            "machine": machine(),
+        }
+        write_json(path / SWEEP_FILE, document)
+        return cls(path, identity, config)
+
+    @classmethod
+    def open(cls, path: Path) -> "SweepFolder":
+        """The sweep in a directory.
+
+        Raises:
+            QuadrupedError: if the directory holds none, or its definition is damaged.
+        """
+        file = path / SWEEP_FILE
+        if not os.path.isfile(file):  # Path.is_file raises for a name that is too long
+            what = "there is no such directory"
+            if os.path.isfile(path / CONFIG_FILE):
+                what = "this is the run directory of one training: continue it with 'train --resume'"
+            elif os.path.isdir(path):
+                what = f"it has no {SWEEP_FILE}, so no sweep is in it"
+            raise QuadrupedError(f"--resume: {path}: {what}; name the directory that 'sweep' printed")
+        document = read_json(file, "start a new sweep")
+        if not isinstance(document, dict) or not isinstance(document.get("sweep"), str):
+            raise QuadrupedError(f"{file}: not the definition of a sweep; start a new one")
+        if document.get("format_version") != FORMAT_VERSION:
+            raise QuadrupedError(
+                f"{file}: format_version: expected {FORMAT_VERSION}; found {short(document.get('format_version'))}; "
+                f"resume it with the version of this package that wrote it"
+            )
+        names = SweepConfig.__dataclass_fields__
+        values = {name: document[name] for name in names if name in document}
+        return cls(path, document["sweep"], SweepConfig.from_dict(values, str(file)))
+
+    def trial(self, number: int) -> "TrialFolder":
+        """The folder of a trial."""
+        return TrialFolder(self.path / TRIALS / f"{number:04d}", self.identity, number, self.config)
+
+    def put_aside(self, number: int) -> Path:
+        """Give the folder of a damaged trial another name, so that the trial begins again; the new path.
+
+        Raises:
+            QuadrupedError: if the system refuses that.
+        """
+        path = self.trial(number).path
+        aside = free_path(path.with_name(f"{path.name}.damaged"))
+        try:
+            return path.rename(aside)
+        except OSError as error:
+            raise unwritable(aside, error) from error
+
+    @contextlib.contextmanager
+    def locked(self) -> Iterator[None]:
+        """Within it, no other process runs this sweep; the lock ends with the process.
+
+        Raises:
+            QuadrupedError: if another process runs it.
+        """
+        path = self.path / _LOCK_FILE
+        try:
+            file = path.open("a")
+        except OSError as error:
+            raise unwritable(path, error) from error
+        with file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                raise QuadrupedError(
+                    f"--resume: another process runs the sweep in {self.path}; wait for its end, or stop it"
+                ) from error
+            yield
+
+
+@dataclass(frozen=True)
+class TrialFolder:
+    """The directory of a trial; all of its files appear when they are whole."""
+
+    path: Path
+    sweep: str
+    """Identity of the sweep."""
+    number: int
+    config: SweepConfig
+
+    def write_settings(self, settings: Mapping[str, Any]) -> None:
+        """Write trial.json."""
+        write_json(self.path / TRIAL_FILE, {"sweep": self.sweep, **settings})
+
+    def settings(self) -> dict[str, Any] | None:
+        """Content of trial.json; None if the trial has not begun.
+
+        Raises:
+            QuadrupedError: if it is damaged, or belongs to another sweep or trial.
+        """
+        seeds, first = self.config.seeds, self.config.training.get("seed", TrainConfig.seed)
+        space = {dimension.field: dimension for dimension in self.config.space}
+
+        def only(expected: int) -> _Check:
+            return lambda found: type(found) is int and found == expected, str(expected)
+
+        def table_of(names: Collection[str], valid: Callable[[str, Any], bool]) -> _Check:
+            return (
+                lambda found: (
+                    isinstance(found, dict) and found.keys() == set(names) and all(map(valid, found, found.values()))
+                ),
+                f"valid values of {', '.join(names) or 'no field'}",
+            )
+
+        return self._read(
+            TRIAL_FILE,
+            {
+                "number": only(self.number),
+                "setting": only(self.number // seeds),
+                "seed": only(first + self.number % seeds),
+                "values": table_of(space, lambda name, value: space[name].holds(value)),
+                "training": table_of(TrainConfig.__dataclass_fields__, lambda *field: field_rule(*field) is None),
+            },
+        )
+
+    def result(self) -> dict[str, Any] | None:
+        """Content of result.json; None if the trial has not ended.
+
+        Raises:
+            QuadrupedError: if it is damaged, or belongs to another sweep.
+        """
+        return self._read(RESULT_FILE, _RESULT)
+
+    def check(self) -> None:
+        """Check all that a sweep goes on from, also the results of the suite.
+
+        Raises:
+            QuadrupedError: if a file is damaged or missing, or the folder is a link, through which the training would
+                write elsewhere.
+        """
+        if self.path.is_symlink() or (os.path.lexists(self.path) and not self.path.is_dir()):
+            raise QuadrupedError(f"{self.path}: is {'a link' if self.path.is_symlink() else 'no directory'}; {_AGAIN}")
+        settings, result = self.settings(), self.result()
+        self.scores()
+        if result is None:
+            return
+        if settings is None:
+            raise QuadrupedError(f"{self.path / TRIAL_FILE}: missing next to a result; {_AGAIN}")
+        if result.get("score") is not None and result.get("run") is not None:
+            read_results(self.path / result["run"] / "evaluation" / SUITE_FILE)
+
+    def _read(self, name: str, fields: Mapping[str, _Check]) -> dict[str, Any] | None:
+        """Content of a file; `fields`: field -> check and valid values of a field that is there."""
+        path = self.path / name
+        if not os.path.lexists(path):
+            return None
+        document = read_json(path, _AGAIN)
+        for field in ("sweep", *fields):
+            if not isinstance(document, dict) or (field not in document and field not in _OPTIONAL):
+                raise QuadrupedError(f"{path}: field {field!r} is missing; {_AGAIN}")
+        if document["sweep"] != self.sweep:
+            raise QuadrupedError(
+                f"{path}: this is a trial of another sweep ({short(document['sweep'])} in place of "
+                f"{short(self.sweep)}); {_AGAIN}"
+            )
+        for field, (valid, rule) in fields.items():
+            if field in document and not valid(document[field]):
+                raise QuadrupedError(f"{path}: {field}: expected {rule}; found {short(document[field])}; {_AGAIN}")
+        return dict(document)
+
+    def finish(self, result: Mapping[str, Any]) -> dict[str, Any]:
+        """Write result.json if there is none; the result that stands.
+
+        Two processes may train a trial if a node was cut off from the cluster: the first result counts.
+
+        Raises:
+            QuadrupedError: if it cannot be written.
+        """
+        path = self.path / RESULT_FILE
+        content = json.dumps({"sweep": self.sweep, **result}, indent=2, allow_nan=False) + "\n"
+        part = path.with_name(f".{RESULT_FILE}.{uuid.uuid4().hex}.part")
+        try:
+            with part.open("x") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            with contextlib.suppress(FileExistsError):
+                os.link(part, path)
+        except OSError as error:
+            raise unwritable(path, error) from error
+        finally:
+            part.unlink(missing_ok=True)
+        found = self.result()
+        assert found is not None
+        return found
+
+    def write_scores(self, rows: list[dict[str, Any]]) -> None:
+        """Write scores.csv."""
+        text = io.StringIO()
+        writer = csv.DictWriter(text, SCORE_COLUMNS)
+        writer.writeheader()
+        writer.writerows(rows)
+        write_whole({self.path / SCORES_FILE: text.getvalue().encode()})
+
+    def scores(self) -> list[dict[str, float]]:
+        """Rows of scores.csv; none if the file does not exist.
+
+        Raises:
+            QuadrupedError: if it is damaged.
+        """
+        path = self.path / SCORES_FILE
+        if not os.path.lexists(path):
+            return []
+        check_regular(path, _AGAIN)
+        try:
+            with path.open(newline="", encoding="utf-8") as file:
+                rows = [{name: float(row[name]) for name in SCORE_COLUMNS} for row in csv.DictReader(file)]
+        except (OSError, ValueError, KeyError, TypeError, csv.Error) as error:
+            raise QuadrupedError(f"{path}: damaged ({short(str(error))}); {_AGAIN}") from error
+        if not all(is_quantity(value, -1e15, 1e15) for row in rows for value in row.values()):
+            raise QuadrupedError(f"{path}: a value is not finite; {_AGAIN}")
+        return rows
+
+    def write_error(self, text: str) -> None:
+        """Write the traceback of a failed trial."""
+        with whole(self.path / ERROR_FILE) as part:
+            part.write_text(text)

@@ -1,0 +1,176 @@
+"""One trial: the training of `mini-quadruped train`, unchanged, in a process of Ray, and its score."""
+
+import os
+import resource
+import socket
+import sys
+import time
+import traceback
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.scale.sweep.sweep_definition import SweepConfig, sha256_of
+from quadruped_env.scale.sweep.sweep_records import SWEEP_FILE, SweepFolder, TrialFolder
+from quadruped_env.training import TrainConfig
+
+Report = Callable[[dict[str, Any]], None]
+"""Called with intermediate results; it returns when the training may go on."""
+SCORE: Final = "score"
+RUNG: Final = "rung"
+
+
+def run_in_ray(settings: dict[str, Any]) -> None:
+    """Run a trial as a trainable of Ray Tune.
+
+    Args:
+        settings: `sweep`, the sweep's directory; `identity`, the sweep's; and `number`, the trial's.
+    """
+    from ray import tune
+
+    run(Path(settings["sweep"]), settings["identity"], settings["number"], tune.report)
+
+
+def run(sweep: Path, identity: str, number: int, report: Report) -> dict[str, Any]:
+    """Train a trial and write its result, unless it has one.
+
+    A trial that was interrupted begins again, so that its policy has the bits of an uninterrupted training.
+
+    Args:
+        sweep: the sweep's directory, which all nodes share.
+        identity: of the sweep.
+        number: of the trial.
+        report: see `Report`; its last call has the final score.
+
+    Raises:
+        QuadrupedError: if this machine does not see the sweep's files.
+    """
+    if not (sweep / SWEEP_FILE).is_file():
+        raise QuadrupedError(
+            f"{sweep}: {socket.gethostname()} does not see this directory; put sweeps into a directory that all nodes "
+            f"share under the same name, with --output"
+        )
+    folder = SweepFolder.open(sweep)
+    trial = replace(folder.trial(number), sweep=identity)
+    result = trial.result()
+    if result is None:
+        result = trial.finish(_attempt(folder, trial, report))
+    final = folder.config.reduction**folder.config.rungs
+    report({RUNG: final, SCORE: _score_of(result), "state": result["state"], "number": number})
+    return result
+
+
+def _score_of(result: Mapping[str, Any]) -> float:
+    """The score that Ray Tune compares; without a score, less than any."""
+    score = result.get("score")
+    return -1.0 if score is None else float(score["total"])
+
+
+def _attempt(folder: SweepFolder, trial: TrialFolder, report: Report) -> dict[str, Any]:
+    """Train and score; errors of the training are the trial's result."""
+    began = time.time()
+    facts = {"node": socket.gethostname(), "began": round(began, 3)}
+    try:
+        outcome = _train(folder, trial, report)
+    except Exception as error:  # every library fails in its own way, and a sweep goes on without the trial
+        trial.write_error(traceback.format_exc())
+        outcome = {"state": "failed", "error": f"{type(error).__name__}: {error}"[:500]}
+    return {**facts, **outcome, "ended": round(time.time(), 3), "peak_memory_mb": _peak_memory()}
+
+
+def _train(folder: SweepFolder, trial: TrialFolder, report: Report) -> dict[str, Any]:
+    from quadruped_env.training.train import train
+
+    config, settings = folder.config, trial.settings()
+    if settings is None:
+        raise QuadrupedError(f"{trial.path}: has no settings; resume the sweep to write them")
+    task_file = _task_file(config)
+    fields = {**settings["training"], "hidden": tuple(settings["training"]["hidden"])}
+    observer = RungObserver(trial, config, fields["timesteps"], report) if config.milestones() else None
+    command = f"mini-quadruped sweep: trial {settings['number']} of {folder.path.name}"
+    began = time.perf_counter()
+    directory, whole = train(
+        TrainConfig(**fields),
+        trial.path,
+        command,
+        task_file=task_file,
+        observer=observer,
+        threads=config.cores_per_trial,
+    )
+    trained = time.perf_counter() - began - (0.0 if observer is None else observer.seconds)
+    if not whole:
+        raise KeyboardInterrupt  # no result: the trial is trained again when the sweep is resumed
+    from quadruped_env.policies import load_policy
+    from quadruped_env.scale.sweep.scoring import final_score
+
+    began = time.perf_counter()
+    score = final_score(directory, config.score, command, task_file)
+    return {
+        "state": "finished",
+        "run": directory.name,
+        "timesteps": load_policy(directory, task_file).card["timesteps"],
+        "training_seconds": round(trained, 3),
+        "scoring_seconds": round(time.perf_counter() - began + (0.0 if observer is None else observer.seconds), 3),
+        "score": score,
+    }
+
+
+def _task_file(config: SweepConfig) -> Path | None:
+    if config.task_file is None:
+        return None
+    path = Path(config.task_file)
+    if sha256_of(path) != config.task_sha256:
+        raise QuadrupedError(
+            f"--task: {path} has changed since the sweep began; restore it, or start a new sweep with the changed file"
+        )
+    return path
+
+
+class RungObserver:
+    """Scores the policy at each rung of ASHA, and waits for the decision to go on.
+
+    Args:
+        trial: its folder.
+        config: the sweep.
+        timesteps: budget of the training.
+        report: see `Report`.
+    """
+
+    def __init__(self, trial: TrialFolder, config: SweepConfig, timesteps: int, report: Report) -> None:
+        self._trial, self._report = trial, report
+        unit = timesteps / config.reduction**config.rungs
+        self._left = [(rung, rung * unit) for rung in config.milestones()]
+        self._rows: list[dict[str, Any]] = []
+        self._began = time.perf_counter()
+        self.seconds = 0.0
+        """Time of the scores, s."""
+
+    def __call__(self, timesteps: int, policy: Callable[[], Any]) -> None:
+        """See `quadruped_env.training.train.Observer`."""
+        if not self._left or timesteps < self._left[0][1]:
+            return
+        from quadruped_env.scale.sweep.scoring import rung_score
+
+        began = time.perf_counter()
+        # A long rollout may pass several rungs: the policy is scored once, at the last of them.
+        while self._left and timesteps >= self._left[0][1]:
+            rung, _ = self._left.pop(0)
+        score = rung_score(policy())
+        seconds = began - self._began - self.seconds
+        self._rows.append({"rung": rung, "timesteps": timesteps, "seconds": round(seconds, 3), "score": score})
+        self._trial.write_scores(self._rows)
+        self._report({RUNG: rung, SCORE: score, "timesteps": timesteps})
+        self.seconds += time.perf_counter() - began
+
+
+def _peak_memory() -> float:
+    """Largest resident memory of this process, MB."""
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return round(peak / (1e6 if sys.platform == "darwin" else 1e3), 1)
+
+
+def cores() -> int:
+    """Number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,0 +1,175 @@
+"""Results of a policy in two engines: table, verdict, and the file that an evaluation report reads."""
+
+import datetime
+import hashlib
+import math
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.control.policy import TENSORS_FILE
+from quadruped_env.errors import QuadrupedWarning
+from quadruped_env.evaluation.subject import Subject
+from quadruped_env.sim2sim.transfer import TARGETS, Transfer
+from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.files import write_json
+from quadruped_env.utils.provenance import git_commit, machine, versions
+
+RESULTS_FILE: Final = "sim2sim.json"
+FORMAT_VERSION: Final = 1
+
+_LABELS: Final = {"policy": "Trained policy", "tuned": "Tuned gait", "zero": "Zero action"}
+_VELOCITIES: Final = {"forward_velocity": "forward velocity", "yaw_rate": "yaw rate"}
+_NOTHING: Final = "-"
+
+
+@dataclass(frozen=True)
+class Table:
+    """One controller's results as text, one row per command."""
+
+    label: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def text(self) -> str:
+        """The table as plain text."""
+        lines = [self.header, *self.rows]
+        widths = [max(len(line[i]) for line in lines) for i in range(len(self.header))]
+        body = ("  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)) for line in lines)
+        return "\n".join([self.label, *body])
+
+
+def tables(transfer: Transfer) -> list[Table]:
+    """The results of each controller: the mean of each quantity in both engines, and what is lost."""
+    here, there = (str(engine["name"]) for engine in transfer.engines)
+    header = (
+        "m/s, rad/s",
+        f"m/s {here}",
+        there,
+        "loss",
+        f"rad/s {here}",
+        there,
+        "loss",
+        f"height mm {here}",
+        there,
+        f"falls {here}",
+        there,
+    )
+    found = []
+    for controller, commands in transfer.commands.items():
+        rows = []
+        for i, (forward, yaw_rate) in enumerate(commands):
+            cells = [f"{forward:g}, {yaw_rate:g}"]
+            for velocity in TARGETS:
+                cells += [_shown(value, 3) for value in transfer.means(controller, velocity, i)]
+                cells.append(_percent(transfer.loss(controller, velocity, i)))
+            cells += [_shown(1000.0 * value, 0) for value in transfer.means(controller, "base_height", i)]
+            cells += [f"{int(engine['fallen'][i].sum())}" for engine in transfer.values[controller]]
+            rows.append(tuple(cells))
+        found.append(Table(_LABELS[controller], header, tuple(rows)))
+    return found
+
+
+def verdict(transfer: Transfer) -> tuple[str, ...]:
+    """The targets, one sentence each, for the policy; the first is the conclusion."""
+    here, there = (str(engine["name"]) for engine in transfer.engines)
+    carries_over = transfer.carries_over()
+    sentences = [f"The policy {'carries' if carries_over else 'does not carry'} over to {there}."]
+    if carries_over is None:
+        forward, yaw_rate = transfer.not_followed("policy")[0]
+        sentences = [
+            f"Whether the policy carries over to {there} is open: in {here} it does not follow the command of "
+            f"{forward:g} m/s and {yaw_rate:g} rad/s."
+        ]
+    for velocity, target in TARGETS.items():
+        found = transfer.largest_loss("policy", velocity)
+        if found is not None:
+            loss, (forward, yaw_rate) = found
+            judged = "reached" if loss <= target else "missed"
+            sentences.append(
+                f"Largest loss of {_VELOCITIES[velocity]} against {here}: {_percent(loss)}, at {forward:g} m/s and "
+                f"{yaw_rate:g} rad/s; target {_percent(target)}: {judged}."
+            )
+    episodes = transfer.values["policy"][0]["fallen"].size
+    first, second = transfer.falls("policy")
+    sentences.append(f"Falls in {episodes} episodes: {first} in {here}, {second} in {there}.")
+    return tuple(sentences)
+
+
+def conditions(transfer: Transfer) -> tuple[str, ...]:
+    """Engine and settings in words, one sentence per engine."""
+    return tuple(
+        f"{engine['name']} {engine['version']}: "
+        + ", ".join(
+            f"{name.replace('_', ' ')} {value:g}" if isinstance(value, float) else f"{name.replace('_', ' ')} {value}"
+            for name, value in engine.items()
+            if name not in ("name", "version")
+        )
+        + "."
+        for engine in transfer.engines
+    )
+
+
+def save(transfer: Transfer, subject: Subject, command_line: str) -> Path:
+    """Write the results into the subject's output directory; an earlier file is replaced.
+
+    Returns:
+        The path of the file.
+
+    Raises:
+        QuadrupedError: if it cannot be written.
+    """
+    path = subject.output / RESULTS_FILE
+    document = {
+        "format_version": FORMAT_VERSION,
+        "command_line": command_line,
+        "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "machine": machine(),
+        "versions": versions(),
+        "commit": git_commit(),
+        "policy": {"name": subject.name, "weights_sha256": _weights(subject)},
+        "verdict": list(verdict(transfer)),
+        **transfer.to_dict(),
+    }
+    write_json(path, document)
+    return path
+
+
+def load(subject: Subject) -> tuple[Transfer, str] | None:
+    """The results in the subject's output directory and the command that made them; None if this policy has none.
+
+    Raises:
+        QuadrupedError: if the file is not JSON.
+
+    Warns:
+        QuadrupedWarning: if the file is of another policy, or lacks fields.
+    """
+    path = subject.output / RESULTS_FILE
+    if not path.is_file():
+        return None
+    document = read_json(path, "run sim2sim again")
+    try:
+        if document["format_version"] != FORMAT_VERSION:
+            problem = f"has format_version {document['format_version']!r}, and this version reads {FORMAT_VERSION}"
+        elif document["policy"]["weights_sha256"] != _weights(subject):
+            problem = "is of another policy"
+        else:
+            return Transfer.from_dict(document), str(document["command_line"])
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError):
+        problem = "lacks fields of such results"
+    warnings.warn(f"{path}: {problem}, so it is left out; run sim2sim again", QuadrupedWarning, stacklevel=2)
+    return None
+
+
+def _weights(subject: Subject) -> str:
+    """SHA-256 of the policy's weights, as in its own file."""
+    return hashlib.sha256(subject.policy.files()[TENSORS_FILE]).hexdigest()
+
+
+def _shown(value: float, digits: int) -> str:
+    return f"{value:z.{digits}f}" if math.isfinite(value) else _NOTHING
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:z.1f} %" if math.isfinite(share) else _NOTHING

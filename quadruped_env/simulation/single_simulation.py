@@ -1,0 +1,174 @@
+"""Simulation of one robot, on `MjData`; it supports pickling, copying and rendering."""
+
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.motors import fill_command_history
+from quadruped_env.robot.readings import Readings, sensor_columns
+from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
+from quadruped_env.utils.arrays import NUMPY
+
+_NO_SENSORS = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+
+
+class SingleSimulation:
+    """`Simulation` with one env.
+
+    Args:
+        model: model of the robot on its ground, for this simulation alone: steps and randomizations write to it.
+        robot: robot that the model describes.
+    """
+
+    num_envs = 1
+    xp = NUMPY
+
+    def __init__(self, model: mujoco.MjModel, robot: Robot = MINI_QUADRUPED) -> None:
+        self.model = model
+        self.robot = robot
+        self.height_field = HeightField.of(model)
+        self.data = mujoco.MjData(model)
+        self._failed = False
+        self._settled = False
+        """True if the first half of the next step has been computed. It is outdated after a push."""
+        self._varied_fields: dict[str, NDArray[np.float64]] = {}
+        """Values of the fields before they were varied, by name."""
+        self._base = model.body(robot.base_name).id
+        self.sensor_columns = sensor_columns(model, robot)
+        self._bind()
+
+    def _bind(self) -> None:
+        self.sensordata = self.data.sensordata[None]
+        self.readings = Readings.from_sensordata(self.model, self.sensordata, self.robot)
+        self._ctrl = self.data.ctrl
+        self._warnings = self.data.warning.number[DIVERGENCE_WARNINGS]
+        self._options = self.model.opt
+
+    def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
+        """See `Simulation.step`."""
+        if env_ids is not None and not len(env_ids):
+            return
+        self._ctrl[:] = joint_target[0]
+        model, data, options = self.model, self.data, self._options
+        flags = options.disableflags
+        # The last call ended after the first half of a step (mj_step1), so that the second half comes first.
+        finish_step = mujoco.mj_step2 if self._settled else mujoco.mj_step
+        self._settled = False
+        try:
+            if substeps > 1:
+                # The last substep overwrites what the sensors would read before it: 4 % of the time.
+                options.disableflags = flags | _NO_SENSORS
+                try:
+                    finish_step(model, data)
+                    if substeps > 2:
+                        mujoco.mj_step(model, data, substeps - 2)
+                    mujoco.mj_step1(model, data)
+                finally:
+                    options.disableflags = flags
+                finish_step = mujoco.mj_step2
+            finish_step(model, data)
+            mujoco.mj_step1(model, data)
+            self._settled = True
+        except mujoco.FatalError:
+            self._failed = True
+
+    def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+        """See `Simulation.reset`."""
+        if not len(env_ids):
+            return
+        data = self.data
+        self._clear()
+        data.qpos = qpos[0]
+        data.qvel = qvel[0]
+        self._ctrl[:] = qpos[0, 7:]
+        if self.model.nhistory:
+            fill_command_history(self.model, data.history[None], qpos[:, 7:])
+        mujoco.mj_checkPos(self.model, data)  # mj_forward does not check the start for NaN
+        mujoco.mj_checkVel(self.model, data)
+        mujoco.mj_forward(self.model, data)
+        self._settled = True
+
+    def _clear(self) -> None:
+        """Reset to the model's defaults, update constants that depend on its fields, clear the divergence flags."""
+        if self._varied_fields:
+            mujoco.mj_setConst(self.model, self.data)
+        mujoco.mj_resetData(self.model, self.data)
+        self._failed = False
+
+    def diverged(self) -> NDArray[np.bool_]:
+        """See `Simulation.diverged`."""
+        result = np.zeros(1, np.bool_)
+        if self._failed or any(self._warnings.tolist()):
+            result[0] = True
+        return result
+
+    def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+        """See `Simulation.push`."""
+        if not len(env_ids):
+            return
+        self.data.qvel[:3] += velocity[0]
+        self._settled = False
+
+    def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
+        """See `Simulation.set_force`."""
+        if len(env_ids):
+            self.data.xfrc_applied[self._base, :3] = force[0]
+
+    def model_field(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.model_field`."""
+        values: NDArray[np.float64] = getattr(self.model, name)
+        if name not in self._varied_fields:
+            self._varied_fields[name] = values.copy()
+        return values[None]
+
+    def compiled_field(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.compiled_field`."""
+        return self._varied_fields.get(name, getattr(self.model, name))
+
+    def field_values(self, name: str) -> NDArray[np.float64]:
+        """See `Simulation.field_values`."""
+        values: NDArray[np.float64] = getattr(self.model, name)
+        return values[None]
+
+    def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
+        """See `Simulation.restore_model_fields`."""
+        if len(env_ids):
+            for name, values in self._varied_fields.items():
+                getattr(self.model, name)[...] = values
+
+    def get_state(self, env_id: int) -> SimulationState:
+        """See `Simulation.get_state`."""
+        integration = np.empty(mujoco.mj_stateSize(self.model, STATE_SPEC))
+        mujoco.mj_getState(self.model, self.data, integration, STATE_SPEC)
+        fields = {name: getattr(self.model, name).copy() for name in sorted(self._varied_fields)}
+        return SimulationState(integration, self.data.sensordata.copy(), bool(self.diverged()[0]), fields)
+
+    def set_state(self, env_id: int, state: SimulationState) -> None:
+        """See `Simulation.set_state`."""
+        for name, values in state.model_fields.items():
+            self.model_field(name)[0] = values
+        self._clear()
+        mujoco.mj_setState(self.model, self.data, state.integration, STATE_SPEC)
+        mujoco.mj_step1(self.model, self.data)
+        self._settled = True
+        self.data.sensordata = state.readings
+        self._failed = state.diverged
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The readings are views of the data, and unpickling would turn them into copies: `_bind` creates them again.
+        attributes = self.__dict__.copy()
+        for name in ("readings", "sensordata", "_ctrl", "_warnings", "_options"):
+            del attributes[name]
+        return attributes
+
+    def __setstate__(self, attributes: dict[str, Any]) -> None:
+        self.__dict__.update(attributes)
+        self._bind()
+        # Pickling does not include the intermediate results of the first half of a step.
+        mujoco.mj_step1(self.model, self.data)
+        self._settled = True

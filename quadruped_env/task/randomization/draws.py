@@ -1,0 +1,133 @@
+"""Counter-based random numbers: each is a hash of an env's key, its episode, the step, a purpose and a column.
+
+All envs are drawn in one call, an added draw does not change the others, and the state is two integers per env. The
+hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10.1145/2660193.2660195).
+"""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any, Final, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.utils.arrays import NUMPY, Namespace, frozen
+
+Floats = NDArray[np.float64]
+Keys = NDArray[np.uint64]
+
+_GOLDEN: Final = np.uint64(0x9E3779B97F4A7C15)
+_MIX_1: Final = np.uint64(0xBF58476D1CE4E5B9)
+_MIX_2: Final = np.uint64(0x94D049BB133111EB)
+_SHIFTS: Final = (np.uint64(30), np.uint64(27), np.uint64(31))
+_TOP: Final = np.uint64(11)
+_ONE_STEP: Final = 2.0**-53
+
+
+class Purposes:
+    """Groups of columns that are drawn together, one group per purpose.
+
+    Args:
+        widths: number of columns per purpose.
+    """
+
+    def __init__(self, widths: Mapping[str, int]) -> None:
+        constants = [_constant(name, i) for name, width in widths.items() for i in range(width)]
+        self.constants: Keys = frozen(np.array(constants, dtype=np.uint64))
+        ends = np.cumsum(list(widths.values()), dtype=int).tolist()
+        self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
+
+    def __add__(self, other: "Purposes") -> Self:
+        joined = type(self)({})
+        joined.constants = frozen(np.concatenate([self.constants, other.constants]))
+        size = len(self.constants)
+        moved = {name: slice(columns.start + size, columns.stop + size) for name, columns in other.slices.items()}
+        joined.slices = self.slices | moved
+        return joined
+
+
+def _constant(purpose: str, column: int) -> int:
+    digest = hashlib.blake2b(f"{purpose}/{column}".encode(), digest_size=8).digest()
+    return int.from_bytes(digest, "little")
+
+
+class Draws:
+    """Uniform random numbers for N envs.
+
+    Args:
+        num_envs: number of envs, N.
+        xp: array functions.
+    """
+
+    def __init__(self, num_envs: int, xp: Namespace = NUMPY) -> None:
+        # Not cleared at a reset, because it holds the number of the episode.
+        self._memory = EpisodeMemory(num_envs, xp)
+        self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
+        self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
+        self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
+
+    def set_key(self, env_id: int, generator: np.random.Generator) -> None:
+        """Set an env's key from a generator, and restart its episode count at 0."""
+        self._key[env_id] = generator.integers(0, 2**64, dtype=np.uint64)
+        self._episode[env_id] = 0
+
+    def begin_episode(self, env_ids: NDArray[np.intp]) -> None:
+        """Begin new episodes in some envs (R,)."""
+        self._episode[env_ids] += np.uint64(1)
+        self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
+
+    def key(self, env_ids: Any, step: NDArray[np.int64]) -> Keys:
+        """Keys (R,) from which all numbers of some envs at a step of their episodes follow.
+
+        Args:
+            env_ids: indices (R,), or a slice.
+            step: control step of each of these envs (R,).
+        """
+        return _at_step(self._episode_key[env_ids], step)
+
+    def key_at_start(self, env_ids: NDArray[np.intp]) -> Keys:
+        """Keys (R,) from which all numbers at the start of some envs' episodes follow."""
+        return self._episode_key[env_ids] + _GOLDEN
+
+    def key_of_next_start(self) -> Keys:
+        """The same for the episode after the present one in each env, (N,)."""
+        return _mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN) + _GOLDEN
+
+    def uniform(self, purposes: Purposes, env_ids: Any, step: NDArray[np.int64]) -> Floats:
+        """Numbers in [0, 1) for some envs at a step of their episodes.
+
+        Args:
+            purposes: purposes to draw for.
+            env_ids: indices (R,), or a slice.
+            step: control step of each of these envs (R,); the same step always gives the same numbers.
+
+        Returns:
+            Numbers (R, number of columns).
+        """
+        return uniform(purposes, self.key(env_ids, step))
+
+    def get_state(self, env_id: int) -> dict[str, Any]:
+        """State from which the future draws of an env follow."""
+        return self._memory.get_state(env_id)
+
+    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+        """Restore a state from `get_state`."""
+        self._memory.set_state(env_id, state)
+
+
+def uniform(purposes: Purposes, keys: Keys) -> Floats:
+    """Numbers in [0, 1) that follow from keys (R,): (R, number of columns)."""
+    mixed = _mix(_mix(keys)[:, None] ^ purposes.constants)
+    # A double from the top 53 bits, as in NumPy's generators.
+    return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
+
+
+def _at_step(episode_key: Keys, step: NDArray[Any]) -> Keys:
+    return episode_key + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN
+
+
+def _mix(z: Keys) -> Keys:
+    z = (z ^ (z >> _SHIFTS[0])) * _MIX_1
+    z = (z ^ (z >> _SHIFTS[1])) * _MIX_2
+    return z ^ (z >> _SHIFTS[2])

@@ -1,0 +1,110 @@
+"""Presets of the config's section `randomization`."""
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
+from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
+
+PRESET: Final = "preset"
+"""Field of the section that names a preset, next to the fields that change it."""
+
+_EVERY_DIGIT: Final = 6
+"""Significant digits of a range that is scaled to another robot."""
+
+PRESETS: Final[Mapping[str, Mapping[str, Any]]] = {
+    "none": {},
+    "moderate": {
+        "friction": (0.5, 1.1),
+        "link_mass": (0.9, 1.1),
+        "link_inertia": (0.9, 1.1),
+        "base_com": 0.01,
+        "payload_position": 0.03,
+        "payload": (-0.2, 0.5),
+        "motor_strength": (0.9, 1.1),
+        "supply_voltage": (0.95, 1.05),
+        "position_gain": (0.9, 1.1),
+        "velocity_gain": (0.9, 1.1),
+        "joint_damping": (0.7, 1.5),
+        "rotor_inertia": (0.8, 1.25),
+        "encoder_offset": 0.01,
+        "imu_mounting": 0.01,
+        "action_latency": (0.0, 0.03),
+        "observation_latency": (0.0, 0.005),
+        "push_speed": (0.0, 0.5),
+        "push_interval": (4.0, 8.0),
+        "push_force": (0.0, 3.0),
+        "observation_noise": 1.0,
+    },
+    "hard": {
+        "friction": (0.3, 1.2),
+        "link_mass": (0.8, 1.2),
+        "link_inertia": (0.8, 1.2),
+        "base_com": 0.02,
+        "payload_position": 0.05,
+        "payload": (-0.5, 1.0),
+        "motor_strength": (0.8, 1.2),
+        "supply_voltage": (0.85, 1.05),
+        "position_gain": (0.8, 1.2),
+        "velocity_gain": (0.8, 1.2),
+        "joint_damping": (0.5, 2.0),
+        "rotor_inertia": (0.67, 1.5),
+        "encoder_offset": 0.02,
+        "imu_mounting": 0.03,
+        "action_latency": (0.0, 0.06),
+        "observation_latency": (0.0, 0.01),
+        "push_speed": (0.75, 0.75),
+        "push_interval": (3.0, 3.0),
+        "push_force": (0.0, 6.0),
+        "observation_noise": 1.5,
+    },
+}
+"""Changes to the default randomization, by name of the preset, for the built-in robot. In all of them the start of an
+episode is random; with `none`, nothing else is."""
+
+
+def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Any]:
+    """Values of a preset as plain values; masses, forces and lengths follow the robot's mass and height.
+
+    Raises:
+        QuadrupedError: if there is no such preset.
+    """
+    if not isinstance(name, str) or name not in PRESETS:
+        raise QuadrupedError(
+            f"config.randomization: there is no preset {short(name)}; choose one of {', '.join(PRESETS)}, or give "
+            f"ranges such as {{'friction': [0.5, 1.0]}}"
+        )
+    return scaled_to(PRESETS[name], robot)
+
+
+def scaled_to(values: Mapping[str, Any], robot: Robot) -> dict[str, Any]:
+    """Values of the section for the built-in robot as plain values for another one, whose mass and height they follow.
+
+    Masses and forces are in proportion to the robot's mass, lengths to the height of its stance.
+    """
+    mass, length = robot.total_mass / MINI_QUADRUPED.total_mass, robot.stance_height / MINI_QUADRUPED.stance_height
+    factors = {"kg": mass, "N": mass, "m": length, "N m": mass * length}
+    units = {randomization.name: randomization.unit for randomization in RANDOMIZATIONS}
+    return {field: _scaled(value, factors.get(units.get(field, ""), 1.0)) for field, value in values.items()}
+
+
+def with_preset(values: Any, robot: Robot) -> Any:
+    """Values of the section with the preset in place that they name, by itself or in the field `preset`.
+
+    Raises:
+        QuadrupedError: if there is no such preset.
+    """
+    if isinstance(values, str):
+        return preset_values(values, robot)
+    if isinstance(values, Mapping) and PRESET in values:
+        changes = {field: value for field, value in values.items() if field != PRESET}
+        return {**preset_values(values[PRESET], robot), **changes}
+    return values
+
+
+def _scaled(value: Any, factor: float) -> Any:
+    if isinstance(value, tuple):
+        return [_scaled(end, factor) for end in value]
+    return value if factor == 1.0 else float(f"{value * factor:.{_EVERY_DIGIT}g}")

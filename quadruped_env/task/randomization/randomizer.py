@@ -1,0 +1,180 @@
+"""Random quantities of episodes: their starts, model parameters, commands, pushes and sensor noise."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.control_interface import ControlInterface
+from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.simulation import Simulation
+from quadruped_env.task.ahead import Ahead, Values
+from quadruped_env.task.command_sampling import CommandSampler
+from quadruped_env.task.randomization.draws import Draws, Keys, Purposes, uniform
+from quadruped_env.task.randomization.event import Event
+from quadruped_env.task.randomization.model_fields import ModelField, Payload, check_physical
+from quadruped_env.task.randomization.randomization import (
+    Active,
+    Randomization,
+    SensorError,
+    ends_of,
+    in_steps,
+    is_active,
+)
+from quadruped_env.task.randomization.recurring import Recurring
+from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
+from quadruped_env.task.randomization.starts import Starts
+from quadruped_env.task.task_config import TaskConfig
+from quadruped_env.utils.arrays import frozen
+
+Floats = NDArray[np.float64]
+EnvIds = NDArray[np.intp]
+
+_NO_STATE: Final = np.zeros((0, 0))
+
+
+class Randomizer:
+    """Applies the randomizations of a task, and samples its commands and observation noise.
+
+    Args:
+        simulation: simulation of N robots.
+        control: gait clocks and commands of the robots.
+        draws: source of random numbers.
+        config: ranges and terms.
+    """
+
+    def __init__(self, simulation: Simulation, control: ControlInterface, draws: Draws, config: TaskConfig) -> None:
+        self._simulation, self._control, self._draws = simulation, control, draws
+        self._xp = simulation.xp
+        self._config = config
+        active = [r for r in config.definition.randomizations if is_active(config.randomization[r.name])]
+        starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
+        self.sensors = _sensors(simulation, config, active)
+        """Errors of the sensors; None if they have none."""
+        self._check(starting)
+        self.memory = EpisodeMemory(control.num_envs, simulation.xp)
+        self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
+        """Control step of the episode at which the next command is drawn, (N,)."""
+        self._commands = CommandSampler(config.definition.commands, config.command)
+        self._next_commands = Ahead(self._drawn_commands, control.num_envs, self._xp)
+        self._recurring = []
+        for r in recurring:
+            assert r.interval is not None
+            interval = config.randomization[r.interval[0]]
+            duration = None if r.duration is None else config.randomization[r.duration[0]]
+            self._recurring.append(
+                Recurring(self._bound(r), simulation, interval, duration, config.control_timestep, draws, self.memory)
+            )
+        self._starts = Starts(
+            simulation,
+            draws,
+            self._commands,
+            [self._bound(r) for r in starting],
+            {entry.name: entry.interval for entry in self._recurring},
+            self.sensors,
+            config.control_timestep,
+        )
+        amplitudes, layout = config.randomization.noise_amplitude, control.layout
+        amplitude = np.zeros(layout.width)
+        for name, columns in layout.slices.items():
+            amplitude[columns] = amplitudes[name]
+        self._noisy = frozen(np.flatnonzero(amplitude))
+        self._noise_amplitude = frozen(config.randomization.observation_noise * amplitude[self._noisy])
+        # A draw is a hash of its column, so that leaving some out does not change the others.
+        self._noise = Purposes({"observation_noise": layout.width})
+        self._noise.constants = frozen(self._noise.constants[self._noisy])
+        self._noise_values = self._xp.zeros((control.num_envs, layout.width))
+
+    def _bound(self, randomization: Randomization) -> Active:
+        return Active.of(randomization, self._config.randomization[randomization.name], self._simulation)
+
+    def _check(self, starting: list[Randomization]) -> None:
+        """Check that the ranges of the model's fields leave a model that is physically possible."""
+        fields = [
+            (r.name, part, ends_of(self._config.randomization[r.name]))
+            for r in starting
+            for part in (r.apply if isinstance(r.apply, tuple) else (r.apply,))
+            if isinstance(part, (ModelField, Payload))
+        ]
+        units = {r.name: r.unit for r in starting}
+        check_physical(fields, self._simulation, units.__getitem__)
+
+    @property
+    def straight_only(self) -> bool:
+        """See `CommandSampler`."""
+        return self._commands.straight_only
+
+    @straight_only.setter
+    def straight_only(self, straight_only: bool) -> None:
+        self._commands.straight_only = straight_only
+        self._next_commands.forget()
+        self._starts.forget()
+
+    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> Floats:
+        """Set some envs (R,) to random initial states, and return their commands (R, C).
+
+        Args:
+            env_ids: indices of the envs.
+            place: position (R, 2) of each start, m; None: the origin.
+            command: commands (R, C); None: random.
+        """
+        simulation, sensors = self._simulation, self.sensors
+        simulation.restore_model_fields(env_ids)
+        if sensors is not None:
+            sensors.memory.clear(env_ids)
+        start = self._starts.of(env_ids, place)
+        if sensors is not None:
+            sensors.before_start(env_ids)
+        simulation.reset(env_ids, start.qpos, start.qvel)
+        if sensors is not None:
+            sensors.after_start(env_ids)
+        self.memory.clear(env_ids)
+        for i, entry in enumerate(self._recurring):
+            entry.due[env_ids] = start.waits[:, i]
+        self.command_due[env_ids] = start.waits[:, -1]
+        if command is None:
+            command = start.command
+        self._control.reset(env_ids, start.phase, command)
+        return command
+
+    def next_command(self, env_ids: EnvIds) -> Floats:
+        """New commands (R, C) for some envs (R,) in the middle of their episodes."""
+        steps = self._control.steps[env_ids]
+        keys = self._draws.key(env_ids, steps)
+        command, wait = self._next_commands.of(env_ids, keys, self._keys_of_next_commands)
+        self.command_due[env_ids] = steps + wait
+        return command
+
+    def _keys_of_next_commands(self) -> Keys:
+        return self._draws.key(slice(None), self.command_due)
+
+    def _drawn_commands(self, env_ids: EnvIds, keys: Keys) -> Values:
+        """Commands (R, C), and steps until the next ones (R,)."""
+        command, seconds = self._commands.sample(uniform(self._commands.purposes, keys))
+        return command, in_steps(seconds, self._config.control_timestep)
+
+    def within_episodes(self, running: EnvIds | None) -> None:
+        """Apply the randomizations that are due at this control step, in all envs or some (R,)."""
+        for entry in self._recurring:
+            entry.apply(self._control.steps, running, self._event)
+
+    def _event(self, env_ids: EnvIds) -> Event:
+        """Some envs (R,) within their episodes."""
+        return Event(self._simulation, self._control.robot, env_ids, _NO_STATE, _NO_STATE, _NO_STATE, self.sensors)
+
+    def observation_noise(self) -> Floats:
+        """Noise on the unscaled readings (N, width), the same at the same step; overwritten by the next call."""
+        draws = self._draws.uniform(self._noise, slice(None), self._control.steps)
+        self._noise_values[:, self._noisy] = self._noise_amplitude * (2.0 * draws - 1.0)
+        return self._noise_values
+
+
+def _sensors(simulation: Simulation, config: TaskConfig, active: Sequence[Randomization]) -> Sensors | None:
+    """Errors of the sensors that the active randomizations set; None if they set none."""
+    largest: dict[Quantity, float] = {}
+    for randomization in active:
+        if isinstance(randomization.apply, SensorError):
+            quantity, ends = randomization.apply.quantity, ends_of(config.randomization[randomization.name])
+            largest[quantity] = max(largest.get(quantity, 0.0), *ends)
+    return Sensors(simulation, config.control_timestep, largest) if largest else None

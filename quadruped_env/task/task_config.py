@@ -1,0 +1,503 @@
+"""Config of the task: frozen, validated, printable, and saved with every run.
+
+The fields of the sections `command`, `reward`, `termination`, `randomization` and `terrain` are the parameters of the
+task's terms, so they depend on the task's definition (`quadruped_env.task.task_definition`). The other sections are
+dataclasses.
+"""
+
+import dataclasses
+import functools
+import typing
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal, Self
+
+import mujoco
+import numpy as np
+
+from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig, check, check_history, check_rates
+from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot.motors import MotorConfig
+from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.simulation import build_model
+from quadruped_env.simulation.terrain import Terrain
+from quadruped_env.task.config_sections import (
+    Entry,
+    Schema,
+    Section,
+    amplitude_entry,
+    number,
+    pair,
+    parameter_entry,
+    range_entry,
+    section_entry,
+    weights_entry,
+)
+from quadruped_env.task.randomization.model_fields import ModelField
+from quadruped_env.task.randomization.randomization import ends_of, is_active
+from quadruped_env.task.randomization.randomization_presets import preset_values, with_preset
+from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
+from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, leg_scale, terrain_schema, values_of
+from quadruped_env.utils.parameters import Parameter
+from quadruped_env.utils.plain import PlainFields, plain
+from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
+
+ROBOT: Final = "robot"
+"""Field of a config's plain values that names the robot, if it is not the built-in one."""
+
+_POSITIVE_SECONDS: Final = Parameter.positive("s")
+_OF_THE_DEFINITION: Final[Any] = None
+"""Default of the fields whose defaults depend on the task's definition."""
+
+
+@functools.cache
+def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
+    """Fields of the sections that depend on the task's definition."""
+    command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands} | {
+        "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
+        "straight_fraction": parameter_entry(Parameter(low=0.0), 0.4),
+        "turning_fraction": parameter_entry(Parameter(low=0.0), 0.1),
+        "resample_interval": range_entry((3.0, 6.0), _POSITIVE_SECONDS),
+    }
+    reward: dict[str, Entry] = {
+        "weights": weights_entry("reward.weights", definition.weights),
+        "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, 0.4),
+        "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
+    }
+    termination: dict[str, Entry] = {}
+    size = leg_scale(definition.robot)
+    for section, terms in ((reward, definition.rewards), (termination, definition.terminations)):
+        for term in terms:
+            for name, (parameter, default) in term.parameters.items():
+                entry = parameter_entry(parameter, size * default if parameter.scales else default)
+                if name in section and (section[name].default, section[name].unit) != (entry.default, entry.unit):
+                    raise QuadrupedError(
+                        f"config: two terms have a parameter {name!r} with different defaults or units; rename one"
+                    )
+                section.setdefault(name, entry)
+    randomization: dict[str, Entry] = {}
+    for entry_ in definition.randomizations:
+        setting = entry_.default
+        randomization[entry_.name] = (
+            amplitude_entry(setting, entry_.unit, entry_.valid)
+            if isinstance(setting, (int, float))
+            else range_entry(setting, entry_.valid, optional=True)
+        )
+        for times in (entry_.interval, entry_.duration):
+            if times is None:
+                continue
+            if times[0] in randomization and randomization[times[0]].default != times[1]:
+                raise QuadrupedError(
+                    f"config: two randomizations have a field {times[0]!r} with different defaults; rename one"
+                )
+            randomization.setdefault(times[0], range_entry(times[1], _POSITIVE_SECONDS))
+    randomization["observation_noise"] = parameter_entry(Parameter(low=0.0), 0.0)
+    amplitudes: dict[str, Entry] = {
+        entry.name: parameter_entry(Parameter(entry.unit, 0.0), entry.noise) for entry in definition.observations
+    }
+    randomization["noise_amplitude"] = section_entry("randomization.noise_amplitude", amplitudes)
+    return {"command": command, "reward": reward, "termination": termination, "randomization": randomization}
+
+
+def _schema(name: str, choice: Choice, definition: TaskDefinition) -> Schema:
+    """Fields of a section."""
+    return terrain_schema(choice, definition) if name == "terrain" else _schemas(definition)[name]
+
+
+def _terrain_names(section: Any) -> list[Any]:
+    """The terrains that a section of plain values names, itself or as kinds of its tiles."""
+    values = section if isinstance(section, Mapping) else {}
+    kinds = values.get("kinds")
+    return [values.get("name"), *(kinds if isinstance(kinds, (list, tuple)) else ())]
+
+
+def _terrains_of_file(recorded: Any, section: Any, definition: TaskDefinition) -> list[Terrain]:
+    """The terrains that a section names and that are from a user's file, as they must be if one is recorded."""
+    names = _terrain_names(section)
+    found = [entry for entry in definition.terrains if entry.name in names and entry.file is not None]
+    file = recorded_file(recorded, TERRAIN_FILE)
+    if file is not None and not found:
+        raise needs_file(f"this task has the terrain {short(names[0])}", file)
+    return found
+
+
+def _defaults(definition: TaskDefinition) -> dict[str, Any]:
+    """Default of every field of the sections that depend on the task's terms, by its path (see `flat`)."""
+    schemas = _schemas(definition).items()
+    return flat({section: {name: entry.default for name, entry in schema.items()} for section, schema in schemas})
+
+
+def _own_defaults(definition: TaskDefinition) -> dict[str, Any]:
+    """The same of what a user's file defines."""
+    built_in = _defaults(BUILT_IN.with_robot(definition.robot))
+    return {path: value for path, value in _defaults(definition).items() if built_in.get(path, flat) != value}
+
+
+def for_definition(values: Mapping[str, Any], definition: TaskDefinition) -> dict[str, Any]:
+    """Plain values of a config for another version of the user's file that they name, or for the built-in terms.
+
+    What the user changed stays. What had its default by that file gets the present default, and what the definition
+    does not have is left out.
+    """
+    file = recorded_file(values.get(TASK_FILE))
+    recorded = {} if file is None else values[TASK_FILE]
+    own_terrains = (recorded_terms(recorded) or {}).get("terrains", [])
+    for name in _terrain_names(values.get("terrain")):
+        if file is not None and name in own_terrains and name not in [entry.name for entry in definition.terrains]:
+            raise needs_file(f"this task has the terrain {short(name)}", file)
+    before, known, own = recorded.get("defaults"), _defaults(definition), _own_defaults(definition)
+    built_in = _defaults(BUILT_IN.with_robot(definition.robot))
+    old = before if isinstance(before, dict) else {}
+
+    def stays(path: str, value: Any) -> bool:
+        if path not in known:
+            return False
+        if path not in old and path not in own:
+            return True
+        return isinstance(before, dict) and plain(value) != plain(old.get(path, built_in.get(path)))
+
+    def kept(section: Mapping[str, Any], path: str) -> dict[str, Any]:
+        return {
+            name: kept(value, f"{path}.{name}") if isinstance(value, Mapping) else value
+            for name, value in section.items()
+            if isinstance(value, Mapping) or stays(f"{path}.{name}", value)
+        }
+
+    schemas = _schemas(definition)
+    return {
+        name: kept(value, name) if name in schemas and isinstance(value, Mapping) else value
+        for name, value in values.items()
+        if name != TASK_FILE
+    }
+
+
+def flat(values: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+    """Nested values by their path, such as `reward.weights.upright`."""
+    found: dict[str, Any] = {}
+    for name, value in values.items():
+        found |= flat(value, f"{path}{name}.") if isinstance(value, Mapping) else {f"{path}{name}": value}
+    return found
+
+
+def config_differences(values: Mapping[str, Any], config: "TaskConfig") -> list[str]:
+    """Differences of a config from the plain values of another one in its sections of terms, in words."""
+    recorded, terms = recorded_terms(values.get(TASK_FILE) or {}) or {}, config.definition.own_terms()
+    found = []
+    for kind, new in terms.items():
+        if kind == "privileged":  # which no policy observes
+            continue
+        old = recorded.get(kind, [])
+        found += [f"{kind.removesuffix('s')} {name} left out" for name in old if name not in new]
+        found += [f"{kind.removesuffix('s')} {name} added" for name in new if name not in old]
+    sections = _sections(config.definition)
+    then, now = (
+        flat({name: section for name in sections if isinstance(section := entry.get(name), Mapping)})
+        for entry in (plain(dict(values)), plain(config.to_dict()))
+    )
+    for path in now if recorded else {**then, **now}:
+        if (path in then or not recorded) and then.get(path) != now.get(path):
+            found.append(f"{path} {now.get(path)} (the run: {then.get(path)})")
+    return found
+
+
+def _sections(definition: TaskDefinition) -> tuple[str, ...]:
+    """Names of the sections that depend on the task's definition."""
+    return (*_schemas(definition), "terrain")
+
+
+def _known(values: dict[str, Any], schema: Schema) -> dict[str, Any]:
+    """The values of a section that another schema has, too."""
+    return {name: value for name, value in values.items() if name in schema}
+
+
+def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
+    return _remade(name, definition, Choice.of(values).name, values)
+
+
+def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) -> Section:
+    """A section of the config; that of a terrain stays one of this terrain when it is changed."""
+    schema = _schema(name, Choice.of(values)._replace(name=terrain), definition)
+    if name == "randomization":
+        values = with_preset(values, definition.robot)
+    section = Section(name, schema, values, functools.partial(_remade, name, definition, terrain))
+    if name == "command":
+        shares = section.standing_fraction + section.straight_fraction + section.turning_fraction
+        check(shares <= 1, "command.standing_fraction + straight_fraction + turning_fraction", shares, "at most 1")
+    elif name == "terrain":
+        check_tiles(section)
+    return section
+
+
+def CommandConfig(**values: Any) -> Section:  # noqa: N802  named like the class of a section
+    """Distribution of the velocity commands, with the built-in task's fields."""
+    return _section("command", values, BUILT_IN)
+
+
+def RewardConfig(**values: Any) -> Section:  # noqa: N802
+    """Weights (per second) and parameters of the reward terms, with the built-in task's fields."""
+    return _section("reward", values, BUILT_IN)
+
+
+def TerminationConfig(**values: Any) -> Section:  # noqa: N802
+    """Parameters of the terminations, with the built-in task's fields."""
+    return _section("termination", values, BUILT_IN)
+
+
+def RandomizationConfig(**values: Any) -> Section:  # noqa: N802
+    """Randomization of episodes, with the built-in task's fields; `preset="hard"` starts from a preset."""
+    return _section("randomization", values, BUILT_IN)
+
+
+def TerrainConfig(**values: Any) -> Section:  # noqa: N802
+    """A built-in terrain with its seed and parameters."""
+    return _section("terrain", values, BUILT_IN)
+
+
+@dataclass(frozen=True)
+class TaskConfig(PlainFields):
+    """Complete config of a task."""
+
+    decimation: int = 4
+    """Physics steps per control step."""
+    physics_timestep: float = 0.005
+    """Physics time step, s."""
+    clock_frequency: Frequency = 3.4
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
+    observation_history: int = 1
+    """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
+    action: ActionConfig = field(default_factory=ActionConfig)
+    command: Section = _OF_THE_DEFINITION
+    reward: Section = _OF_THE_DEFINITION
+    termination: Section = _OF_THE_DEFINITION
+    randomization: Section = _OF_THE_DEFINITION
+    motor: MotorConfig = _OF_THE_DEFINITION
+    """Motors of the robot, or those of `mini-quadruped identify`. Default: those of the definition's robot."""
+    terrain: Section = _OF_THE_DEFINITION
+    """Name, seed and parameters of the ground."""
+    definition: TaskDefinition = field(default=BUILT_IN, repr=False)
+    """Robot and terms of the task; `load_task_file` adds those of a user's file."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.motor is None:
+            object.__setattr__(self, "motor", self.robot.motors)
+        check_rates(self.decimation, self.physics_timestep)
+        object.__setattr__(self, "clock_frequency", frequency_of(self.clock_frequency))
+        check_history(self.observation_history)
+        for name in _sections(self.definition):
+            section = getattr(self, name)
+            schema = _schema(name, Choice.of(section), self.definition)
+            if section is None or not section.has(schema):
+                # A section of the built-in task, in a task with other terms.
+                values = {} if section is None else _known(section.to_dict(), schema)
+                object.__setattr__(self, name, _section(name, values, self.definition))
+
+    @property
+    def file(self) -> TaskFile | None:
+        """The user's file of the terms or the robot, or else of the terrain; None for what is built in."""
+        return self.definition.file or self.ground.file
+
+    @property
+    def robot(self) -> Robot:
+        """Robot of the task."""
+        return self.definition.robot
+
+    def with_definition(self, definition: TaskDefinition) -> Self:
+        """A copy with other terms or another robot, whose motors and defaults replace those of the old one."""
+        motor = _OF_THE_DEFINITION if self.motor == self.robot.motors else self.motor
+        sections: dict[str, Any] = {}
+        for name in _sections(definition):
+            section = getattr(self, name)
+            changes = _known(section.changes(), _schema(name, Choice.of(section), definition))
+            sections[name] = _section(name, changes, definition)
+        return dataclasses.replace(self, motor=motor, definition=definition, **sections)
+
+    def for_robot(self, robot: Robot) -> Self:
+        """A copy for another robot; see `with_definition`."""
+        return self.with_definition(self.definition.with_robot(robot))
+
+    @property
+    def control_timestep(self) -> float:
+        """Time between actions, s."""
+        return self.physics_timestep * self.decimation
+
+    @property
+    def ground(self) -> Terrain:
+        """The terrain with its seed and parameters, for `build_model`."""
+        return ground_of(self.terrain, self.definition)
+
+    def on_terrain(self, terrain: str | Terrain, seed: int | None = None) -> Self:
+        """A copy of the config on another terrain; the terrain that it already has keeps its level and parameters.
+
+        Args:
+            terrain: name of a terrain of the task's definition, or any terrain; it may be a variant.
+            seed: seed of the terrain; None keeps that of the config.
+
+        Raises:
+            QuadrupedError: if there is no such terrain; the message names those that there are.
+        """
+        if isinstance(terrain, Terrain):
+            with_it = dataclasses.replace(self, definition=self.definition.with_terrain(terrain))
+            on_it = with_it.on_terrain(terrain.name, seed if seed is not None else terrain.seed or None)
+            values = values_of(terrain)
+            if "level" in values:  # which replaces the parameters that it has
+                section = _section("terrain", {"seed": on_it.terrain["seed"], **values}, on_it.definition)
+            else:
+                section = on_it.terrain.replace(**values)
+            return dataclasses.replace(on_it, terrain=section)
+        name = terrain
+        kept = self.terrain.changes() if name == self.terrain["name"] else {"seed": self.terrain["seed"]}
+        values = {**kept, "name": name, **({} if seed is None else {"seed": seed})}
+        return dataclasses.replace(self, terrain=_section("terrain", values, self.definition))
+
+    def without_randomization(self) -> Self:
+        """A copy of the config without randomizations, a user's own included, and without observation noise."""
+        off = dict.fromkeys(entry.name for entry in self.definition.randomizations)
+        return self._with_randomization({**off, "observation_noise": 0.0})
+
+    def randomized(self, preset: str) -> Self:
+        """A copy with a preset in place of the config's randomization: `none`, `moderate` or `hard`.
+
+        A user's own randomizations are off, and so is one that replaces a built-in one.
+
+        Raises:
+            QuadrupedError: if there is no such preset.
+        """
+        own = (entry.name for entry in self.definition.randomizations if entry not in BUILT_IN.randomizations)
+        return self._with_randomization({**preset_values(preset, self.robot), **dict.fromkeys(own)})
+
+    def _with_randomization(self, values: Mapping[str, Any]) -> Self:
+        return dataclasses.replace(self, randomization=_section("randomization", values, self.definition))
+
+    @property
+    def max_delay(self) -> float:
+        """Longest delay from joint target to motor that the config allows, s."""
+        delays = [self.motor.delay]
+        for entry in self.definition.randomizations:
+            setting = self.randomization[entry.name]
+            for part in entry.apply if isinstance(entry.apply, tuple) else (entry.apply,):
+                if isinstance(part, ModelField) and part.field == "actuator_delay" and is_active(setting):
+                    delays += [float(part.changed(np.array(delays[-1]), end)) for end in ends_of(setting)]
+        return max(delays)
+
+    def compiled_model(self) -> mujoco.MjModel:
+        """Compiled model of the task's robot on its terrain; every call returns a new copy."""
+        return build_model(self.physics_timestep, self.motor, self.ground, self.robot, max_delay=self.max_delay)
+
+    @property
+    def control(self) -> ControlConfig:
+        """Part of the config that training and a real robot share."""
+        return ControlConfig(
+            timestep=self.control_timestep,
+            clock_frequency=self.clock_frequency,
+            observation_history=self.observation_history,
+            action=self.action,
+            commands=self.commands,
+        )
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """Components of the command, the velocities first."""
+        return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Nested plain values for `from_dict` and JSON; user's files and robots are given by name and SHA-256."""
+        values: dict[str, Any] = {}
+        for entry in dataclasses.fields(self):
+            value = getattr(self, entry.name)
+            if isinstance(value, Section):
+                values[entry.name] = value.to_dict()
+            elif isinstance(value, TaskDefinition):
+                if value.file is not None:
+                    own = {"terms": value.own_terms(), "defaults": _own_defaults(value)}
+                    values[TASK_FILE] = {**value.file.to_dict(), **own}
+                terrain_file = self.ground.file
+                if terrain_file is not None and terrain_file != value.file:
+                    values[TERRAIN_FILE] = terrain_file.to_dict()
+                if value.robot != BUILT_IN.robot:
+                    values[ROBOT] = value.robot.identity
+            elif dataclasses.is_dataclass(value) and not isinstance(value, type):
+                values[entry.name] = dataclasses.asdict(value)
+            else:
+                values[entry.name] = value
+        return values
+
+    @classmethod
+    def from_dict(cls, values: dict[str, Any], definition: TaskDefinition = BUILT_IN) -> Self:
+        """Create a config from nested values, which may be NumPy's; missing fields have their defaults.
+
+        Args:
+            values: nested values in the form of `to_dict`.
+            definition: terms of the task, if some of them come from a user's file (`load_task_file`).
+
+        Raises:
+            QuadrupedError: if a field is unknown or a value has the wrong type (the message names the field and what
+                is valid), or if the values name a file of terms or of the terrain and the definition has none, or they
+                name another robot than the definition's.
+
+        With another version of the file, `for_definition` says what counts.
+        """
+        values = plain(values)
+        if isinstance(values, dict):
+            file = recorded_file(values.get(TASK_FILE))
+            if file is not None and definition.file is None:
+                raise needs_file("this task has terms", file)
+            if file is not None and definition.file is not None and file.sha256 != definition.file.sha256:
+                values = for_definition(values, definition)
+            values = {name: value for name, value in values.items() if name != TASK_FILE}
+            terrain_file = values.pop(TERRAIN_FILE, None)
+            check_same_robot(values.pop(ROBOT, None), definition.robot)
+            if terrain_file is not None:
+                terrains = _terrains_of_file(terrain_file, values.get("terrain"), definition)
+                # The file gave the config its terrains and nothing else.
+                definition = definition if file is not None else BUILT_IN.with_robot(definition.robot)
+                for terrain in terrains:
+                    definition = definition.with_terrain(terrain)
+        return _build(cls, values, "config", definition)
+
+
+_type_hints = functools.cache(typing.get_type_hints)
+
+
+def _build(kind: type, values: Any, path: str, definition: TaskDefinition) -> Any:
+    """An instance of a config dataclass from nested plain values; `path` names it in errors."""
+    if not isinstance(values, dict):
+        raise QuadrupedError(f"{path}: expected a mapping of fields; found {short(values)}")
+    hints = {name: hint for name, hint in _type_hints(kind).items() if hint is not TaskDefinition}
+    unknown = sorted(str(name) for name in set(values) - set(hints))
+    if unknown:
+        raise QuadrupedError(f"{path}: unknown field {short(unknown[0])}; valid fields are {', '.join(hints)}")
+    fields: dict[str, Any] = {}
+    for name, hint in hints.items():
+        if hint is Section:
+            fields[name] = _section(name, values.get(name, {}), definition)
+        elif hint is MotorConfig:
+            fields[name] = _motor(values.get(name, {}), f"{path}.{name}", definition)
+        elif name in values:
+            fields[name] = _convert(hint, values[name], f"{path}.{name}", definition)
+    return kind(**fields, definition=definition) if kind is TaskConfig else kind(**fields)
+
+
+def _motor(values: Any, path: str, definition: TaskDefinition) -> MotorConfig:
+    """Motors whose missing fields are those of the robot."""
+    default = dataclasses.asdict(definition.robot.motors)
+    if isinstance(values, dict):
+        values = {**default, **values}
+        for kind, motor in values.items():
+            if isinstance(motor, dict) and isinstance(default.get(kind), dict):
+                values[kind] = {**default[kind], **motor}
+    motors: MotorConfig = _build(MotorConfig, values, path, definition)
+    return motors
+
+
+def _convert(hint: Any, value: Any, path: str, definition: TaskDefinition) -> Any:
+    if dataclasses.is_dataclass(hint):
+        assert isinstance(hint, type)
+        return _build(hint, value, path, definition)
+    if hint == Frequency:
+        return frequency_of(value)
+    if typing.get_origin(hint) is Literal:
+        return value
+    return number(value, path, whole=hint is int)

@@ -1,0 +1,178 @@
+"""Definition of a task: lists of terms, built-in or from a user's file."""
+
+import dataclasses
+import functools
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any, Final, Self
+
+from quadruped_env.control.control_config import COMMANDS, Command
+from quadruped_env.control.observations import OBSERVATIONS, ObservationField
+from quadruped_env.control.task_file import execute, merged, names_of, robot_in
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
+from quadruped_env.simulation.built_in_terrains import TERRAINS
+from quadruped_env.simulation.terrain import Terrain
+from quadruped_env.simulation.tiles import Tiles
+from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
+from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
+from quadruped_env.task.randomization.randomization import Randomization
+from quadruped_env.task.rewards import REWARDS
+from quadruped_env.task.terminations import TERMINATIONS
+from quadruped_env.task.terms import RewardTerm, Termination
+from quadruped_env.utils.provenance import TaskFile
+
+
+@dataclass(frozen=True, eq=False)
+class TaskDefinition:
+    """Robot, and ordered lists of terms: rewards, observations, terminations, randomizations, commands, terrains.
+
+    Two definitions are equal if they have the same robot, come from files with the same content, and were given the
+    same terrains.
+    """
+
+    rewards: tuple[RewardTerm, ...] = REWARDS
+    observations: tuple[ObservationField, ...] = OBSERVATIONS
+    privileged: tuple[PrivilegedReading, ...] = PRIVILEGED
+    terminations: tuple[Termination, ...] = TERMINATIONS
+    randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
+    commands: tuple[Command, ...] = COMMANDS
+    terrains: tuple[Terrain, ...] = TERRAINS
+    robot: Robot = MINI_QUADRUPED
+    file: TaskFile | None = None
+    """File that defines what is not built in."""
+    path: str | None = None
+    added_terrains: tuple[Terrain, ...] = ()
+    """Terrains that are neither built in nor defined by the file."""
+
+    @property
+    def weights(self) -> dict[str, float]:
+        """Default weight of every reward term, per second, in the order in which they are added."""
+        return {name: weight for term in self.rewards for name, weight in term.weights.items()}
+
+    def own_terms(self) -> dict[str, list[str]]:
+        """Names of what the user's file defines, by kind, as in the lists above."""
+        return {
+            kind: [
+                name
+                for term in getattr(self, kind)
+                if not any(term is other for other in getattr(BUILT_IN, kind)) and term not in self.added_terrains
+                for name in names_of(term)
+            ]
+            for kind in _LISTS
+        }
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TaskDefinition) and self._identity == other._identity
+
+    def __hash__(self) -> int:
+        return hash(self._identity)
+
+    @property
+    def _identity(self) -> tuple[Any, ...]:
+        return None if self.file is None else self.file.sha256, self.robot, self.added_terrains
+
+    def __reduce__(self) -> Any:
+        # Functions of a user's file do not support pickling: unpickling loads the file again.
+        return _again, (self.path, self.file, self.robot, self.added_terrains)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+    def with_robot(self, robot: Robot) -> Self:
+        """A copy for another robot."""
+        return dataclasses.replace(self, robot=robot)
+
+    def with_terrain(self, terrain: Terrain) -> Self:
+        """A copy with one more terrain, in place of one of the same name, without its seed, level and parameters.
+
+        Tiles add their kinds.
+        """
+        if isinstance(terrain, Tiles):
+            return functools.reduce(type(self).with_terrain, terrain.kinds, self)
+        plain = terrain.variant()
+        if plain in self.terrains:
+            return self
+        terrains = merged(self.terrains, [plain])
+        return dataclasses.replace(self, terrains=terrains, added_terrains=(*self.added_terrains, plain))
+
+    def extended(self, terms: Iterable[Any], file: TaskFile, path: str) -> Self:
+        """A copy with a user's terms appended to the lists, in order; a term replaces a built-in one of the same name.
+
+        Raises:
+            QuadrupedError: if a term would replace only a part of a group of terms that are computed together.
+        """
+        terms = list(terms)
+        try:
+            lists: dict[str, Any] = {
+                name: merged(getattr(self, name), [term for term in terms if isinstance(term, kind)])
+                for name, kind in _LISTS.items()
+            }
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{path}: {error}") from error
+        return dataclasses.replace(self, file=file, path=path, **lists)
+
+
+_LISTS: Final[dict[str, type]] = {
+    "rewards": RewardTerm,
+    "observations": ObservationField,
+    "privileged": PrivilegedReading,
+    "terminations": Termination,
+    "randomizations": Randomization,
+    "commands": Command,
+    "terrains": Terrain,
+}
+
+
+BUILT_IN: Final = TaskDefinition()
+
+
+def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
+    """The built-in task, extended by the terms and the robot that a Python file defines at its top level.
+
+    The file's code is executed, so load only files that you trust.
+
+    Args:
+        path: path of the file.
+        expected: expected name and hash; verified before anything is executed.
+
+    Raises:
+        QuadrupedError: if the file cannot be read, differs from the expected one, raises an error, defines more than
+            one robot, or defines nothing of a task.
+    """
+    file, module = execute(path, expected)
+    return _defined(module, file)
+
+
+@functools.cache
+def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
+    """The built-in task, extended by what an executed file defines."""
+    path = str(module.__file__)
+    built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
+    terms = [
+        dataclasses.replace(value, file=file) if isinstance(value, Terrain) else value
+        for value in vars(module).values()
+        if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
+    ]
+    robot = robot_in(module)
+    if not terms and robot is None:
+        raise QuadrupedError(
+            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @privileged, "
+            f"@termination or @terrain, or make a Randomization, Command or QuadrupedDesign, at the top level of the "
+            f"file (docs/make-it-yours.md)"
+        )
+    definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
+    return definition.extended(terms, file, path)
+
+
+def _again(
+    path: str | None, file: TaskFile | None, robot: Robot, added_terrains: tuple[Terrain, ...]
+) -> TaskDefinition:
+    """Definition from the arguments that were pickled."""
+    definition = BUILT_IN if path is None or file is None else load_task_file(path, file)
+    for terrain in added_terrains:
+        definition = definition.with_terrain(terrain)
+    return definition if definition.robot == robot else definition.with_robot(robot)

@@ -1,0 +1,235 @@
+"""Models of Stable-Baselines3 and sb3-contrib on the native vector environment: networks, schedules, policies as data.
+
+PPO: Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively parallel setting follows Rudin et al. 2021,
+https://arxiv.org/abs/2109.11978.
+"""
+
+import contextlib
+import importlib
+import os
+import zipfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+# Torch's idle threads would spin on the cores that the physics needs. Read once, when torch is loaded.
+os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
+
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.policies import Policy
+from quadruped_env.task import TaskConfig
+from quadruped_env.training.algorithms import algorithm
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run_directory import RESUME_FILE
+from quadruped_env.training.train_config import TrainConfig
+
+try:
+    import numpy as np
+    import torch
+    from stable_baselines3.common.noise import NormalActionNoise
+    from stable_baselines3.common.save_util import load_from_zip_file
+
+    from quadruped_env.training.actor_critic import ActorCritic, Layer, mirrors, symmetrized
+    from quadruped_env.training.schedules import Schedule
+    from quadruped_env.training.squashed import squashed_policy
+except ImportError as error:  # pragma: no cover
+    raise MissingExtraError("training", "train") from error
+
+_ACTIVATIONS = {"elu": torch.nn.ELU, "relu": torch.nn.ReLU, "tanh": torch.nn.Tanh}
+_DIRECT: Final = frozenset(
+    {
+        "n_steps",
+        "batch_size",
+        "n_epochs",
+        "gamma",
+        "gae_lambda",
+        "clip_range",
+        "ent_coef",
+        "max_grad_norm",
+        "buffer_size",
+        "learning_starts",
+        "gradient_steps",
+        "tau",
+    }
+)
+"""Fields of `TrainConfig` that are arguments of the algorithms' classes."""
+
+
+def go_on_from(model: Any, parent: Parent) -> None:
+    """Take over a run's network, optimizer, step count and place in the schedules.
+
+    A replay buffer is not saved with a run: it fills again.
+
+    Raises:
+        QuadrupedError: if its file cannot be read.
+    """
+    path = parent.directory / RESUME_FILE
+    with resuming(path):
+        with zipfile.ZipFile(path) as archive:
+            # Few bytes could stand for more than any memory holds.
+            if any(entry.compress_type != zipfile.ZIP_STORED for entry in archive.infolist()):
+                raise _UnusableError("compressed")
+        _, tensors, variables = load_from_zip_file(str(path), load_data=False, device="cpu")
+        check_finite({**tensors, **(variables or {})})
+        model.set_parameters(tensors, device="cpu")
+        # Such as the weight of the entropy, which the line above leaves out.
+        for name, value in (variables or {}).items():
+            getattr(model, name).data.copy_(value.data)
+    model.num_timesteps = parent.timesteps
+    model.learning_rate.go_on(parent.timesteps, parent.budget_left)
+    model.learning_rate.stage(parent.timesteps, model.env.task)
+
+
+class _UnusableError(Exception):
+    """A defect of a file that is found here, in words."""
+
+
+@contextlib.contextmanager
+def resuming(path: Path) -> Iterator[None]:
+    """While a run's network and optimizer are loaded: errors of any kind become this package's.
+
+    The zip reader, torch, SB3 and rsl-rl each fail in their own way on a damaged file. Their texts are left out: torch
+    advises to unpickle the file.
+    """
+    try:
+        yield
+    except Exception as error:
+        reason = str(error) if isinstance(error, _UnusableError) else type(error).__name__
+        raise QuadrupedError(
+            f"{path}: cannot be resumed ({reason}); resume another checkpoint or run, or start a new training"
+        ) from None
+
+
+def check_finite(value: Any, place: str = "") -> None:
+    """Check that all numbers in nested dictionaries and lists of tensors are finite; for `resuming`."""
+    if isinstance(value, (Mapping, list, tuple)):
+        for name, entry in value.items() if isinstance(value, Mapping) else enumerate(value):
+            check_finite(entry, f"{place}.{name}".lstrip("."))
+    elif isinstance(value, (torch.Tensor, float)) and not torch.isfinite(torch.as_tensor(value)).all():
+        raise _UnusableError(f"{place} holds NaN or infinity")
+
+
+def algorithm_class(name: str) -> Any:
+    """Class of an algorithm.
+
+    Raises:
+        MissingExtraError: if it is in sb3-contrib, which is not installed.
+    """
+    return _member(name, algorithm(name).module, algorithm(name).class_name)
+
+
+def _member(name: str, module: str, member: str) -> Any:
+    try:
+        return getattr(importlib.import_module(module), member)
+    except ImportError as error:
+        raise MissingExtraError(f"--algo {name}", "contrib") from error
+
+
+def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = None, **changes: Any) -> Any:
+    """A fresh model for a training, whose `learning_rate` is a `Schedule`; `learn` needs the callback `Scheduled`.
+
+    Args:
+        config: settings of the training.
+        env: its Stable-Baselines3 env.
+        kind: makes the model. None: the class of the algorithm.
+        changes: arguments of the class that replace those that `config` gives.
+
+    Raises:
+        MissingExtraError: if the algorithm is in sb3-contrib, which is not installed.
+    """
+    torch.distributions.Distribution.set_default_validate_args(False)
+    # The bits of the first weights and of every update depend on the number of threads, and the default is that of the
+    # machine's cores. Two are no faster, in batches up to 1024 samples a third slower.
+    torch.set_num_threads(1)
+    entry = algorithm(config.algo)
+    layout = env.task.control.layout
+    hidden = list(config.hidden)
+    arguments = {name: getattr(config, name) for name in sorted(entry.settings & _DIRECT)}
+    own: dict[str, Any] = {
+        "actor_width": layout.history * layout.width,
+        "activation_fn": _ACTIVATIONS[config.activation],
+    }
+    if config.symmetric:
+        own["mirror"], critic_mirror = mirrors(env)
+    if entry.on_policy:
+        policy: Any = ActorCritic
+        own |= {"net_arch": {"pi": hidden, "vf": hidden}, "log_std_init": config.log_std_init}
+        own["optimizer_kwargs"] = {"fused": True, "eps": 1e-5}
+        if config.symmetric:
+            own["critic_mirror"] = critic_mirror
+    else:
+        _member(config.algo, entry.policies, entry.policy)
+        policy = squashed_policy(importlib.import_module(entry.policies), entry.policy)
+        own["net_arch"] = {"pi": hidden, "qf": hidden}
+        # SB3's own `n_steps` of these algorithms is another setting.
+        arguments["train_freq"] = (arguments.pop("n_steps"), "step")
+        if "action_noise" in entry.settings:
+            joints = env.action_space.shape[0]
+            arguments["action_noise"] = NormalActionNoise(np.zeros(joints), np.full(joints, config.action_noise))
+    arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
+    arguments["learning_rate"] = schedule = Schedule(config)
+    schedule.stage(0, env.task)
+    return (kind or algorithm_class(config.algo))(policy, env, **arguments | changes)
+
+
+def export_policy(model: Any, task: TaskConfig, activation: str, card: dict[str, Any]) -> Policy:
+    """The deterministic part of SB3's policy as plain arrays.
+
+    Raises:
+        QuadrupedError: if a policy's file cannot express the actor.
+    """
+    actor: Any = getattr(model.policy, "actor", None)
+    if isinstance(model.policy, ActorCritic):
+        output, modules = "clip", [*model.policy.mlp_extractor.policy_net, model.policy.action_net]
+    elif hasattr(actor, "latent_pi"):
+        output, modules = "tanh", [*actor.latent_pi, actor.mu]
+    elif isinstance(getattr(actor, "mu", None), torch.nn.Sequential) and isinstance(actor.mu[-1], torch.nn.Tanh):
+        output, modules = "tanh", list(actor.mu[:-1])
+    else:
+        raise QuadrupedError(
+            f"policy: the actor of {type(model.policy).__name__} is not a multilayer perceptron, so no policy file can "
+            f"hold it; train with another --algo"
+        )
+    layers = linear_layers(modules, activation)
+    if output == "tanh" and model.policy.mirror is not None:
+        layers = symmetrized(layers, model.policy.mirror)
+    return Policy(
+        weights=tuple(weight for weight, _ in layers),
+        biases=tuple(bias for _, bias in layers),
+        activation=activation,
+        config=task,
+        card=card,
+        output=output,
+    )
+
+
+def linear_layers(modules: Iterable[torch.nn.Module], activation: str) -> list[Layer]:
+    """Weights and biases of a perceptron's layers, with one activation function between them.
+
+    A batch renormalization before a layer, which in use is an affine function of its inputs, becomes a part of it.
+
+    Raises:
+        QuadrupedError: if there is any other module, or another activation function.
+    """
+    layers: list[Layer] = []
+    renorm: Layer | None = None
+    activated = True
+    for module in modules:
+        if isinstance(module, torch.nn.Linear) and activated:
+            weight, bias = module.weight.detach().numpy().T.copy(), module.bias.detach().numpy().copy()
+            if renorm is not None:
+                scale, shift = renorm
+                weight, bias = scale[:, None] * weight, bias + shift @ weight
+            layers.append((weight, bias))
+            renorm, activated = None, False
+        elif isinstance(module, _ACTIVATIONS[activation]) and not activated:
+            activated = True
+        elif type(module).__name__ == "BatchRenorm1d" and activated and renorm is None:
+            factor = module.scale / (module.ra_var + module.eps).sqrt()
+            renorm = factor.detach().numpy(), (module.bias - module.ra_mean * factor).detach().numpy()
+        else:
+            raise QuadrupedError(
+                f"policy: its actor has the module {type(module).__name__}, which a policy's file cannot hold: it "
+                f"holds linear layers with {activation} between them; train with another --algo"
+            )
+    return layers

@@ -1,0 +1,186 @@
+"""A training: from its settings to a run directory with a policy."""
+
+import signal
+import sys
+from collections.abc import Callable
+from dataclasses import asdict, replace
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+# First, because it sets a variable that torch reads when it is loaded.
+from quadruped_env.training.sb3_models import go_on_from, make_model
+
+# isort: split
+from quadruped_env.envs import make_sb3_vec_env
+from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.task import BUILT_IN, load_task_file
+from quadruped_env.training.group import ALONE, Group
+from quadruped_env.training.polish import Polished, polish
+from quadruped_env.training.reflex import ReflexRound, add_reflex
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run_directory import Run, check_latest
+from quadruped_env.training.step_statistics import StepStatistics
+from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.training.training_recorder import Observer, Recorder, record
+from quadruped_env.utils.seeds import check_training_seeds
+
+try:
+    from stable_baselines3.common.logger import Logger
+except ImportError as error:  # pragma: no cover
+    raise MissingExtraError("training", "train") from error
+
+
+def train(
+    config: TrainConfig,
+    runs: Path,
+    command: str,
+    resume: Path | None = None,
+    task_file: Path | None = None,
+    group: Group = ALONE,
+    observer: Observer | None = None,
+    threads: int = 0,
+) -> tuple[Path, bool]:
+    """Train a policy and leave a run directory.
+
+    Args:
+        config: settings of the training.
+        runs: parent of the run directory.
+        command: what the user typed, for the record.
+        resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
+        task_file: a user's file of terms, which is executed.
+        group: rank 0 of the training, if it has several.
+        observer: watches the training; the clock stands still meanwhile.
+        threads: threads of the physics; 0: one per core, or those of the group.
+
+    Returns:
+        The run directory, and whether the whole budget was used.
+
+    Raises:
+        QuadrupedError: if a setting is not possible, the run to resume is not complete, or a file cannot be
+            written; then what was saved before is kept.
+    """
+    if config.device != "cpu":
+        raise QuadrupedError(f"--device: {config.device} needs quadruped_env.scale.gpu.warp_training.train")
+    check_latest(runs)
+    config, parent, env, model = prepare(config, resume, task_file, group, threads)
+    task = env.task.config
+    facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
+    run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
+    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
+    try:
+        record(
+            run,
+            model,
+            recorder,
+            lambda: learn(config, model, recorder, parent is None, recorder.note_reflex, recorder.note_polish),
+        )
+    finally:
+        env.close()
+    return run.directory, not recorder.stopped
+
+
+def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
+    """Train as a rank other than 0, which writes no files; see `train`."""
+    config, parent, env, model = prepare(config, resume, task_file, group)
+    try:
+        model.set_logger(Logger(None, []))
+        # Rank 0 polishes and learns the reflex alone.
+        config = replace(config, reflex_rounds=0, polish_generations=0)
+        learn(config, model, StepStatistics(config, group), fresh=parent is None)
+    finally:
+        env.close()
+
+
+def prepare(
+    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE, threads: int = 0
+) -> tuple[TrainConfig, Parent | None, MiniQuadrupedSB3VecEnv, Any]:
+    """Everything that a training, or one rank of it, needs to learn.
+
+    Args:
+        config: settings of the training.
+        resume: a run or checkpoint to go on from.
+        task_file: a user's file of terms, which is executed.
+        group: this rank.
+        threads: threads of the physics; 0: one per core, or those of the group.
+
+    Returns:
+        The settings with the whole task, the run to go on from, the rank's share of the envs, and the model.
+
+    Raises:
+        QuadrupedError: if a setting is not possible, or the run to resume is not complete.
+    """
+    definition = BUILT_IN if task_file is None else load_task_file(task_file)
+    parent = None if resume is None else Parent.load(resume, definition)
+    if parent is not None:
+        parent.check(asdict(config))
+        config = replace(config, task=parent.with_reward(config.task))
+    share = config.num_envs // group.ranks
+    env = make_sb3_vec_env(
+        share,
+        seed=config.seed + group.rank * share,
+        action_mode=config.action_mode,
+        config=config.task,
+        task_file=task_file,
+        privileged=config.asymmetric_critic,
+        num_threads=threads or group.threads,
+    )
+    check_training_seeds("config.terrain.seed", env.task.config.terrain["seed"])
+    if group.ppo is None:
+        model = make_model(config, env)
+    else:
+        model = make_model(config, env, group.ppo, group=group, batch_size=config.batch_size // group.ranks)
+    if parent is not None:
+        go_on_from(model, parent)
+    return config, parent, env, model
+
+
+def learn(
+    config: TrainConfig,
+    model: Any,
+    statistics: StepStatistics,
+    fresh: bool,
+    note_reflex: Callable[[float, list[ReflexRound]], None] | None = None,
+    note_polish: Callable[[float, Polished | None], None] | None = None,
+) -> None:
+    """Train a model until its budget is used, its gait is polished and it has its reflex, or a signal stops it.
+
+    Args:
+        config: settings of the training.
+        model: of `prepare`.
+        statistics: callback that knows when to stop.
+        fresh: False if the training goes on from a run.
+        note_reflex: called with the share of the reflex's learning that is done, and its rounds so far.
+        note_polish: called with the share of the search that is done, and in the end with what it is worth.
+    """
+    with stop_on_signal(statistics):
+        timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
+        model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
+        if config.polish_generations and not statistics.stopped:
+            polish(model, config.polish_generations, note_polish, lambda: statistics.stopped)
+        if config.reflex_rounds and not statistics.stopped:
+            add_reflex(model, config.reflex_rounds, note_reflex, lambda: statistics.stopped)
+
+
+class stop_on_signal:  # noqa: N801
+    """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
+
+    def __init__(self, statistics: StepStatistics) -> None:
+        self._statistics = statistics
+        self._previous: dict[int, Any] = {}
+
+    def __enter__(self) -> None:
+        try:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                self._previous[number] = signal.signal(number, self._stop)
+        except ValueError:
+            pass  # not in the main thread, where no signals arrive
+
+    def __exit__(self, *exception: object) -> None:
+        for number, handler in self._previous.items():
+            signal.signal(number, handler)
+
+    def _stop(self, number: int, frame: FrameType | None) -> None:
+        self._statistics.stopped = True
+        signal.signal(number, self._previous[number])

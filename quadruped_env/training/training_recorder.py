@@ -1,0 +1,321 @@
+"""Record of a training: its progress, its files, and what it leaves after an error."""
+
+import io
+import shutil
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+# First, because it sets a variable that torch reads when it is loaded.
+from quadruped_env.training.sb3_models import export_policy
+
+# isort: split
+from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.task_file import KEPT_FILE
+from quadruped_env.envs import MAX_EPISODE_STEPS
+from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.policies import Policy
+from quadruped_env.task import TaskConfig
+from quadruped_env.training.group import ALONE, DifferentWeightsError, Group, RankLostError
+from quadruped_env.training.polish import Polished, polish_steps
+from quadruped_env.training.reflex import ReflexRound, reflex_steps
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
+from quadruped_env.training.step_statistics import StepStatistics
+from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.utils.files import unwritable, whole, write_whole
+
+try:
+    from stable_baselines3.common.logger import configure
+    from tqdm import tqdm
+except ImportError as error:  # pragma: no cover
+    raise MissingExtraError("training", "train") from error
+
+_LOG_INTERVAL = 1.0
+"""Interval of progress.csv and TensorBoard, s."""
+_BAR_INTERVAL = 0.5
+"""Interval of the progress bar, s."""
+_FIRST_LINE, _LINE_INTERVAL = 1.5, 10.0
+"""Time of the first line about the progress where there is no terminal for a bar, and time between lines, s."""
+_BETWEEN_RANKS = (RankLostError, DifferentWeightsError)
+"""Errors after which this rank's policy is not that of a whole update of all ranks."""
+
+Observer = Callable[[int, Callable[[], Policy]], None]
+"""Called after each rollout with the number of time steps and a function that makes the policy at this point."""
+
+
+class Recorder(StepStatistics):
+    """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget.
+
+    Args:
+        run: the run directory.
+        config: settings of the training.
+        task: its task.
+        seconds_before: wall clock of the training that it goes on from.
+        group: rank 0 of the training, if it has several.
+        observer: called after each rollout.
+    """
+
+    resume_file = RESUME_FILE
+    """File from which a training can go on."""
+
+    def __init__(
+        self,
+        run: Run,
+        config: TrainConfig,
+        task: TaskConfig,
+        seconds_before: float = 0.0,
+        group: Group = ALONE,
+        observer: Observer | None = None,
+    ) -> None:
+        super().__init__(config, group)
+        self._observer = observer
+        self._run, self._config, self._task_config = run, config, task
+        self._seconds_before = seconds_before
+        self.elapsed = 0.0
+        self._began: dict[str, float] = {}
+        """Part after the budget -> its first second"""
+        self._polished: Polished | None = None
+        self._reflex: list[ReflexRound] = []
+
+    @property
+    def seconds(self) -> float:
+        """Wall clock of learning, with that of the training that this one goes on from."""
+        return self._seconds_before + self.elapsed
+
+    def _on_training_start(self) -> None:
+        self._start = time.perf_counter()
+        super()._on_training_start()
+        self._next_log = _LOG_INTERVAL
+        self._next_checkpoint = self._config.checkpoint_seconds
+        self._next_bar, self._next_line = _BAR_INTERVAL, _FIRST_LINE
+        self._state = ""
+        self._first = start = self.model.num_timesteps
+        total = start + self._config.timesteps if self._config.seconds is None else None
+        self._bar = tqdm(
+            total=total,
+            initial=start,
+            unit=" steps",
+            unit_scale=True,
+            mininterval=0.0,
+            disable=None,
+            dynamic_ncols=True,
+        )
+        if self._config.polish_generations:
+            steps = polish_steps(self._config.polish_generations)
+            text = f"then {steps:,} more steps to polish the gait (--polish-generations 0 leaves them out)"
+            self._bar.write(text, file=sys.stderr)
+        if self._config.reflex_rounds:
+            steps = reflex_steps(self._config.reflex_rounds, self.model.n_envs)
+            text = f"then {steps:,} more steps for a reflex against falls (--reflex-rounds 0 leaves it out)"
+            self._bar.write(text, file=sys.stderr)
+
+    def _on_step(self) -> bool:
+        self.elapsed = time.perf_counter() - self._start
+        # Not only after a rollout, which on a slow machine takes seconds.
+        if self.elapsed >= self._next_bar:
+            self._show()
+        return super()._on_step()
+
+    def _show(self) -> None:
+        """Show the progress: on a bar in a terminal, and in lines of a log."""
+        self._next_bar = self.elapsed + _BAR_INTERVAL
+        self._bar.update(self.num_timesteps - self._bar.n)
+        if self._bar.disable and self.elapsed >= self._next_line:
+            self._next_line = self.elapsed + _LINE_INTERVAL
+            print(f"{self.num_timesteps:,} steps{self._speed()}{self._state}", file=sys.stderr, flush=True)
+
+    def _speed(self) -> str:
+        """Speed so far, and the time that the rest of the budget takes with it."""
+        learned = self.num_timesteps - self._first
+        rate = learned / self.elapsed
+        if self._config.seconds is not None:
+            left = self._config.seconds - self.elapsed
+        else:
+            left = (self._config.timesteps - learned) / rate
+        return f", {rate:,.0f} steps/s, {max(0.0, left):.0f} s left"
+
+    def _over(self) -> bool:
+        return self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds)
+
+    def _on_rollout_end(self) -> None:
+        super()._on_rollout_end()
+        self._show()
+        if self.elapsed >= self._next_log:
+            self._next_log = self.elapsed + _LOG_INTERVAL
+            self._log()
+        if self.elapsed >= self._next_checkpoint:
+            self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
+            self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
+        if self._observer is not None:
+            began = time.perf_counter()
+            self._observer(self.num_timesteps, lambda: self._policy(self._card()))
+            self._start += time.perf_counter() - began
+
+    def _log(self) -> None:
+        squares, terms, falls = self.sums
+        errors = np.sqrt(squares / self._steps)
+        # Robots that do not fall finish their episodes all at once and seldom: rates are known all the time.
+        episodes = self._steps * self._config.num_envs / MAX_EPISODE_STEPS
+        row = {
+            "timesteps": self.num_timesteps,
+            "seconds": round(self.seconds, 3),
+            "return": float(terms.sum() / self._steps * MAX_EPISODE_STEPS),
+            "fall_rate": falls / episodes,
+            "forward_velocity_error": float(errors[0]),
+            "yaw_rate_error": float(errors[1]),
+        }
+        rates = terms / self._steps / self._task_config.control_timestep
+        by_term = dict(zip(self._task.term_names, rates.tolist(), strict=True))
+        self._run.log(row | {f"{TERM_COLUMN}{name}": value for name, value in by_term.items()})
+        for name, value in row.items():
+            if name != "timesteps":
+                self.logger.record(f"progress/{name}", value)
+        for name, value in by_term.items():
+            self.logger.record(f"reward_per_second/{name}", value)
+        for name, value in self.mean_levels().items():
+            self.logger.record(f"terrain/{name}", value)
+        self.logger.dump(self.num_timesteps)
+        self._state = (
+            f", return {row['return']:.1f}, falls {row['fall_rate']:.2f}, errors {errors[0]:.2f} m/s "
+            f"{errors[1]:.2f} rad/s"
+        )
+        self._bar.set_postfix_str(self._state.removeprefix(", ") + self._remaining())
+        self._clear()
+
+    def _remaining(self) -> str:
+        """Rest of a budget in seconds; the bar itself shows that of a budget in steps."""
+        return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
+
+    def note_reflex(self, share: float, rounds: list[ReflexRound]) -> None:
+        """Show how much of the reflex is learned, as a line every ten seconds and after each round."""
+        text = f"reflex against falls: {share:.0%}"
+        news = len(rounds) > len(self._reflex)
+        if news:
+            self._reflex = list(rounds)
+            text += (
+                f", round {len(rounds)}: {rounds[-1].survived:.0%} of the replayed falls survived, then "
+                f"{rounds[-1].fall_rate:.2f} falls in 20 s"
+            )
+        self._note("reflex", share, text, news)
+
+    def note_polish(self, share: float, polished: Polished | None) -> None:
+        """Show how much of the polish is done, as a line every ten seconds, and at the end what it is worth."""
+        self._polished = polished
+        text = f"polish of the gait: {share:.0%}"
+        if polished is not None:
+            text += f", its cost falls from {polished.before:.1f} to {polished.after:.1f}"
+        self._note("polish", share, text, polished is not None)
+
+    def _note(self, part: str, share: float, text: str, news: bool) -> None:
+        """Show a line about a part after the budget, if there is news or the last line is ten seconds old."""
+        self.elapsed = time.perf_counter() - self._start
+        began = self._began.setdefault(part, self.elapsed)
+        if not news and self.elapsed < self._next_line:
+            return
+        self._next_line = self.elapsed + _LINE_INTERVAL
+        if 0.0 < share < 1.0:
+            text += f", {(self.elapsed - began) * (1.0 / share - 1.0):.0f} s left"
+        self._bar.write(text, file=sys.stderr)
+
+    def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
+        """Save at the end of a training, but not a policy that the ranks do not share."""
+        if not isinstance(error, _BETWEEN_RANKS):
+            self.save()
+
+    def save(self) -> None:
+        """Write the policy as data into the run directory, and the files that resuming needs.
+
+        Raises:
+            QuadrupedError: if a file cannot be written, or the training diverged; then no file is written.
+        """
+        write_whole({self._run.directory / name: content for name, content in self._files().items()})
+
+    def _save_checkpoint(self, directory: Path) -> None:
+        """Write a checkpoint, which appears when it is complete and does not depend on the run's files."""
+        with whole(directory) as part:
+            part.mkdir()
+            for name in (CONFIG_FILE, PROGRESS_FILE, KEPT_FILE):
+                if (self._run.directory / name).exists():
+                    shutil.copyfile(self._run.directory / name, part / name)
+            for name, content in self._files().items():
+                (part / name).write_bytes(content)
+
+    def _files(self) -> dict[str, bytes]:
+        """Name -> content; the policy's card, which marks a directory as complete, is the last."""
+        archive = io.BytesIO()
+        self.model.save(archive)
+        return {self.resume_file: archive.getvalue(), **self._policy(self._card()).files()}
+
+    def _card(self) -> dict[str, Any]:
+        return {
+            **self._run.facts,
+            "recipe": self._config.recipe,
+            "algo": self._config.algo,
+            "seed": self._config.seed,
+            "timesteps": int(self.model.num_timesteps),
+            "seconds": round(self.seconds, 1),
+            "budget_left": self.schedule.left_after(self.model.num_timesteps),
+            **({"polish": asdict(self._polished)} if self._polished is not None else {}),
+            **({"reflex": [asdict(result) for result in self._reflex]} if self._reflex else {}),
+        }
+
+    def _policy(self, card: dict[str, Any]) -> Policy:
+        return export_policy(self.model, self._task_config, self._config.activation, card)
+
+    def finish(self) -> None:
+        """Log the remaining steps, and close the progress bar."""
+        if hasattr(self, "_bar"):
+            if self._steps:
+                self._log()
+            self._bar.close()
+
+
+def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None]) -> None:
+    """Train a model, and leave what it learned in the run directory, also after an error.
+
+    Args:
+        run: the run directory.
+        model: the model, with SB3's `set_logger`.
+        recorder: its recorder.
+        learning: the training.
+
+    Raises:
+        QuadrupedError: the error of the training or of its files, with the run directory.
+    """
+    try:
+        with ExitStack() as stack:
+            # In the end the last of these comes first, and each though another fails.
+            stack.enter_context(_quiet_threads())
+            stack.callback(run.close)
+            model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+            stack.callback(recorder.finish)
+            stack.push(recorder.save_after)
+            learning()
+    except (OSError, QuadrupedError) as error:
+        cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
+        kind = type(cause) if isinstance(cause, _BETWEEN_RANKS) else QuadrupedError
+        raise kind(f"{cause}; what was saved before is kept in {run.directory}") from error
+
+
+@contextmanager
+def _quiet_threads() -> Iterator[None]:
+    """Within it, a thread that cannot write a file ends without a traceback."""
+    usual = threading.excepthook
+
+    def say(failure: threading.ExceptHookArgs) -> None:
+        # TensorBoard's writer raises the error of its thread again, at its next write.
+        if not issubclass(failure.exc_type, OSError):
+            usual(failure)
+
+    threading.excepthook = say
+    try:
+        yield
+    finally:
+        threading.excepthook = usual

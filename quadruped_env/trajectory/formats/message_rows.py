@@ -1,0 +1,130 @@
+"""From single messages to rows: the same joints in the same order, and arrays of the right length."""
+
+import math
+from array import array
+from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
+
+from quadruped_env.errors import short
+from quadruped_env.ros.joint_state_bytes import RawJointState
+from quadruped_env.trajectory.file_reading import Reading, salvaged
+from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows
+
+_ROWS_PER_PIECE: Final = 4096
+
+
+def assembled(messages: Iterator[tuple[int, RawJointState]], reading: Reading, is_text: bool) -> Iterator[Rows]:
+    """The rows of messages.
+
+    The first usable message decides which joints there are, and whether there are velocities and efforts.
+
+    Args:
+        messages: number in the file, and message.
+        reading: of the file.
+        is_text: whether the file is text, which has no checksums.
+
+    Raises:
+        QuadrupedError: if a message does not match the others and is not to be left out.
+    """
+    builder = _Builder(reading)
+    for number, state in salvaged(messages, reading, lambda message: (message[0], message[0]), is_text):
+        reading.rows += 1
+        problem = builder.add(number, state)
+        if problem is not None:
+            if not reading.options.drop:
+                raise reading.error(number, f"{problem}; fix it, or leave such messages out (--drop)")
+            reading.leave_out(problem)
+        elif len(builder) == _ROWS_PER_PIECE:
+            yield builder.take()
+    if len(builder):
+        yield builder.take()
+
+
+class _Builder:
+    """Collects messages that match each other."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self._names: tuple[str, ...] = ()
+        self._kinds: tuple[str, ...] = ()
+        self._orders: dict[tuple[str, ...], list[int] | None] = {}
+        """Names in a message -> indices of the joints in its arrays; None if they are in order"""
+        self._clear()
+
+    def _clear(self) -> None:
+        self._numbers, self._stamps = array("q"), array("q")
+        self._values = {kind: array("d") for kind in self._kinds}
+
+    def __len__(self) -> int:
+        return len(self._stamps)
+
+    def add(self, number: int, state: RawJointState) -> str | None:
+        """Add a message. Returns None, or the problem for which it was not added."""
+        names = state.names
+        if not state.position and state.effort:
+            return TORQUE_ONLY
+        if names not in self._orders:
+            problem = self._add_names(names, len(state.position))
+            if problem is not None:
+                return problem
+        order = self._orders[names]
+        count = len(self._names)
+        if len(state.position) != count:
+            return f"{count} names and {len(state.position)} positions"
+        values = {"position": state.position, "velocity": _known(state.velocity), "effort": state.effort}
+        for kind in self._reading.options.ignore:
+            values[kind] = array("d")
+        for kind, found in values.items():
+            if len(found) not in {0, count}:
+                return f"{count} names and {len(found)} {'velocities' if kind == 'velocity' else 'efforts'}"
+        kinds = tuple(kind for kind, found in values.items() if found)
+        if not self._kinds:
+            self._kinds = kinds
+            self._clear()
+        elif kinds != self._kinds:
+            odd = min(set(kinds) ^ set(self._kinds))
+            there, before = ("has", "lack") if odd in kinds else ("lacks", "have")
+            return f"it {there} the {odd} that the messages before it {before}"
+        for kind in kinds:
+            found = values[kind]
+            self._values[kind].extend(found if order is None else array("d", [found[i] for i in order]))
+        self._numbers.append(number)
+        self._stamps.append(state.stamp)
+        return None
+
+    def _add_names(self, names: tuple[str, ...], positions: int) -> str | None:
+        """Add names that no message had before. Returns None, or the problem with them."""
+        given = self._reading.options.names
+        actual = names or given or ()
+        if not names and positions and given is None:
+            return f"{positions} positions and no names: give the joints in their order (--names)"
+        if not actual or not all(actual):
+            return f"{positions} positions and {len(actual)} names, of which {actual.count('')} are empty"
+        if len(set(actual)) < len(actual):
+            repeated = next(name for i, name in enumerate(actual) if name in actual[:i])
+            return f"joint {short(repeated)} is named twice"
+        if not self._names:
+            self._names = actual
+        if set(actual) != set(self._names):
+            other = min(set(actual) ^ set(self._names))
+            there, before = ("has", "lack") if other in actual else ("lacks", "have")
+            return f"it {there} joint {short(other)}, which the messages before it {before}"
+        self._orders[names] = None if actual == self._names else [actual.index(name) for name in self._names]
+        return None
+
+    def take(self) -> Rows:
+        """The rows added since the last call."""
+        shape = (len(self), len(self._names))
+        values = {kind: np.frombuffer(numbers).reshape(shape) for kind, numbers in self._values.items()}
+        rows = Rows(np.frombuffer(self._numbers, np.int64), np.frombuffer(self._stamps, np.int64), self._names, values)
+        self._clear()
+        return rows
+
+
+def _known(values: "array[float]") -> "array[float]":
+    """The numbers, or an empty array if all are NaN, which some publishers send for velocities they do not measure."""
+    if values and math.isnan(values[0]) and all(map(math.isnan, values)):
+        return array("d")
+    return values

@@ -1,0 +1,412 @@
+"""The viewer's logic without the browser: robots, their command, a clock, and all user actions.
+
+Every method may be called from any thread.
+"""
+
+import copy
+import math
+import threading
+from collections import deque
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+import mujoco
+
+from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, next_step
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait.gait_settings import GaitSettings
+from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.simulation import TERRAINS, Terrain
+from quadruped_env.simulation.push_limit import PushLimit
+from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, push_velocity, sustained_force
+from quadruped_env.viewer.snapshot import View, robot_view
+from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot
+from quadruped_env.viewer.viewer_recording import MAX_SECONDS, RESULTS, Take, TakeSaver
+from quadruped_env.viewer.viewer_robots import Lineup, Slot, Source
+
+SPEEDS: Final = (0.1, 4.0)
+"""Range of the playback speed, as a multiple of real time."""
+RESTART_AFTER: Final = 2.0
+"""Time after a fall until the robot restarts, s."""
+_MAX_LAG: Final = 0.25
+"""Maximum playback time that is caught up after a delay, s; the rest is skipped."""
+_MESSAGES: Final = 20
+
+Command = tuple[float, float]
+
+
+class ViewController:
+    """Robots that follow the same velocity command.
+
+    Args:
+        sources: selectable sources by name: controllers of a simulated robot, or functions that create another kind of
+            robot.
+        chosen: names of the initial sources, one per robot.
+        results: directory for recordings.
+        robot: description of the robots.
+        terrain: initial ground of all simulated robots; None: that of the first robot's task.
+        terrains: terrains that can be chosen.
+        randomization: initial randomization, a key of `lineup.RANDOMIZATIONS`.
+
+    Raises:
+        QuadrupedError: if a source is unknown or does not fit the robot.
+    """
+
+    def __init__(
+        self,
+        sources: Mapping[str, Source],
+        chosen: Sequence[str],
+        results: Path = RESULTS,
+        robot: Robot = MINI_QUADRUPED,
+        terrain: Terrain | None = None,
+        randomization: str = "off",
+        terrains: Sequence[Terrain] = TERRAINS,
+    ) -> None:
+        self.sources = sources
+        self.robot = robot
+        self.available = Offered()
+        """Controls that have an effect on at least one kind of robot here, and readings that exist."""
+        self.terrains = tuple(terrains)
+        self._lock = threading.RLock()
+        self._messages: deque[str] = deque(maxlen=_MESSAGES)
+        self._saver = TakeSaver(results, self._messages.append)
+        self._time = self._budget = self._lag = 0.0
+        self._seed = 0
+        self._paused = False
+        self._speed = 1.0
+        self._command: Command = (0.0, 0.0)
+        self._push_limit = PushLimit("push")
+        self._watched = 0
+        self.restart_after_fall = True
+        self._take: Take | None = None
+        try:
+            self._lineup = Lineup(sources, chosen, robot, terrain, randomization, terrains)
+        except Exception:
+            self._saver.close()
+            raise
+        self.command_ranges = self._lineup.command_ranges
+        """Of the robots at the start; one that is added later clips commands to its own."""
+
+    # --- the robots
+
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """The name of each robot's source."""
+        with self._lock:
+            return self._lineup.sources
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The name of each robot: its source's, with a number if an earlier robot has the same source."""
+        with self._lock:
+            return self._lineup.names
+
+    @property
+    def offered(self) -> Offered:
+        """The controls that have an effect on the current robots, and their readings."""
+        with self._lock:
+            return replace(self.available, command=self.available.command and self._lineup.follows_command)
+
+    def set_source(self, index: int, name: str | None) -> None:
+        """Change the source of a robot and restart it; None removes the robot.
+
+        The index after the last robot adds one.
+
+        Raises:
+            QuadrupedError: if there is no such robot or source, or the source does not fit the robot. Nothing
+                changes then.
+        """
+        robot = None if name is None else self._lineup.make(name)
+        with self._lock:
+            self._lineup.check_place(index, remove=robot is None)
+            if index == self._watched:
+                self.stop_recording()
+            if robot is not None:
+                slot = self._lineup.slot(index, robot, self._time)
+                robot.reset(self._seed, self._command)
+                self._lineup.slots[index : index + 1] = [slot]
+            else:
+                del self._lineup.slots[index : index + 1]
+                self.watch(min(self._watched, len(self._lineup.slots) - 1))
+
+    def watch(self, index: int) -> None:
+        """Select the robot for plots, camera, gait settings and recordings."""
+        with self._lock:
+            if not 0 <= index < len(self._lineup.slots):
+                raise QuadrupedError(f"watch: expected an index of 0 to {len(self._lineup.slots) - 1}; found {index}")
+            if index != self._watched:
+                self.stop_recording()
+            self._watched = index
+
+    def set_gait(self, settings: GaitSettings) -> None:
+        """Change the scripted gait of the watched robot.
+
+        Raises:
+            QuadrupedError: if it has no scripted gait.
+        """
+        with self._lock:
+            self._watched_robot.gait = settings
+
+    @property
+    def gait(self) -> GaitSettings | None:
+        """The settings of the watched robot's scripted gait, or None."""
+        with self._lock:
+            return self._watched_robot.gait
+
+    @property
+    def randomization(self) -> str:
+        """The randomization, a key of `lineup.RANDOMIZATIONS`."""
+        with self._lock:
+            return self._lineup.randomization
+
+    def set_randomization(self, name: str) -> None:
+        """Choose the randomization, a key of `lineup.RANDOMIZATIONS`, and restart all robots."""
+        with self._lock:
+            self._replace(self._lineup.randomized(name))
+
+    @property
+    def terrain(self) -> Terrain:
+        """The ground of the robots."""
+        with self._lock:
+            return self._lineup.terrain
+
+    def set_terrain(self, name: str, level: int | None = None) -> None:
+        """Choose the ground of all simulated robots, and restart them.
+
+        Args:
+            name: name of one of `terrains`.
+            level: from 1 to 10, for a terrain that has levels; None: its default shape.
+
+        Raises:
+            QuadrupedError: if there is no such terrain or level. Nothing changes then.
+        """
+        with self._lock:
+            self._replace(self._lineup.on_terrain(name, level))
+
+    def _replace(self, slots: list[Slot]) -> None:
+        """Show other robots, from their start."""
+        self._lineup.slots = slots
+        self.reset()
+
+    # --- the command and the clock
+
+    @property
+    def command(self) -> Command:
+        """Velocity command of all robots: forward velocity in m/s and yaw rate in rad/s."""
+        with self._lock:
+            return self._command
+
+    def set_command(self, forward_velocity: float, yaw_rate: float) -> Command:
+        """Set the velocity command of all robots, forward velocity in m/s and yaw rate in rad/s, clipped to its ranges.
+
+        Raises:
+            QuadrupedError: if a number is not finite.
+        """
+        if not (math.isfinite(forward_velocity) and math.isfinite(yaw_rate)):
+            raise QuadrupedError(f"command: expected finite numbers; found {forward_velocity} and {yaw_rate}")
+        ranges = self.command_ranges
+        with self._lock:
+            self._command = (_cut(forward_velocity, ranges.forward_velocity), _cut(yaw_rate, ranges.yaw_rate))
+            for slot in self._lineup.slots:
+                slot.robot.set_command(self._command)
+            return self._command
+
+    def nudge(self, forward: int, left: int) -> Command:
+        """Change the command by a number of steps, like a key press; the result is a multiple of the step."""
+        with self._lock:
+            velocity, yaw_rate = self._command
+            return self.set_command(next_step(velocity, FORWARD_STEP, forward), next_step(yaw_rate, TURN_STEP, left))
+
+    def set_speed(self, speed: float) -> None:
+        """Set the playback speed, as a multiple of real time."""
+        with self._lock:
+            self._speed = _cut(speed, SPEEDS)
+
+    @property
+    def paused(self) -> bool:
+        """True if playback is paused."""
+        with self._lock:
+            return self._paused
+
+    @paused.setter
+    def paused(self, paused: bool) -> None:
+        with self._lock:
+            self._paused = bool(paused)
+            self._budget = 0.0
+
+    def toggle_pause(self) -> bool:
+        """Pause or resume playback. Returns True if it is now paused."""
+        with self._lock:
+            self.paused = not self._paused
+            return self._paused
+
+    def reset(self) -> None:
+        """Reset all robots and the clock."""
+        with self._lock:
+            self.stop_recording()
+            self._seed += 1
+            self._push_limit = PushLimit("push")
+            self._time = self._budget = self._lag = 0.0
+            for slot in self._lineup.slots:
+                slot.robot.reset(self._seed, self._command)
+                slot.clock = 0.0
+
+    def step(self) -> None:
+        """Advance by one control step and pause."""
+        with self._lock:
+            self.paused = True
+            self._tick()
+
+    def advance(self, elapsed: float) -> int:
+        """Advance playback.
+
+        Args:
+            elapsed: real time since the last call, s.
+
+        Returns:
+            The number of control steps.
+        """
+        with self._lock:
+            if self._paused:
+                return 0
+            self._budget += elapsed * self._speed
+            left_out = max(0.0, self._budget - _MAX_LAG * max(1.0, self._speed))
+            self._budget -= left_out
+            self._lag += left_out
+            steps = int(self._budget / self._timestep + 1e-9)
+            self._budget -= steps * self._timestep
+            for _ in range(steps):
+                self._tick()
+            return steps
+
+    def push(self, direction: float, strength: float) -> None:
+        """Push all robots.
+
+        Args:
+            direction: direction relative to the robot's heading, positive to the left, rad.
+            strength: velocity added to the base, m/s.
+
+        Raises:
+            QuadrupedError: if it is too large together with other pushes, see `PushLimit`.
+        """
+        velocity = push_velocity(direction, strength)
+        with self._lock:
+            self._push_limit.check(velocity, self._time)
+            for slot in self._lineup.slots:
+                slot.robot.push(velocity)
+
+    def hold_force(self, direction: float, force: float, seconds: float) -> None:
+        """Apply a sustained force to the base of all robots.
+
+        Args:
+            direction: direction relative to the robot's heading, positive to the left, rad.
+            force: force, N.
+            seconds: its duration, s.
+        """
+        vector = sustained_force(self.robot, direction, force)
+        with self._lock:
+            for slot in self._lineup.slots:
+                slot.robot.hold_force(vector, _cut(seconds, (0.0, MAX_FORCE_SECONDS)))
+
+    # --- recordings
+
+    def start_recording(self) -> None:
+        """Start recording the watched robot; no effect during a recording.
+
+        Raises:
+            QuadrupedError: if too many recordings are being saved, or were made.
+        """
+        with self._lock:
+            if self._take is None:
+                self._saver.check_room()
+                robot = self._watched_robot
+                follows_command = robot.follows_command and self.available.command
+                name, motion = self.names[self._watched], self.available.motion
+                self._take = Take(name, [robot.history[-1]], follows_command, motion)
+
+    def stop_recording(self) -> None:
+        """End the current recording, if any, and save it in the background."""
+        with self._lock:
+            take, self._take = self._take, None
+            if take is not None:
+                self._saver.save(take)
+
+    @property
+    def saving(self) -> bool:
+        """True during a recording and until it is saved."""
+        with self._lock:
+            return self._take is not None or self._saver.busy
+
+    def messages(self) -> list[str]:
+        """Messages for the user since the last call."""
+        said = []
+        while self._messages:
+            said.append(self._messages.popleft())
+        return said
+
+    def close(self) -> None:
+        """End the recording and wait until it is saved."""
+        self.stop_recording()
+        self._saver.close()
+
+    # --- snapshots
+
+    def view(self) -> View:
+        """A snapshot of everything that is drawn."""
+        with self._lock:
+            return View(
+                self._time,
+                self._paused,
+                self._speed,
+                self._command,
+                tuple(
+                    robot_view(slot.robot, name, slot.scratch)
+                    for slot, name in zip(self._lineup.slots, self.names, strict=True)
+                ),
+                self._lineup.terrain,
+                self._watched,
+                None if self._take is None else self._take.seconds,
+                self._lag,
+                self.offered,
+            )
+
+    def model(self) -> mujoco.MjModel:
+        """A copy of the robots' MuJoCo model."""
+        with self._lock:
+            return copy.copy(self._lineup.slots[0].robot.model)
+
+    # --- inside
+
+    @property
+    def _watched_robot(self) -> ViewedRobot:
+        return self._lineup.slots[self._watched].robot
+
+    @property
+    def _timestep(self) -> float:
+        return self._lineup.slots[0].robot.timestep
+
+    def _tick(self) -> None:
+        self._time += self._timestep
+        for index, slot in enumerate(self._lineup.slots):
+            while slot.clock + slot.robot.timestep <= self._time + 1e-9:
+                slot.clock += slot.robot.timestep
+                self._step(index, slot.robot)
+
+    def _step(self, index: int, robot: ViewedRobot) -> None:
+        moment = robot.step()
+        if index == self._watched and self._take is not None:
+            self._take.samples.append(moment)
+            if self._take.seconds >= MAX_SECONDS:
+                self._messages.append(f"The recording has ended: the maximum is {MAX_SECONDS:g} s; record again")
+                self.stop_recording()
+        fallen_for = 0.0 if robot.fell_at is None else float(moment.time) - robot.fell_at
+        if robot.diverged or (self.restart_after_fall and fallen_for >= RESTART_AFTER):
+            if index == self._watched:
+                self.stop_recording()
+            robot.reset(self._seed, self._command)
+
+
+def _cut(value: float, bounds: tuple[float, float]) -> float:
+    return min(max(float(value), bounds[0]), bounds[1])

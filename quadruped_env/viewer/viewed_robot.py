@@ -1,0 +1,304 @@
+"""One robot of the viewer: its source, its task, and its recent history."""
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.editable_gait import HasGait
+from quadruped_env.envs.arguments import task_config
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait.gait_settings import GaitSettings
+from quadruped_env.policies import ControllerSpec, task_of
+from quadruped_env.robot import Robot
+from quadruped_env.simulation import SingleSimulation, Terrain, highest_ground
+from quadruped_env.task import BUILT_IN, Task, TaskConfig, Transition
+from quadruped_env.utils.rotations import from_yaw, multiply, rotate, yaw
+from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
+
+HISTORY_SECONDS: Final = 5.0
+
+_ROW: Final = np.zeros(1, dtype=np.intp)
+
+
+@dataclass(frozen=True)
+class Offered:
+    """The controls that have an effect, and the readings that exist: not all for a robot observed through messages."""
+
+    command: bool = True
+    push: bool = True
+    force: bool = True
+    """A sustained force."""
+    clock: bool = True
+    """Pause, step and reset."""
+    sources: bool = True
+    """Choice of controllers, terrain, playback speed and randomization, and reward terms; fixed from the start."""
+    motion: bool = True
+    """Velocity of the base, and contacts of the feet."""
+
+
+class ViewedRobot(Protocol):
+    """A robot that the viewer shows and steers: a simulated one, or one that sends messages."""
+
+    name: str
+    """Name of its source."""
+    robot: Robot
+    """Its description."""
+    timestep: float
+    """Time between samples, s."""
+    history: deque[ViewedTrace]
+    """Samples of the last seconds, the latest last."""
+    fell_at: float | None
+    """Episode time of the fall, s; None if it has not fallen."""
+    diverged: bool
+    """True if the simulation diverged and has to be reset."""
+    term_names: tuple[str, ...]
+    """Names of the samples' reward terms."""
+    terrain: Terrain
+    """Ground below it."""
+    follows_command: bool
+    """False if the velocity command has no effect."""
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model."""
+        ...
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's data with the current state."""
+        ...
+
+    @property
+    def gait(self) -> GaitSettings | None:
+        """The settings of its scripted gait; None if it has none."""
+        ...
+
+    @gait.setter
+    def gait(self, settings: GaitSettings) -> None: ...
+
+    def complaints(self) -> list[str]:
+        """Descriptions of the joint limits that its scripted gait exceeds."""
+        ...
+
+    def reset(self, seed: int, command: tuple[float, float]) -> None:
+        """Start again with a velocity command."""
+        ...
+
+    def set_command(self, command: tuple[float, float]) -> None:
+        """Set the velocity command: forward velocity in m/s and yaw rate in rad/s."""
+        ...
+
+    def push(self, velocity: tuple[float, float]) -> None:
+        """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
+        ...
+
+    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
+        """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s."""
+        ...
+
+    def step(self) -> ViewedTrace:
+        """Advance by one sample."""
+        ...
+
+
+class TaskRobot:
+    """A simulated robot in a task of its own.
+
+    Args:
+        source: its controller.
+        randomization: function that gives the source's task another randomization.
+        robot: its description.
+        terrain: replaces the source's own terrain.
+
+    Raises:
+        QuadrupedError: if the source does not fit the robot.
+    """
+
+    def __init__(
+        self,
+        source: ControllerSpec,
+        randomization: Callable[[TaskConfig], TaskConfig] | None = None,
+        robot: Robot = BUILT_IN.robot,
+        terrain: Terrain | None = None,
+    ) -> None:
+        self.name = source.name
+        self.robot = robot
+        controller = source.make()
+        config = task_config(controller.action_mode, task_of(controller, BUILT_IN.with_robot(robot)))
+        if config.robot != robot:
+            raise QuadrupedError(f"{source.name}: is for {config.robot!r}; the viewer shows {robot!r}")
+        if randomization is not None:
+            config = randomization(config)
+        self._controller = controller
+        self.follows_command = controller.follows_command
+        if terrain is not None:
+            config = config.on_terrain(terrain, terrain.seed)
+        self.terrain = config.ground
+        model = config.compiled_model()
+        self._simulation = SingleSimulation(model, robot)
+        self.task = Task(self._simulation, config)
+        self.term_names = self.task.term_names
+        self.timestep = config.control_timestep
+        self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
+        self.fell_at: float | None = None
+        """Episode time of the fall, s; None if it has not fallen."""
+        self.diverged = False
+        self.lane = 0.0
+        """Distance of its start on uneven ground to the left of the origin, m."""
+        self._force = (0.0, 0.0)
+        self._force_steps = 0
+        """Number of control steps for which the force is still applied."""
+        self.reset(0, (0.0, 0.0))
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model."""
+        return self._simulation.model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's data."""
+        return self._simulation.data
+
+    @property
+    def time(self) -> float:
+        """Time since its episode began, s."""
+        return float(self.history[-1].time)
+
+    @property
+    def gait(self) -> GaitSettings | None:
+        """The settings of its scripted gait; None if it has none."""
+        return self._controller.settings if isinstance(self._controller, HasGait) else None
+
+    @gait.setter
+    def gait(self, settings: GaitSettings) -> None:
+        if not isinstance(self._controller, HasGait) or self._controller.settings is None:
+            raise QuadrupedError(f"gait: {self.name!r} has no scripted gait; choose one to change its gait")
+        self._controller.settings = settings
+
+    def complaints(self) -> list[str]:
+        """Descriptions of the joint limits that its scripted gait exceeds."""
+        return self._controller.complaints() if isinstance(self._controller, HasGait) else []
+
+    def reset(self, seed: int, command: tuple[float, float]) -> None:
+        """Begin an episode at the origin, or in the lane, facing along x; identically with the same seed."""
+        self.task.reset(_ROW, seeds=[seed], command=self._within(command))
+        self._place()
+        self._force_steps = 0
+        self.observation = self.task.observe()
+        self.history.clear()
+        self.history.append(self._sample())
+        self.fell_at, self.diverged = None, False
+
+    def set_command(self, command: tuple[float, float]) -> None:
+        """Set the velocity command, forward velocity in m/s and yaw rate in rad/s, clipped to its task's ranges."""
+        self.task.set_command(_ROW, self._within(command))
+        self.observation = self.task.observe()
+
+    def push(self, velocity: tuple[float, float]) -> None:
+        """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
+        self._simulation.push(_ROW, world_vector(velocity, heading(self.data))[None])
+
+    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
+        """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s.
+
+        It replaces an earlier one, and a random one of the task.
+        """
+        self._force, self._force_steps = force, round(seconds / self.timestep)
+
+    def _apply_force(self) -> None:
+        if self._force_steps:
+            force = world_vector(self._force, heading(self.data))
+            self._simulation.set_force(_ROW, force[None])
+
+    def _end_force(self) -> None:
+        if self._force_steps:
+            self._force_steps -= 1
+            if not self._force_steps:
+                self._simulation.set_force(_ROW, np.zeros((1, 3)))
+
+    def step(self) -> ViewedTrace:
+        """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
+        if self.diverged:
+            return self.history[-1]
+        self._apply_force()
+        transition = self.task.act(self._controller, self.observation)
+        self._end_force()
+        self.observation = transition.observation
+        self.diverged = bool(transition.diverged[0])
+        moment = self._sample(transition)
+        self.history.append(moment)
+        if self.fell_at is None and transition.terminated[0]:
+            self.fell_at = float(moment.time)
+        return moment
+
+    def _sample(self, transition: Transition | None = None) -> ViewedTrace:
+        """The current sample, after a step or, without one, at the start of an episode."""
+        task = self.task
+        return sample(
+            self.robot,
+            self.timestep,
+            self.terrain,
+            self._simulation.readings,
+            time=task.steps * self.timestep,
+            command=task.command,
+            smooth_velocity=task.smooth_velocity,
+            contact=task.context.foot_contact,
+            reward_terms=np.zeros((1, len(self.term_names))) if transition is None else transition.terms,
+        )
+
+    def _within(self, command: tuple[float, float]) -> tuple[float, float]:
+        ranges = self.task.config.command
+        (slow, fast), (right, left) = ranges.forward_velocity, ranges.yaw_rate
+        return float(np.clip(command[0], slow, fast)), float(np.clip(command[1], right, left))
+
+    def _place(self) -> None:
+        """Rotate the initial state, which has a random heading, and its base velocity to face along x, in the lane."""
+        qpos, qvel = self.data.qpos.copy(), self.data.qvel.copy()
+        back = from_yaw(-heading(self.data))
+        qpos[3:7] = multiply(back, qpos[3:7])
+        # MuJoCo's angular velocity is in the body frame and turns with it.
+        qvel[:3] = rotate(back, qvel[:3])
+        if self._simulation.height_field is not None:
+            start = qpos[:2].copy()
+            qpos[1] += self.lane
+            qpos[2] += highest_ground(self._simulation, qpos[:2]) - highest_ground(self._simulation, start)
+        self._simulation.reset(_ROW, qpos[None], qvel[None])
+
+
+def heading(data: mujoco.MjData) -> float:
+    """Heading of a robot from the world's x axis, rad."""
+    return float(yaw(data.qpos[3:7]))
+
+
+def world_vector(vector: tuple[float, float], heading: float) -> NDArray[np.float64]:
+    """A horizontal vector (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
+    return rotate(from_yaw(heading), [*vector, 0.0])
+
+
+def contact_forces(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Ground contact points (K, 3), m, and forces on the robot (K, 3), N, in the world frame.
+
+    Args:
+        model: model of the robot and the ground.
+        data: its state; the derived quantities are recomputed in place.
+    """
+    mujoco.mj_forward(model, data)
+    points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))
+    wrench = np.empty(6)
+    touching = 0
+    for i, contact in enumerate(data.contact):
+        first, second = model.geom_bodyid[contact.geom]
+        if first and second:
+            continue
+        mujoco.mj_contactForce(model, data, i, wrench)
+        points[touching] = contact.pos
+        # The force acts on the second geom, in a frame that is the matrix's rows.
+        forces[touching] = contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0)
+        touching += 1
+    return points[:touching], forces[:touching]
