@@ -24,9 +24,6 @@ from quadruped_env.training.exploration import ClockNoise
 
 _LOG_ROOT_TAU: Final = 0.5 * math.log(math.tau)
 
-Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
-"""Weights (in, out) and biases (out,)"""
-
 
 @dataclass(frozen=True, eq=False)
 class Mirrored:
@@ -207,15 +204,3 @@ def mirrors(env: MiniQuadrupedSB3VecEnv) -> tuple[MirrorMap, MirrorMap]:
     more = MirrorMap.of(env.privileged.layout)
     order = np.concatenate([own.observation_order, len(own.observation_order) + more.observation_order])
     return own, MirrorMap(order, np.concatenate([own.observation_sign, more.observation_sign]), own.action_order)
-
-
-def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
-    """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
-    (first, first_bias), *inner, (last, last_bias) = layers
-    half = np.float32(0.5)
-    mirrored = (first * mirror.observation_sign[:, None])[np.argsort(mirror.observation_order)]
-    return [
-        (np.concatenate([first, mirrored], axis=1), np.tile(first_bias, 2)),
-        *((np.kron(np.eye(2, dtype=np.float32), weight), np.tile(bias, 2)) for weight, bias in inner),
-        (half * np.concatenate([last, mirror.action(last)]), half * (last_bias + mirror.action(last_bias))),
-    ]

@@ -1,4 +1,4 @@
-"""Models of Stable-Baselines3 and sb3-contrib on the native vector environment: networks, schedules, policies as data.
+"""Models of Stable-Baselines3 and sb3-contrib on the native vector environment: networks and settings.
 
 PPO: Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively parallel setting follows Rudin et al. 2021,
 https://arxiv.org/abs/2109.11978.
@@ -8,7 +8,7 @@ import contextlib
 import importlib
 import os
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -16,8 +16,7 @@ from typing import Any, Final
 os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.policies import Policy
-from quadruped_env.task import TaskConfig
+from quadruped_env.policies.sb3_policies import MODULES
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE
@@ -29,13 +28,13 @@ try:
     from stable_baselines3.common.noise import NormalActionNoise
     from stable_baselines3.common.save_util import load_from_zip_file
 
-    from quadruped_env.training.actor_critic import ActorCritic, Layer, mirrors, symmetrized
+    from quadruped_env.training.actor_critic import ActorCritic, mirrors
     from quadruped_env.training.schedules import Schedule
     from quadruped_env.training.squashed import squashed_policy
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
-_ACTIVATIONS = {"elu": torch.nn.ELU, "relu": torch.nn.ReLU, "tanh": torch.nn.Tanh}
+_ACTIVATIONS = {name: getattr(torch.nn, module) for module, name in MODULES.items()}
 _DIRECT: Final = frozenset(
     {
         "n_steps",
@@ -170,66 +169,3 @@ def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = 
     arguments["learning_rate"] = schedule = Schedule(config)
     schedule.stage(0, env.task)
     return (kind or algorithm_class(config.algo))(policy, env, **arguments | changes)
-
-
-def export_policy(model: Any, task: TaskConfig, activation: str, card: dict[str, Any]) -> Policy:
-    """The deterministic part of SB3's policy as plain arrays.
-
-    Raises:
-        QuadrupedError: if a policy's file cannot express the actor.
-    """
-    actor: Any = getattr(model.policy, "actor", None)
-    if isinstance(model.policy, ActorCritic):
-        output, modules = "clip", [*model.policy.mlp_extractor.policy_net, model.policy.action_net]
-    elif hasattr(actor, "latent_pi"):
-        output, modules = "tanh", [*actor.latent_pi, actor.mu]
-    elif isinstance(getattr(actor, "mu", None), torch.nn.Sequential) and isinstance(actor.mu[-1], torch.nn.Tanh):
-        output, modules = "tanh", list(actor.mu[:-1])
-    else:
-        raise QuadrupedError(
-            f"policy: the actor of {type(model.policy).__name__} is not a multilayer perceptron, so no policy file can "
-            f"hold it; train with another --algo"
-        )
-    layers = linear_layers(modules, activation)
-    if output == "tanh" and model.policy.mirror is not None:
-        layers = symmetrized(layers, model.policy.mirror)
-    return Policy(
-        weights=tuple(weight for weight, _ in layers),
-        biases=tuple(bias for _, bias in layers),
-        activation=activation,
-        config=task,
-        card=card,
-        output=output,
-    )
-
-
-def linear_layers(modules: Iterable[torch.nn.Module], activation: str) -> list[Layer]:
-    """Weights and biases of a perceptron's layers, with one activation function between them.
-
-    A batch renormalization before a layer, which in use is an affine function of its inputs, becomes a part of it.
-
-    Raises:
-        QuadrupedError: if there is any other module, or another activation function.
-    """
-    layers: list[Layer] = []
-    renorm: Layer | None = None
-    activated = True
-    for module in modules:
-        if isinstance(module, torch.nn.Linear) and activated:
-            weight, bias = module.weight.detach().numpy().T.copy(), module.bias.detach().numpy().copy()
-            if renorm is not None:
-                scale, shift = renorm
-                weight, bias = scale[:, None] * weight, bias + shift @ weight
-            layers.append((weight, bias))
-            renorm, activated = None, False
-        elif isinstance(module, _ACTIVATIONS[activation]) and not activated:
-            activated = True
-        elif type(module).__name__ == "BatchRenorm1d" and activated and renorm is None:
-            factor = module.scale / (module.ra_var + module.eps).sqrt()
-            renorm = factor.detach().numpy(), (module.bias - module.ra_mean * factor).detach().numpy()
-        else:
-            raise QuadrupedError(
-                f"policy: its actor has the module {type(module).__name__}, which a policy's file cannot hold: it "
-                f"holds linear layers with {activation} between them; train with another --algo"
-            )
-    return layers

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.sb3_models import export_policy
+import quadruped_env.training.sb3_models  # noqa: F401
 
 # isort: split
-from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -267,7 +267,7 @@ class Recorder(StepStatistics):
         }
 
     def _policy(self, card: dict[str, Any]) -> Policy:
-        return export_policy(self.model, self._task_config, self._config.activation, card)
+        return Policy.from_sb3(self.model, card)
 
     def finish(self) -> None:
         """Log the remaining steps, and close the progress bar."""

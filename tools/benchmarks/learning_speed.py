@@ -16,7 +16,7 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Policy, PolicyController
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.sb3_models import export_policy, make_model
+from quadruped_env.training.sb3_models import make_model
 from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.train_config import TrainConfig, defaults
 
@@ -117,7 +117,7 @@ class _Watch(Scheduled):
             return
         self.learning = now
         self._next = now + self._interval
-        self.last = walk_test(export_policy(self.model, self._task, self._activation, {}))
+        self.last = walk_test(Policy.from_sb3(self.model, {}))
         self._say(
             f"  {self.learning:5.1f} s, {self.num_timesteps:>9,} steps: {self.last.speed:+.3f} m/s, "
             f"yaw {self.last.yaw_rate:.3f} rad/s, {self.last.falls} falls{', walks' if self.last.walks else ''}"

@@ -1,22 +1,21 @@
 """A training on a GPU: the task on MuJoCo Warp, PPO of rsl-rl, and the same run directory as on the CPU."""
 
-import copy
 import io
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, Protocol
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.sb3_models import check_finite, linear_layers, resuming
+from quadruped_env.training.sb3_models import check_finite, resuming
 
 # isort: split
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.policies import Policy
+from quadruped_env.policies.sb3_policies import linear_layers, symmetrized
 from quadruped_env.scale.gpu.warp_statistics import WarpStatistics
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
-from quadruped_env.training.actor_critic import symmetrized
 from quadruped_env.training.group import ALONE, Group
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RSL_FILE, Run, check_latest
@@ -136,13 +135,13 @@ class WarpModel:
     def policy(self, task: TaskConfig, card: dict[str, Any]) -> Policy:
         """The deterministic part of the policy as plain arrays."""
         actor: Any = self.ppo.actor
-        layers = linear_layers(copy.deepcopy(actor.mlp).cpu(), self.config.activation)
+        layers, activation = linear_layers(actor.mlp)
         if self.config.symmetric:
             layers = symmetrized(layers, MirrorMap.of(self._env.task.control.layout))
-        return Policy(
+        return Policy.for_task(
             weights=tuple(weight for weight, _ in layers),
             biases=tuple(bias for _, bias in layers),
-            activation=self.config.activation,
+            activation=activation,
             config=task,
             card=card,
         )
