@@ -100,7 +100,7 @@ def polish(
     envs, critic and exploration stay as they are.
 
     Args:
-        model: a `FastPPO`; its `num_timesteps` grows.
+        model: a PPO of `make_model`; its `num_timesteps` grows.
         generations: of the search.
         report: called after every step, and in the end with the result.
         stopped: true if the training is to end; then the policy stays as it is.

@@ -178,7 +178,7 @@ def add_reflex(
     to end before the lesson, the policy stays as it is.
 
     Args:
-        model: a `FastPPO`; its `num_timesteps` grows.
+        model: a PPO of `make_model`; its `num_timesteps` grows.
         rounds: number of gradient steps of the reflex.
         report: called now and then with the fraction done, and the rounds so far.
         stopped: true if the training is to end.
@@ -246,7 +246,7 @@ class _Practice:
     def _act(self, observations: NDArray[np.float32]) -> tuple[Floats, Floats, Floats]:
         """Actions of policy and reflex (N, J), disturbance (N,) and inputs of the reflex (N, J, inputs)."""
         with torch.inference_mode():
-            actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
+            actions = self._model.policy.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
         disturbance, inputs = self.reflex.disturbance(self.task), self.reflex.inputs(self.task)
         return actions + self.reflex.actions(disturbance, inputs), disturbance, inputs
 
@@ -384,7 +384,7 @@ class _Practice:
                 actions = teacher(seen[step]).numpy() + self.reflex.actions(disturbance, inputs)
                 wanted[step] = torch.from_numpy(np.clip(actions, -1.0, 1.0))
                 if step >= half:
-                    actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
+                    actions = self._model.policy.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
             self._advance(noise)
             observations, *_ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
             if step + 1 in (half, self._lesson):
