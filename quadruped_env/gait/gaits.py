@@ -397,9 +397,15 @@ class CommandedGait:
 
 @functools.cache
 def _commanded(name: str, robot: Robot) -> CommandedGait:
-    own = (robot.gaits or {}).get(name)
-    if own is None:
+    gaits = robot.gaits or {}
+    if unknown := set(gaits) - set(COMMANDED):
+        raise QuadrupedError(
+            f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
+            f"{', '.join(COMMANDED)}"
+        )
+    if name not in gaits:
         return CommandedGait(**COMMANDED[name], robot=robot)
+    own = gaits[name]
     try:
         tables = {table: LegTable(**own[table]) for table in _TABLES}
         return CommandedGait(**{**own, **tables}, robot=robot, native=True)

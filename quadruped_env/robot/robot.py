@@ -125,6 +125,10 @@ class Robot:
             if len(given) != length or not set(given) <= set(allowed):
                 raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
             object.__setattr__(self, name, tuple(given))
+        if self.gaits is not None:
+            if not isinstance(self.gaits, Mapping):
+                raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
+            object.__setattr__(self, "gaits", plain(dict(self.gaits)))
         for names in (self.leg_names, self.joint_names, self.link_names):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
