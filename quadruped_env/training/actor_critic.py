@@ -158,7 +158,7 @@ class ActorCritic(ActorCriticPolicy):
         super()._build(lr_schedule)
         if self.mirror is None or self.critic_mirror is None:
             return
-        actions = Mirrored(self.mirror.action_order, np.ones(len(self.mirror.action_order), dtype=np.float32))
+        actions = Mirrored(self.mirror.action_order, self.mirror.action_sign)
         actor, critic = self.mlp_extractor.policy_net, self.mlp_extractor.value_net
         self.tied = [
             *_tied_perceptron([*actor, self.action_net], _observations(self.mirror), actions),
@@ -203,4 +203,5 @@ def mirrors(env: MiniQuadrupedSB3VecEnv) -> tuple[MirrorMap, MirrorMap]:
         return own, own
     more = MirrorMap.of(env.privileged.layout)
     order = np.concatenate([own.observation_order, len(own.observation_order) + more.observation_order])
-    return own, MirrorMap(order, np.concatenate([own.observation_sign, more.observation_sign]), own.action_order)
+    sign = np.concatenate([own.observation_sign, more.observation_sign])
+    return own, MirrorMap(order, sign, own.action_order, own.action_sign)

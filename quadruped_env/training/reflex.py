@@ -88,6 +88,7 @@ class Reflex:
     def __init__(self, robot: Robot) -> None:
         joints = np.arange(robot.num_joints)
         _, self._row = np.unique(np.minimum(joints, robot.joint_mirror), return_inverse=True)
+        self._sign = np.where(joints > np.array(robot.joint_mirror), robot.joint_signs, 1.0)
         self._leg = np.empty_like(joints)
         for leg, own in enumerate(robot.leg_joints):
             self._leg[list(own)] = leg
@@ -132,11 +133,11 @@ class Reflex:
 
     def response(self, inputs: Floats, weights: Floats) -> Floats:
         """Actions of fully disturbed robots by a reflex with these weights (N, J)."""
-        return np.einsum("njf,jf->nj", inputs, weights[self._row])
+        return self._sign * np.einsum("njf,jf->nj", inputs, weights[self._row])
 
     def products(self, per_joint: Floats, inputs: Floats) -> Floats:
         """Sum of numbers (N, J) times inputs, over the joints that share weights (N, pairs of joints, inputs)."""
-        products = per_joint[..., None] * inputs
+        products = (self._sign * per_joint)[..., None] * inputs
         sums = np.zeros((len(inputs), *self.weights.shape))
         for joint, row in enumerate(self._row):
             sums[:, row] += products[:, joint]

@@ -30,7 +30,6 @@ ENTRY_POINTS = {
     "simulation/single_simulation.py": "default of a public class",
     "task/task_definition.py": "robot of the built-in task",
     "task/randomization/randomization_presets.py": "the robot for which the presets' ranges are",
-    "training/gait_trial.py": "the robot whose gaits are searched",
     "trajectory/joint_trajectory.py": "default of public methods",
     "trajectory/saving.py": "default of public options",
     "viewer/view_controller.py": "default of a public class",
