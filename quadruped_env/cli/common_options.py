@@ -21,7 +21,10 @@ SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
 
 def add_run(parser: argparse.ArgumentParser) -> None:
     """Add the policy to read, `RUN`."""
-    text = f"a run's directory, or {SHIPPED_POLICIES}, which ship (default: runs/latest, or {SHIPPED[0]})"
+    text = (
+        f"a run's directory, {SHIPPED_POLICIES}, which ship, or a Python file of a policy, which is executed (default: "
+        f"runs/latest, or {SHIPPED[0]})"
+    )
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
 
 

@@ -52,6 +52,11 @@ LIVE_POLICY: Final = "robust"
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
 
 
+def is_code(source: str | Path) -> bool:
+    """True for the name of a Python file, which defines a policy as code."""
+    return str(source).endswith(".py")
+
+
 def training_advice() -> str:
     """The command that trains a policy, as the end of an error message."""
     return f"train one with '{program_command('train')}'"
@@ -129,6 +134,11 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     Warns:
         QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
     """
+    if is_code(source):
+        raise QuadrupedError(
+            f"{source}: is Python code, and a robot's controller runs policies of files: the directory of a run, or of "
+            f"Policy.from_sb3(model).save(DIR)"
+        )
     directory = policy_directory(source)
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
     document = read_json(card_path, "the file is damaged, train again")
