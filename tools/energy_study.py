@@ -124,7 +124,7 @@ def cheapest(speed: float, frequency: float, generations: int, judge: Judge) -> 
 
 def legs_of(gait: CommandedGait, speed: float) -> NDArray[np.float64]:
     """Columns of the fore and the hind leg (2, 6) of a gait straight ahead, rad."""
-    sine, cosine, offset = (wave[0].reshape(4, 2) for wave in gait.waves([[speed, 0.0]]))
+    sine, cosine, offset = (wave[0].reshape(4, 2) for wave in gait.waves(np.array([[speed, 0.0]])))
     columns = [sine[:, 0], offset[:, 0], cosine[:, 1], sine[:, 1], offset[:, 1], cosine[:, 0]]
     return np.stack(columns, axis=1)[[0, 2]]
 

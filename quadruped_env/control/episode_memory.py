@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.arrays import NUMPY, Namespace
 
 
 class EpisodeMemory:
@@ -14,12 +13,12 @@ class EpisodeMemory:
 
     Args:
         num_envs: number of envs, N.
-        xp: array functions.
+        like: an array of the kind to create; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, xp: Namespace = NUMPY) -> None:
+    def __init__(self, num_envs: int, like: NDArray[Any] | None = None) -> None:
         self.num_envs = num_envs
-        self._xp = xp
+        self._like = None if like is None else like[:0]
         self._arrays: dict[str, NDArray[Any]] = {}
 
     def zeros(self, name: str, *shape: int, dtype: DTypeLike = np.float64) -> NDArray[Any]:
@@ -32,7 +31,7 @@ class EpisodeMemory:
             raise QuadrupedError(
                 f"episode memory: the name {name!r} is taken; choose another than {', '.join(self._arrays)}"
             )
-        self._arrays[name] = self._xp.zeros((self.num_envs, *shape), dtype)
+        self._arrays[name] = np.zeros((self.num_envs, *shape), dtype, like=self._like)
         return self._arrays[name]
 
     def clear(self, env_ids: NDArray[np.intp]) -> None:

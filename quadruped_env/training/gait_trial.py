@@ -11,7 +11,13 @@ from numpy.typing import NDArray
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.quantities import FootLift, clock_agreement, electrical_power, mechanical_power, sliding_squared
+from quadruped_env.task.quantities import (
+    clock_agreement,
+    electrical_power,
+    foot_lift,
+    mechanical_power,
+    sliding_squared,
+)
 from quadruped_env.training.strides import Strides
 
 ROBOT: Final = MINI_QUADRUPED
@@ -164,7 +170,7 @@ def measure(
     qvel = np.repeat([start.velocity for start in starts], n // len(starts), axis=0)
     simulation.reset(np.arange(n), qpos, qvel)
     state = simulation.readings
-    fallen, foot_lift = np.zeros(n, dtype=np.bool_), FootLift(FOOT_LIFT)
+    fallen = np.zeros(n, dtype=np.bool_)
     phases = np.array(turns) * 2.0 * np.pi
     sums, strides = np.zeros((9, n)), Strides(n)
     steps = 0
@@ -189,7 +195,7 @@ def measure(
             angle = angular_frequency * t + start_clock + phases
             sine = np.sin(angle)
             strides.add(np.floor(angle / (2.0 * np.pi)), height, contact, before)
-            sums[6] += clock_agreement(foot_lift(height), sine)
+            sums[6] += clock_agreement(foot_lift(height, FOOT_LIFT), sine)
             sums[7] += clock_agreement(1.0 - 2.0 * contact, sine)
             sums[8] += electrical_power(state.joint_torque, state.joint_velocity, _HEAT)
     vx, wz, vy, tilt, power, slip, lift, clock, electrical = sums / steps

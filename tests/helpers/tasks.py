@@ -110,4 +110,5 @@ class Terms:
 
     def values(self):
         """Name -> (N,)."""
+        self.context.read()
         return dict(zip(self.function.names, self.function(self.context), strict=True))

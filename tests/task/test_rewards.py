@@ -69,7 +69,7 @@ def test_clock_agreement_is_full_when_the_swinging_feet_are_up():
 def test_foot_lift_goes_from_the_ground_to_a_full_lift_and_pays_the_first_of_it_most():
     height = np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.021, 1.0]])
     expected = [[-1.205, -1, -0.125, 1], [0.5, 0.875, 1, 1]]
-    np.testing.assert_allclose(quantities.FootLift(0.02)(height), expected, atol=1e-12)
+    np.testing.assert_allclose(quantities.foot_lift(height, 0.02), expected, atol=1e-12)
 
 
 def test_mechanical_power_counts_driving_and_not_braking():

@@ -13,7 +13,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.event import Apply, Event
-from quadruped_env.utils.arrays import NUMPY
+from quadruped_env.utils.arrays import dot
 
 Floats = NDArray[np.float64]
 Mode = Literal["set", "scale", "divide", "add"]
@@ -182,13 +182,13 @@ class _BoundPayload:
         old, added = masses[where], values[:, 0]
         masses[where] = new = added + old
         inertias[where] = (new / old)[:, None] * inertias[where]
-        offsets, xp = event.payload_position, self.simulation.xp
+        offsets = event.payload_position
         off_centre = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
         if len(off_centre):
             at = event.env_ids[off_centre], self.base
             parts = (old[off_centre], added[off_centre], offsets[off_centre], inertias[at], axes[at])
-            shift, inertias[at], axes[at] = _joined(*(xp.numpy(part).astype(np.float64) for part in parts))
-            centres[at] += xp.asarray(shift)
+            shift, inertias[at], axes[at] = _joined(*(np.array(part.tolist()) for part in parts))
+            centres[at] += shift
 
 
 def _joined(
@@ -214,7 +214,7 @@ def _joined(
         mujoco.mju_quat2Mat(matrix, quaternion)
     # Neither `@` nor `np.linalg`: their results depend on the processor, by rounding.
     tensor = np.einsum("rij,rj,rkj->rik", turn, inertia, turn)
-    squared = NUMPY.dot(offset, offset)[:, None, None] * np.eye(3)
+    squared = dot(offset, offset)[:, None, None] * np.eye(3)
     tensor += (mass * added / total)[:, None, None] * (squared - offset[:, :, None] * offset[:, None, :])
     principal = np.empty(9)
     for moment, quaternion, matrix in zip(moments, turned, tensor.reshape(-1, 9), strict=True):

@@ -16,6 +16,7 @@ from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import Simulation
 from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import dot
 
 Floats = NDArray[np.float64]
 Quantity = Literal["encoder_offset", "imu_mounting", "latency"]
@@ -57,7 +58,7 @@ class Sensors:
         n = simulation.num_envs
         self._simulation, self._timestep = simulation, timestep
         self._randomized = frozenset(largest)
-        self.memory = EpisodeMemory(n, simulation.xp)
+        self.memory = EpisodeMemory(n, simulation.sensordata)
         self.encoder_offset: Floats = self.memory.zeros("encoder_offset", simulation.robot.num_joints)
         """Reading of each joint's encoder minus the joint's position, (N, J), rad."""
         self.imu_mounting: Floats = self.memory.zeros("imu_mounting", 3)
@@ -75,8 +76,8 @@ class Sensors:
         ends = np.cumsum([simulation.sensordata[:, simulation.sensor_columns[name]].shape[1] for name in MEASURED])
         self._columns = [slice(start, end) for start, end in zip([0, *ends[:-1]], ends, strict=True)]
         self._ring: Floats = self.memory.zeros("readings", self._depth, int(ends[-1]))
-        self._rows = simulation.xp.arange(n) * self._depth
-        self._measured, self._older = simulation.xp.zeros((2, n, int(ends[-1])))
+        self._rows = np.arange(n, like=simulation.sensordata) * self._depth
+        self._measured, self._older = np.zeros((2, n, int(ends[-1])), like=simulation.sensordata)
         self._bind()
 
     def _bind(self) -> None:
@@ -138,7 +139,7 @@ class Sensors:
             np.add(newer, older, newer)
             for name in _UNIT_VECTORS:
                 vector = getattr(self._readings, name)
-                unit = vector / np.sqrt(self._simulation.xp.dot(vector, vector))[:, None]
+                unit = vector / np.sqrt(dot(vector, vector))[:, None]
                 np.copyto(vector, unit, where=self._share > 0.0)
         readings = self._readings
         if "encoder_offset" in self._randomized:
