@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +40,7 @@ class ControlInterface:
         config: ControlConfig,
         num_envs: int = 1,
         fields: Sequence[ObservationField] = OBSERVATIONS,
-        like: NDArray[Any] | None = None,
+        like: Floats | None = None,
     ) -> None:
         self.robot = robot
         self.config = config
@@ -73,7 +72,7 @@ class ControlInterface:
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
         self._env_ids, self._ages = np.arange(num_envs, like=like)[:, None], np.arange(depth, like=like)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._gait = config.action.scripted_gait(robot)
+        self._gait, self._scale = config.action.scripted_gait(robot), config.action.scale
         self._joint_phases = frozen(joint_phases(robot))
         self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
         self.stance: Floats = robot.stance[None]
@@ -84,11 +83,11 @@ class ControlInterface:
         self._clock: Floats = np.zeros((num_envs, 2), like=like)
         self.reset(np.arange(num_envs, like=like))
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # `command` is a view, and unpickling would turn it into a copy.
         return {name: value for name, value in self.__dict__.items() if name != "command"}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
+    def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
         self.command = self.commands[:, :VELOCITY]
 
@@ -129,11 +128,11 @@ class ControlInterface:
         self.previous_action[:] = self.action
         self.action.fill(0.0)
 
-    def joint_target(self, action: NDArray[np.floating[Any]]) -> Floats:
+    def joint_target(self, action: NDArray[np.floating]) -> Floats:
         """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
         np.minimum(action, 1.0, out=self.action)
         np.maximum(self.action, -1.0, out=self.action)
-        return self.within_limits(self.config.action.scale * self.action + self.nominal())
+        return self.within_limits(self._scale * self.action + self.nominal())
 
     def within_limits(self, target: Floats) -> Floats:
         """Joint targets (N, J) in rad, clipped in place to the joints' ranges."""

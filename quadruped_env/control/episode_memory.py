@@ -7,6 +7,9 @@ from numpy.typing import DTypeLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
 
+State = dict[str, Any]
+"""Values of one env by name, from which it continues identically."""
+
 
 class EpisodeMemory:
     """The episode arrays of N envs, each registered under a name when it is created.
@@ -16,7 +19,7 @@ class EpisodeMemory:
         like: an array of the kind to create; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, like: NDArray[Any] | None = None) -> None:
+    def __init__(self, num_envs: int, like: NDArray[np.float64] | None = None) -> None:
         self.num_envs = num_envs
         self._like = None if like is None else like[:0]
         self._arrays: dict[str, NDArray[Any]] = {}
@@ -39,11 +42,11 @@ class EpisodeMemory:
         for array in self._arrays.values():
             array[env_ids] = 0
 
-    def get_state(self, env_id: int) -> dict[str, Any]:
+    def get_state(self, env_id: int) -> State:
         """Copies of one env's values, by name."""
         return {name: array[env_id].copy() for name, array in self._arrays.items()}
 
-    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+    def set_state(self, env_id: int, state: State) -> None:
         """Restore a state from `get_state`."""
         for name, array in self._arrays.items():
             array[env_id] = state[name]

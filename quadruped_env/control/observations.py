@@ -3,7 +3,7 @@
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Final, Literal, Protocol, Self
+from typing import Final, Literal, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import frozen
+from quadruped_env.utils.plain import Plain
 
 Floats = NDArray[np.float64]
 
@@ -61,7 +62,7 @@ class Field:
     """Amplitude of uniform noise on the reading if `randomization.observation_noise` is 1, in the reading's unit."""
     description: str
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         # Pickled by name, like functions: a field of a user's file may hold a lambda.
         return _named, (self.read.__module__, self.name)
 
@@ -119,7 +120,7 @@ def _named(module: str, name: str) -> Field:
     return getattr(importlib.import_module(module), name)
 
 
-def first_line(function: Callable[..., Any]) -> str:
+def first_line(function: Callable[..., object]) -> str:
     """First line of a function's docstring."""
     return (function.__doc__ or "").strip().partition("\n")[0]
 
@@ -225,7 +226,7 @@ class ObservationLayout:
             order += [start + column for column in columns]
             signs += sign
         bounds = self._columns("bound", widths)
-        values: dict[str, Any] = {
+        values: dict[str, object] = {
             "width": sum(widths),
             "slices": {n: slice(s, s + w) for n, s, w in zip(names, starts, widths, strict=True)},
             "scale": self._columns("scale", widths),
@@ -245,7 +246,7 @@ class ObservationLayout:
     def _number(self, value: PerRobot) -> float:
         return float(value(self.robot) if callable(value) else value)
 
-    def document(self) -> list[dict[str, Any]]:
+    def document(self) -> list[dict[str, Plain]]:
         """The layout as plain values, as stored in a policy's file."""
         return [
             {

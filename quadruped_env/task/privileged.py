@@ -3,7 +3,7 @@
 import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -165,7 +165,7 @@ class PrivilegedReadings:
             QuadrupedError: if one of them is not finite.
         """
         layout, state = self.layout, self._state
-        raw: NDArray[Any] = np.concatenate([field.read(state) for field in layout.fields], axis=1)
+        raw: Floats = np.concatenate([field.read(state) for field in layout.fields], axis=1)
         if not np.isfinite(raw).all():
             column = int(np.argwhere(~np.isfinite(raw))[0, 1])
             name = next(name for name, columns in layout.slices.items() if column < columns.stop)

@@ -39,15 +39,7 @@ class RewardFunction:
             if any(config.weights[name] for name in term.names):
                 self._paid.append((start if stop == start + 1 else slice(start, stop), function))
             start = stop
-        self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = [
-            function.command_changed for _, function in self._functions if hasattr(function, "command_changed")
-        ]
         self._values = np.zeros((len(self.names), len(context.velocity)), like=context.velocity)
-
-    def command_changed(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
-        """Notify the terms with a method `command_changed` of new velocity commands (R, 2) of some envs (R,)."""
-        for listener in self._listeners:
-            listener(env_ids, velocity)
 
     def __call__(self, context: TaskContext) -> Floats:
         """Weighted terms (T, N) in a new array."""

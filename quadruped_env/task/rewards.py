@@ -13,11 +13,14 @@ from numpy.typing import NDArray
 from quadruped_env.task import quantities
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, reward, reward_group
-from quadruped_env.utils.arrays import dot, frozen
+from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.parameters import Parameter
 
 Floats = NDArray[np.float64]
 Positive = Parameter.positive
+
+_SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
+"""Command below which progress is reduced in proportion, m/s and rad/s."""
 
 
 @reward_group(track_forward_velocity=8.0, track_yaw_rate=6.0)
@@ -38,29 +41,21 @@ class tracking:  # noqa: N801  named like the other terms
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N, 2)."""
-        return quantities.tracking_kernel(context.tracking_error, self._std)
+        return np.exp(-((context.tracking_error / self._std) ** 2))
 
 
 @reward_group(forward_progress=4.0, turn_progress=6.0)
-class progress:  # noqa: N801
+def progress(context: TaskContext) -> Floats:
     """Share of the commanded velocity that is reached: share - 2 max(0, share - 1), in [-1, 1].
 
     forward_progress: share = v~ / v_command, less below 0.1 m/s
     turn_progress: share = w~ / w_command, less below 0.2 rad/s
     """
-
-    def __init__(self, context: TaskContext) -> None:
-        self._scale = context.memory.zeros("progress_scale", 2)
-        self._whole = context.memory.zeros("progress_whole", 2)
-
-    def command_changed(self, env_ids: NDArray[np.intp], command: Floats) -> None:
-        """Update the scale for new velocity commands (R, 2) of some envs (R,)."""
-        self._scale[env_ids], self._whole[env_ids] = quantities.progress_scale(command)
-
-    def __call__(self, context: TaskContext) -> Floats:
-        """Values (N, 2)."""
-        # The average: a peak at the command would else pull the median there, not the mean.
-        return quantities.progress(context.smooth_velocity * self._scale, self._whole)
+    # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
+    # a peak at the command would else pull the median there, not the mean.
+    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND)
+    share, whole = context.smooth_velocity * (np.sign(context.command) / size), np.abs(context.command) / size
+    return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
 @reward(weight=5.0)
@@ -85,7 +80,7 @@ class touchdowns:  # noqa: N801
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N,)."""
-        landed = dot(self._airborne, context.contact)
+        landed = (self._airborne * context.contact).sum(axis=-1)
         self._airborne[:] = 1.0 - context.contact
         return landed
 
@@ -93,57 +88,51 @@ class touchdowns:  # noqa: N801
 @reward(weight=-2.0)
 def upright(context: TaskContext) -> Floats:
     """Squared horizontal part of the base's up axis."""
-    horizontal = context.readings.up_b[:, :2]
-    return dot(horizontal, horizontal)
+    up = context.readings.up_b
+    return up[:, 0] ** 2 + up[:, 1] ** 2
 
 
 @reward(weight=-20.0, unit="m^2")
 def base_height(context: TaskContext, base_height: Annotated[float, Parameter.length()] = 0.175) -> Floats:
     """max(0, 0.175 m - height)^2: standing taller is not penalized."""
-    missing = np.maximum(base_height - context.base_height, 0.0)
-    return missing * missing
+    return np.maximum(base_height - context.base_height, 0.0) ** 2
 
 
 @reward(weight=0.0, unit="m^2")
 def crouch(context: TaskContext, crouch_height: Annotated[float, Parameter.length()] = 0.145) -> Floats:
     """max(0, height - 0.145 m)^2: the lower a robot, the harder a push must be to tip it over its feet."""
-    above = np.maximum(context.base_height - crouch_height, 0.0)
-    return above * above
+    return np.maximum(context.base_height - crouch_height, 0.0) ** 2
 
 
 @reward(weight=0.0, unit="m^2")
 def high_steps(context: TaskContext, step_height: Annotated[float, Parameter.length()] = 0.01) -> Floats:
     """Sum over the feet of max(0, sole height - 0.01 m)^2: the higher its feet, the sooner a push tips the robot."""
-    excess = np.maximum(context.sole_height - step_height, 0.0)
-    return dot(excess, excess)
+    return (np.maximum(context.sole_height - step_height, 0.0) ** 2).sum(axis=-1)
 
 
 @reward(weight=-0.5, unit="m^2/s^2")
 def vertical_velocity(context: TaskContext) -> Floats:
     """v_z^2."""
-    velocity = context.readings.linear_velocity_b[:, 2]
-    return velocity * velocity
+    return context.readings.linear_velocity_b[:, 2] ** 2
 
 
 @reward(weight=-0.03, unit="rad^2/s^2")
 def roll_pitch_rate(context: TaskContext) -> Floats:
     """w_x^2 + w_y^2."""
-    rate = context.readings.angular_velocity_b[:, :2]
-    return dot(rate, rate)
+    rate = context.readings.angular_velocity_b
+    return rate[:, 0] ** 2 + rate[:, 1] ** 2
 
 
 @reward(weight=-0.5, unit="m^2/s^2")
 def lateral_velocity(context: TaskContext) -> Floats:
     """v_y^2."""
-    velocity = context.readings.linear_velocity_b[:, 1]
-    return velocity * velocity
+    return context.readings.linear_velocity_b[:, 1] ** 2
 
 
 @reward(weight=-0.08)
 def action_rate(context: TaskContext) -> Floats:
     """Sum of (action - previous action)^2."""
-    change = context.action - context.previous_action
-    return dot(change, change)
+    return ((context.action - context.previous_action) ** 2).sum(axis=-1)
 
 
 @reward(weight=-0.005, unit="W")
@@ -169,21 +158,20 @@ def foot_slip(context: TaskContext) -> Floats:
     """Sum over the feet on the ground of the squared velocity of the sole's lowest point."""
     readings, radius = context.readings, context.robot.foot_radius
     sliding = quantities.sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, radius)
-    return dot(sliding, context.contact)
+    return (sliding * context.contact).sum(axis=-1)
 
 
 @reward(weight=-1.0, unit="rad^2")
 def stand_still(context: TaskContext) -> Floats:
     """Sum of (joint position - stance)^2 while standing is commanded: at most 0.02 m/s and 0.02 rad/s."""
-    return dot(context.joint_offset, context.joint_offset) * (1.0 - context.moving)
+    return (context.joint_offset**2).sum(axis=-1) * (1.0 - context.moving)
 
 
 @reward(weight=-1.0, unit="rad^2/s^2")
 def joint_speed(context: TaskContext, joint_speed_margin: Annotated[float, Parameter("rad/s")] = 1.0) -> Floats:
     """Sum of max(0, joint speed - 4 rad/s)^2: a motor at its top speed of 5 rad/s has no torque left."""
-    allowed = context.robot.velocity_limit - joint_speed_margin
-    excess = np.maximum(np.abs(context.readings.joint_velocity) - allowed, 0.0)
-    return dot(excess, excess)
+    excess = np.abs(context.readings.joint_velocity) - (context.robot.velocity_limit - joint_speed_margin)
+    return (np.maximum(excess, 0.0) ** 2).sum(axis=-1)
 
 
 @reward(weight=-50.0)

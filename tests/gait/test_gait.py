@@ -279,7 +279,7 @@ def test_turn_has_the_same_bits_alone_and_among_others():
 def test_tuned_gait_turns_by_the_size_of_the_turn(speed, sign):
     """A quarter of the largest yaw rate is half of its turn, and a larger one is no more than that."""
     largest = sign * TUNED.largest_yaw_rate
-    commands = [[speed, yaw_rate] for yaw_rate in (0.0, largest / 4, largest, 1.5 * largest)]
+    commands = np.array([[speed, yaw_rate] for yaw_rate in (0.0, largest / 4, largest, 1.5 * largest)])
     for straight, quarter, full, beyond in TUNED.waves(commands):
         np.testing.assert_allclose(quarter - straight, 0.5 * (full - straight), atol=1e-14)
         np.testing.assert_array_equal(beyond, full)

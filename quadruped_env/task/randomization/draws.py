@@ -6,12 +6,12 @@ hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10
 
 import hashlib
 from collections.abc import Mapping
-from typing import Any, Final, Self
+from typing import Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.control.episode_memory import EpisodeMemory, State
 from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
@@ -60,7 +60,7 @@ class Draws:
         like: an array of the kind to compute with; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, like: NDArray[Any] | None = None) -> None:
+    def __init__(self, num_envs: int, like: Floats | None = None) -> None:
         # Not cleared at a reset, because it holds the number of the episode.
         self._memory = EpisodeMemory(num_envs, like)
         self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
@@ -93,11 +93,11 @@ class Draws:
         # A double from the top 53 bits, as in NumPy's generators.
         return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
 
-    def get_state(self, env_id: int) -> dict[str, Any]:
+    def get_state(self, env_id: int) -> State:
         """State from which the future draws of an env follow."""
         return self._memory.get_state(env_id)
 
-    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+    def set_state(self, env_id: int, state: State) -> None:
         """Restore a state from `get_state`."""
         self._memory.set_state(env_id, state)
 

@@ -106,8 +106,8 @@ class Randomizer:
     def straight_only(self, straight_only: bool) -> None:
         self._commands.straight_only = straight_only
 
-    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> Floats:
-        """Set some envs (R,) to random initial states, and return their commands (R, C).
+    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> None:
+        """Set some envs (R,) to random initial states.
 
         Args:
             env_ids: indices of the envs.
@@ -128,10 +128,7 @@ class Randomizer:
         for i, entry in enumerate(self._recurring):
             entry.due[env_ids] = start.waits[:, i]
         self.command_due[env_ids] = start.waits[:, -1]
-        if command is None:
-            command = start.command
-        self._control.reset(env_ids, start.phase, command)
-        return command
+        self._control.reset(env_ids, start.phase, start.command if command is None else command)
 
     def next_command(self, env_ids: EnvIds) -> Floats:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""

@@ -7,7 +7,7 @@ terminations, `info` and recordings use the true readings.
 import dataclasses
 import math
 from collections.abc import Mapping
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,6 @@ from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import Simulation
 from quadruped_env.utils import rotations
-from quadruped_env.utils.arrays import dot
 
 Floats = NDArray[np.float64]
 Quantity = Literal["encoder_offset", "imu_mounting", "latency"]
@@ -85,11 +84,11 @@ class Sensors:
         self._true = [getattr(self._simulation.readings, name) for name in MEASURED]
         self._readings = dataclasses.replace(self._simulation.readings, **own)
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # The readings are views, and unpickling would turn them into copies.
         return {name: value for name, value in self.__dict__.items() if name not in ("_readings", "_true")}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
+    def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
         self._bind()
 
@@ -139,7 +138,7 @@ class Sensors:
             np.add(newer, older, newer)
             for name in _UNIT_VECTORS:
                 vector = getattr(self._readings, name)
-                unit = vector / np.sqrt(dot(vector, vector))[:, None]
+                unit = vector / np.sqrt((vector**2).sum(axis=-1))[:, None]
                 np.copyto(vector, unit, where=self._share > 0.0)
         readings = self._readings
         if "encoder_offset" in self._randomized:

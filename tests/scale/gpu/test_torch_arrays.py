@@ -18,7 +18,7 @@ from quadruped_env.scale.gpu.torch_arrays import TensorArray, UnsupportedError  
 from quadruped_env.simulation import BatchSimulation  # noqa: E402
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, load_task_file, preset_values  # noqa: E402
 from quadruped_env.task.randomization.draws import Draws, Purposes  # noqa: E402
-from quadruped_env.utils.arrays import dot, frozen  # noqa: E402
+from quadruped_env.utils.arrays import frozen  # noqa: E402
 
 LIKE = TensorArray(torch.zeros(1))
 RNG = np.random.default_rng(0)
@@ -102,7 +102,6 @@ def test_ufunc_of_positive_array_as_numpy(name):
         lambda x: np.full_like(x[:, 0], 2.6),
         lambda x: np.interp(x[:, 0], (-1.0, 0.0, 0.5), (3.0, 1.0, 2.0)),
         lambda x: np.cross(x, np.array([0.0, 0.0, 1.0])),
-        lambda x: dot(x, x),
         lambda x: np.take_along_axis(np.arange(12.0).reshape(4, 3), (x[:, :1] > 0.0).astype(np.int64) + 1, axis=0),
         lambda x: np.arange(4, like=x),
         lambda x: np.zeros((2, 3), np.bool_, like=x),
