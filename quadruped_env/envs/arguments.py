@@ -22,6 +22,9 @@ RENDER_MODES: Final = ("human", "rgb_array")
 
 RESET_MASK: Final = "reset_mask"
 
+ROUGH_CONFIG: Final[dict[str, Any]] = {"terrain": {"name": "tiles", "curriculum": True}}
+"""Changes to the default config of `MiniQuadrupedRough-v0`."""
+
 
 def task_config(
     action_mode: str | None,

@@ -14,8 +14,8 @@ from trainings import SMALL, progress
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.cli import train as cli
-from quadruped_env.control import PolicyController
 from quadruped_env.control import policy as control_policy
+from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy import CARD_FILE, CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE, changed_definitions
