@@ -1,6 +1,6 @@
 """Ids of the environments for `gymnasium.make`, registered without an import of Gymnasium.
 
-A robot's controller imports this package and needs no Gymnasium, whose import takes 0.13 s and 20 MB.
+A robot's controller imports this package and needs no Gymnasium: it starts in two thirds of the time without.
 """
 
 import sys

@@ -11,26 +11,20 @@ from quadruped_env.live.messages.joint_messages import Joints
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
-from quadruped_env.ros.joint_state_bytes import Encoder
+from quadruped_env.ros.robot_messages import joint_state
 
 
-class CommandWriter:
-    """Writes `/joint_commands`."""
+def command_message(robot: Robot, stamp: int, target: Target) -> bytes:
+    """The CDR bytes of a `/joint_commands` message.
 
-    def __init__(self, robot: Robot) -> None:
-        self._encode = Encoder(robot.joint_names)
-        self._zeros = np.zeros(robot.num_joints).tobytes()
-
-    def __call__(self, stamp: int, target: Target) -> bytes:
-        """The CDR bytes of one message.
-
-        Args:
-            stamp: timestamp of the state that the target was computed from, ns.
-            target: joint targets in rad (J,), or `LIMP`.
-        """
-        if target is LIMP:
-            return self._encode(stamp, b"", b"", self._zeros)
-        return self._encode(stamp, target.astype("<f8", copy=False).tobytes())
+    Args:
+        robot: robot that is commanded.
+        stamp: timestamp of the state that the target was computed from, ns.
+        target: joint targets in rad (J,), or `LIMP`.
+    """
+    if target is LIMP:
+        return joint_state(stamp, robot.joint_names, effort=np.zeros(robot.num_joints))
+    return joint_state(stamp, robot.joint_names, target)
 
 
 def read_target(joints: Joints) -> Target:

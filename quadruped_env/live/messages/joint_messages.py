@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
-from quadruped_env.ros.joint_state_bytes import Decoder, RawJointState
+from quadruped_env.ros.robot_messages import RawJointState, read_joint_state
 
 MAX_VALUE: Final = 1e3
 """Largest accepted position or velocity, rad or rad/s. Larger values indicate corrupt data and would lead to NaN."""
@@ -40,7 +40,6 @@ class JointReader:
         self._topic = topic
         self._joints = robot.joint_names
         self._needs = tuple(needs)
-        self._decode = Decoder()
         self._names: tuple[str, ...] | None = None
         self._order = np.empty(0, dtype=np.intp)
 
@@ -52,8 +51,8 @@ class JointReader:
                 differ, a position or velocity is not finite or exceeds `MAX_VALUE`, or a needed field is missing.
         """
         try:
-            raw = self._decode(data)
-            if raw.names is not self._names:
+            raw = read_joint_state(data)
+            if raw.names != self._names:
                 self._order = _order(raw.names, self._joints)
                 self._names = raw.names
             joints = Joints(
@@ -70,11 +69,11 @@ class JointReader:
 
     def _values(self, raw: RawJointState, field: str, finite: bool = True) -> NDArray[np.float64] | None:
         given = getattr(raw, field)
-        if not given:
+        if not len(given):
             return None
         if len(given) != len(raw.names):
             raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one per joint")
-        values = np.array(given)[self._order]
+        values: NDArray[np.float64] = given[self._order]
         if finite and not (np.abs(values) <= MAX_VALUE).all():
             wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
             raise QuadrupedError(

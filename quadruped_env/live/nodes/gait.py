@@ -21,10 +21,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.joint_command import limited
+from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.command_messages import CommandWriter
+from quadruped_env.live.messages.command_messages import command_message
 from quadruped_env.live.messages.gait_messages import AdjustableGait, read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.node import message_reader
@@ -35,7 +35,7 @@ from quadruped_env.live.session import Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
-from quadruped_env.ros.joint_state_bytes import Encoder
+from quadruped_env.ros.robot_messages import joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 RATE: Final = 20.0
@@ -102,7 +102,7 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
     guard = SinglePublisherGuard(session)
     guard.check()
     states = session.node.publish(JOINT_STATES)
-    encode, efforts = Encoder(gait.robot.joint_names), np.zeros(gait.robot.num_joints).tobytes()
+    names, efforts = gait.robot.joint_names, np.zeros(gait.robot.num_joints)
     start, pace = time.time_ns(), Pace(period)
     while session.running:
         session.wait(pace.remaining)
@@ -111,7 +111,7 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
         gait.take(t)
         if pace.tick():
             stamp = start + round(t * NS_PER_SECOND)
-            states.send_bytes(encode(stamp, gait.positions(t).tobytes(), gait.velocities(t).tobytes(), efforts))
+            states.send_bytes(joint_state(stamp, names, gait.positions(t), gait.velocities(t), efforts))
         gait.report()
 
 
@@ -119,7 +119,6 @@ def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
     reader = JointReader(JOINT_STATES.name, gait.robot, ["positions"])
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
-    write = CommandWriter(gait.robot)
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
         session.wait_for(JOINT_STATES.name)
@@ -141,7 +140,7 @@ def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
         if pace.tick():
             share = min(t / FADE, 1.0)
             last = limited(gait.robot, first + share * (gait.positions(t) - first), last, period)
-            commands.send_bytes(write(start + round(t * NS_PER_SECOND), last))
+            commands.send_bytes(command_message(gait.robot, start + round(t * NS_PER_SECOND), last))
         gait.report()
-    commands.send_bytes(write(time.time_ns(), None))
+    commands.send_bytes(command_message(gait.robot, time.time_ns(), LIMP))
     commands.wait_until_read(0.5)

@@ -10,13 +10,14 @@ and an empty array is one empty field. Both shorten arrays of over 128 numbers t
 """
 
 import re
-from array import array
 from collections.abc import Iterator
 from itertools import takewhile
 from typing import Any, Final
 
+import numpy as np
+
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.joint_state_bytes import RawJointState
+from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import lines, opened, parse_number
@@ -177,7 +178,9 @@ def _state(node: Node | None) -> RawJointState:
     header = _mapping(fields["header"], ("stamp", "frame_id"), "header")
     stamp = _mapping(header["stamp"], ("sec", "nanosec"), "header.stamp")
     names = tuple(_scalar(item, "name") for item in _sequence(fields["name"], "name"))
-    numbers = [array("d", [_number(item, kind) for item in _sequence(fields[kind], kind)]) for kind in KINDS]
+    numbers = [
+        np.array([_number(item, kind) for item in _sequence(fields[kind], kind)], dtype=np.float64) for kind in KINDS
+    ]
     return RawJointState(_stamp(_scalar(stamp["sec"], "sec"), _scalar(stamp["nanosec"], "nanosec")), names, *numbers)
 
 
@@ -242,7 +245,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
             group, rest = rest[:count], rest[count:]
             if len(group) < count:
                 raise ValueError(f"{count} joints and {len(group)} numbers for {kind}")
-        numbers.append(array("d", [_cell_number(cell, kind) for cell in group]))
+        numbers.append(np.array([_cell_number(cell, kind) for cell in group], dtype=np.float64))
     if rest:
         raise ValueError(f"there are {len(rest)} fields more than {count} joints need")
     return RawJointState(stamp, tuple(names), *numbers)
