@@ -35,11 +35,7 @@ def message(type_name: str, **fields: Any) -> Any:
 
 
 def seconds_of(stamp: int) -> tuple[int, int]:
-    """Seconds and ns of a timestamp in ns.
-
-    Raises:
-        QuadrupedError: if it does not fit into a message.
-    """
+    """Seconds and ns of a timestamp in ns. Raises a QuadrupedError if it does not fit into a message."""
     sec, nanosec = divmod(stamp, NS_PER_SECOND)
     if not -(2**31) <= sec < 2**31:
         raise QuadrupedError(f"timestamp {stamp} ns: a ROS message holds -2^31 to 2^31 - 1 s")

@@ -27,20 +27,12 @@ class RawJointState(NamedTuple):
 
 
 def read_joint_state(data: bytes) -> RawJointState:
-    """The joint state that CDR bytes hold.
-
-    Raises:
-        QuadrupedError: if they do not hold one.
-    """
+    """The joint state that CDR bytes hold. Raises a QuadrupedError if they do not hold one."""
     return _raw(cdr.deserialize(data, JOINT_STATE), len(data))
 
 
 def read_ros1_joint_state(data: bytes) -> RawJointState:
-    """The joint state that bytes of ROS 1 hold.
-
-    Raises:
-        QuadrupedError: if they do not hold one.
-    """
+    """The joint state that bytes of ROS 1 hold. Raises a QuadrupedError if they do not hold one."""
     try:
         message = _ros1_typestore().deserialize_ros1(data, JOINT_STATE)
     except Exception as error:  # rosbags does not document which errors it raises for damaged bytes

@@ -113,11 +113,7 @@ NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
 
 
 def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrain:
-    """The terrain of a name.
-
-    Raises:
-        QuadrupedError: if there is no such terrain.
-    """
+    """The terrain of a name. Raises a QuadrupedError if there is no such terrain."""
     for entry in terrains:
         if entry.name == name:
             return entry

@@ -90,10 +90,10 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if something in the recording is invalid; see `load`.
         """
-        names, stamps, values = stream.collect()
-        arrays = {name: values.get(kind) for kind, name in ARRAYS.items()}
+        rows = stream.collect()
+        arrays = {name: rows.values.get(kind) for kind, name in ARRAYS.items()}
         trajectory = cls.__new__(cls)
-        trajectory._set(stamps=stamps, names=names, source=stream.source, **arrays)
+        trajectory._set(stamps=rows.stamps, names=rows.names, source=stream.source, **arrays)
         return trajectory
 
     def to_rows(self, base_pose: NDArray[np.float64] | None = None) -> Rows:
@@ -239,11 +239,7 @@ class JointTrajectory:
         return float(self.times[-1])
 
     def select(self, names: Sequence[str]) -> "JointTrajectory":
-        """The trajectory with these joints only, in this order.
-
-        Raises:
-            QuadrupedError: if a joint is missing.
-        """
+        """The trajectory with these joints only, in this order. Raises a QuadrupedError if a joint is missing."""
         if tuple(names) == self.names:
             return self
         return self._of_rows(row_conversion.select(self.to_rows(), names, self.source.name))

@@ -284,11 +284,7 @@ class JointMap:
 
 
 def _table(document: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
-    """A table of a TOML document.
-
-    Raises:
-        QuadrupedError: if the key is missing, or is not a table.
-    """
+    """A table of a TOML document. Raises a QuadrupedError if the key is missing, or is not a table."""
     table = document.get(key)
     if not isinstance(table, dict):
         raise QuadrupedError(f"{where}: expected a table [{key}]; found {'none' if table is None else short(table)}")

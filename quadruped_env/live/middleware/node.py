@@ -62,11 +62,7 @@ class Publisher:
         self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type))
 
     def send(self, message: Any) -> None:
-        """Send a message of `quadruped_env.ros.cdr`.
-
-        Raises:
-            QuadrupedError: if it is of another type.
-        """
+        """Send a message of `quadruped_env.ros.cdr`. Raises a QuadrupedError if it is of another type."""
         if message.__msgtype__ != self.topic.type_name:
             raise QuadrupedError(
                 f"{self.topic.name}: holds messages of {self.topic.type_name}; found {message.__msgtype__}"

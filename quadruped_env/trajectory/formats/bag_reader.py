@@ -96,7 +96,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
             connections = [connection for connection in reader.connections if connection.topic == topic]
             for connection in connections:
                 _check_connection(connection, reading)
-            total = reading.expected_rows = sum(connection.msgcount for connection in connections)
+            total = sum(connection.msgcount for connection in connections)
             found = 0
             for _, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):

@@ -13,7 +13,6 @@ import shutil
 import sqlite3
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from heapq import merge
 from pathlib import Path
 from typing import Any, Final
@@ -44,31 +43,18 @@ _CHUNK_CRC_AT: Final = 9 + 24
 """Offset of the checksum in a chunk of MCAP, in bytes."""
 
 
-@dataclass(frozen=True)
-class BagOptions:
-    """Options for writing a bag."""
-
-    storage: str = "mcap"
-    tf_rate: float = TF_RATE
-    """Rate of /tf in Hz, at multiples of its period; 0 writes no /tf"""
-    compress: bool = False
-    """Compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd"""
-
-    def __post_init__(self) -> None:
-        if self.storage not in STORAGES:
-            raise QuadrupedError(f"storage: expected one of {', '.join(STORAGES)}; found {self.storage!r}")
-        if not 0.0 <= self.tf_rate <= 1e6:
-            raise QuadrupedError(f"tf_rate: expected 0 to 1e6 Hz; found {self.tf_rate!r}")
-
-
-def write(pieces: Iterable[Rows], path: Path, robot: Robot, options: BagOptions, overwrite: bool) -> None:
+def write(
+    pieces: Iterable[Rows], path: Path, robot: Robot, storage: str, tf_rate: float, compress: bool, overwrite: bool
+) -> None:
     """Write a bag, in full or not at all: a directory, or one bare storage file if the path ends in its suffix.
 
     Args:
         pieces: rows to write.
         path: path of the bag.
         robot: robot that the bag describes, if the rows have its joints.
-        options: options for writing.
+        storage: one of `STORAGES`.
+        tf_rate: rate of /tf in Hz, at multiples of its period; 0 writes no /tf.
+        compress: compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd.
         overwrite: True to replace an existing bag.
 
     Raises:
@@ -76,12 +62,12 @@ def write(pieces: Iterable[Rows], path: Path, robot: Robot, options: BagOptions,
         MissingExtraError: if rosbags is not installed.
     """
     check_target(path, overwrite)
-    bare = path.suffix == STORAGES[options.storage]
+    bare = path.suffix == STORAGES[storage]
     with whole(path) as part:
         bag = part.with_suffix("") if bare else part
         try:
-            with open_bag(bag, options) as writer:
-                _write_messages(pieces, writer, robot, options)
+            with open_bag(bag, storage, compress) as writer:
+                _write_messages(pieces, writer, robot, tf_rate)
         except sqlite3.Error as error:
             raise unwritable(path, error) from error
         if bare:
@@ -100,7 +86,7 @@ def check_target(path: Path, overwrite: bool) -> None:
 
 
 @contextmanager
-def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
+def open_bag(bag: Path, storage: str, compress: bool = False) -> Iterator[Any]:
     """A writer of rosbags for a new bag; `connect` adds topics.
 
     Chunks of MCAP and compressed files get checksums: without them, damage would be read as numbers.
@@ -132,9 +118,9 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
                 for file in self.path.glob("*.zstd"):
                     _compress_with_checksum(file)
 
-    plugin = StoragePlugin[options.storage.upper()]
+    plugin = StoragePlugin[storage.upper()]
     writer = ChecksummedWriter(bag, version=METADATA_VERSION, storage_plugin=plugin)
-    if options.compress:
+    if compress:
         mode = CompressionMode.STORAGE if plugin is StoragePlugin.MCAP else CompressionMode.FILE
         writer.set_compression(mode, CompressionFormat.ZSTD)
     with writer:
@@ -157,13 +143,13 @@ def _compress_with_checksum(file: Path) -> None:
     part.replace(file)
 
 
-def _write_messages(pieces: Iterable[Rows], writer: Any, robot: Robot, options: BagOptions) -> None:
+def _write_messages(pieces: Iterable[Rows], writer: Any, robot: Robot, tf_rate: float) -> None:
     joints, tf = None, None
     for piece in pieces:
         if joints is None:
             joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
             if set(robot.joint_names) <= set(piece.names):
-                tf = _TfWriter(writer, robot, options.tf_rate, int(piece.stamps[0]))
+                tf = _TfWriter(writer, robot, tf_rate, int(piece.stamps[0]))
         arrays = [piece.values.get(kind, np.empty((len(piece), 0))) for kind in KINDS]
         states = (
             (stamp, 1, joints, joint_state(stamp, piece.names, *(array[row] for array in arrays)))

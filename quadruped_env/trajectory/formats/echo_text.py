@@ -54,11 +54,7 @@ def read_yaml(reading: Reading) -> Iterator[Rows]:
 
 
 def read_csv(reading: Reading) -> Iterator[Rows]:
-    """The messages of `--csv` text, not validated.
-
-    Raises:
-        QuadrupedError: if the file is missing or damaged.
-    """
+    """The messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return assembled(_csv_messages(reading), reading, is_text=True)
 
 
