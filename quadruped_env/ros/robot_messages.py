@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros import cdr
 from quadruped_env.ros.message_types import typestore
-from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
 
 JOINT_STATE = "sensor_msgs/msg/JointState"
 
@@ -102,10 +102,4 @@ def _raw(message: Any, size: int) -> RawJointState:
             f"{size} bytes do not hold a {JOINT_STATE}: {time.nanosec} ns in a second are too many; the message is "
             f"damaged"
         )
-    return RawJointState(
-        time.sec * NS_PER_SECOND + time.nanosec,
-        tuple(message.name),
-        message.position,
-        message.velocity,
-        message.effort,
-    )
+    return RawJointState(read_stamp(time), tuple(message.name), message.position, message.velocity, message.effort)

@@ -21,9 +21,8 @@ from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.robot_option import robot_of
+from quadruped_env.live.node_options import chosen_terrain, robot_of
 from quadruped_env.live.simulated import SimulatedRobot
-from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
 from quadruped_env.reporting.films.film import Camera, Clip, size_of
 from quadruped_env.reporting.ground_mesh import ground_mesh

@@ -12,9 +12,14 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.live.messages.command_messages import command_message, positions_message, read_positions, read_target
 from quadruped_env.live.messages.imu_messages import read_imu
-from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.joint_messages import (
+    JointReader,
+    command_message,
+    positions_message,
+    read_positions,
+    read_target,
+)
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings

@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.live.messages.message_stamps import write_stamp
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
 from quadruped_env.robot.link_transforms import ODOMETRY_FRAME, Transform
@@ -13,6 +12,7 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
 from quadruped_env.ros.robot_messages import joint_state, transform_messages
+from quadruped_env.ros.timestamps import write_stamp
 
 
 class Sensors:

@@ -132,11 +132,6 @@ class Subscription(Generic[T]):
         self.count += len(taken)
         return taken
 
-    def latest(self) -> Received | None:
-        """The last message received since the last call, or None."""
-        taken = self.take()
-        return taken[-1] if taken else None
-
     def messages(self, refused: Refused) -> Iterator[tuple[Received, T]]:
         """All messages since the last call that can be decoded, in order of arrival.
 

@@ -23,9 +23,8 @@ from quadruped_env.control.live_controller import JointCommand, LiveController, 
 from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, kept_file, load_policy, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.command_messages import command_message, positions_message
 from quadruped_env.live.messages.imu_messages import Imu, read_imu
-from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.joint_messages import JointReader, Joints, command_message, positions_message
 from quadruped_env.live.middleware.node import Subscription, message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.live.session import Session, add_realtime_argument

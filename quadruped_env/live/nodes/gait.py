@@ -23,14 +23,14 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.command_messages import command_message
-from quadruped_env.live.messages.gait_messages import AdjustableGait, read_settings, settings_message
-from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.gait import PRESETS, SinusoidalGait
+from quadruped_env.gait.gait_settings import GaitSettings, edited
+from quadruped_env.live.messages.gait_messages import read_settings, settings_message
+from quadruped_env.live.messages.joint_messages import JointReader, command_message
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
@@ -71,6 +71,40 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     else:
         _send_states(session, gait, 1.0 / rate)
     return 0
+
+
+class AdjustableGait:
+    """A gait preset with settings that may change at any time; the phase stays continuous when the frequency changes.
+
+    Args:
+        preset: name of the preset.
+        robot: robot that walks.
+    """
+
+    def __init__(self, preset: str, robot: Robot) -> None:
+        self._preset = self._gait = SinusoidalGait.preset(preset, robot)
+        self.settings = GaitSettings.of(self._preset)
+        """The current settings."""
+        self._time_offset = 0.0
+        """Time offset that keeps the phase continuous over frequency changes, s."""
+
+    def change(self, settings: GaitSettings, t: float) -> None:
+        """Apply new settings from time `t` (s) on."""
+        self._time_offset = (t + self._time_offset) * self.settings.frequency / settings.frequency - t
+        self.settings = settings
+        self._gait = edited(self._preset, settings)
+
+    def positions(self, t: float) -> NDArray[np.float64]:
+        """Joint positions at time `t` (s), rad (J,)."""
+        return self._gait.positions(t + self._time_offset)
+
+    def velocities(self, t: float) -> NDArray[np.float64]:
+        """Joint velocities at time `t` (s), rad/s (J,)."""
+        return self._gait.velocities(t + self._time_offset)
+
+    def violations(self) -> list[str]:
+        """Descriptions of the joint limits that the gait exceeds."""
+        return self._gait.violations()
 
 
 class _RemoteGait(AdjustableGait):

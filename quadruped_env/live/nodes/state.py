@@ -10,7 +10,7 @@ import time
 
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
-from quadruped_env.live.robot_option import add_robot_argument, robot_of
+from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.ros.robot_messages import transform_messages
