@@ -100,10 +100,7 @@ class MiniQuadrupedVectorEnv(
         return tuple(self.task.seeds)
 
     def reset(
-        self,
-        *,
-        seed: int | list[int | None] | None = None,
-        options: dict[str, Any] | None = None,
+        self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Begin new episodes in every env, or in those where `options["reset_mask"]` (N,) is true."""
         command, mask = arguments.reset_options(options, self.task.config, self.num_envs)

@@ -77,10 +77,7 @@ def stairs(grid: Grid, height: Height = 0.02, run: Length = 0.2) -> Floats:
 
 @terrain(size=_LARGE, cell=FINE, hardest={"depth": HIGHEST})
 def gaps(
-    grid: Grid,
-    depth: Height = 0.02,
-    width: Annotated[float, Parameter("m", 0.1)] = 0.15,
-    distance: Length = 0.45,
+    grid: Grid, depth: Height = 0.02, width: Annotated[float, Parameter("m", 0.1)] = 0.15, distance: Length = 0.45
 ) -> Floats:
     """Trenches in squares around the start, 2 cm deep, 0.15 m wide and 0.45 m apart."""
     number = math.floor(grid.ring_end / distance + ROUNDING)

@@ -93,23 +93,6 @@ def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
     return read_only(array)
 
 
-def checked_stamps_within(recorded: NDArray[np.int64], stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
-    """Timestamps as of `checked_stamps`, none before the first of `recorded` (T,) or after the last.
-
-    Raises:
-        QuadrupedError: if they are invalid or lie outside.
-    """
-    wanted = checked_stamps(stamps, source)
-    first, last = recorded[0], recorded[-1]
-    if wanted[0] < first or wanted[-1] > last:
-        outside = wanted[0] if wanted[0] < first else wanted[-1]
-        raise QuadrupedError(
-            f"{source.name}: timestamp {outside} ns lies outside the recording, {first} to {last} ns; choose "
-            f"timestamps within it"
-        )
-    return wanted
-
-
 def _check_order(stamps: NDArray[np.int64], source: Source) -> None:
     """Raise a QuadrupedError if a timestamp is negative, or not later than the one before."""
     if stamps[0] < 0:

@@ -118,7 +118,7 @@ def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles()
 
 def test_baseline_on_a_terrain_measures_and_records_on_it():
     rough, flat = (run_baseline(seconds=2.0, episodes=1, terrain=name) for name in ("rough", None))
-    assert (rough.report()["terrain"], flat.report()["terrain"]) == ("rough", "flat")
+    assert (rough.report["terrain"], flat.report["terrain"]) == ("rough", "flat")
     assert rough.recording.terrain == find_terrain("rough")
     assert not np.array_equal(rough.metrics["forward_velocity"], flat.metrics["forward_velocity"])
 

@@ -239,7 +239,7 @@ def test_recording_of_joint_targets_replays_to_the_same_motion(nodes, tmp_path):
     assert "/joint_commands" in output
     commands = JointTrajectory.load(bag, topic="/joint_commands")
     result = replay(commands, measured=JointTrajectory.load(bag))
-    assert np.sqrt(np.mean(result.comparison().difference("positions") ** 2)) < 0.03
+    assert np.sqrt(np.mean(result.comparison.difference("positions") ** 2)) < 0.03
     recorded = [cdr.deserialize(data, "nav_msgs/msg/Odometry").pose.pose.position for data in contents(bag)["/odom"]]
     went = np.hypot(recorded[-1].x - recorded[0].x, recorded[-1].y - recorded[0].y)
     assert went > 0.5

@@ -166,6 +166,15 @@ def parse_number(text: str) -> float:
     return float(text)
 
 
+def is_number(text: str) -> bool:
+    """True if `parse_number` reads a text."""
+    try:
+        parse_number(text)
+    except ValueError:
+        return False
+    return True
+
+
 def parse_whole(text: str) -> int:
     """A whole number within int64, in ASCII digits.
 

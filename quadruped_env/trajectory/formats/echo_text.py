@@ -20,7 +20,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats.delimited import lines, opened, parse_number
+from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.rows import KINDS, Rows
 
@@ -227,7 +227,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
     if len(cells) < 7:
         raise ValueError(f"{len(cells)} fields are too few; {_FORM} --csv")
     stamp = _stamp(cells[0], cells[1])
-    names = list(takewhile(lambda cell: cell and not _is_number(cell), cells[3:]))
+    names = list(takewhile(lambda cell: cell and not is_number(cell), cells[3:]))
     rest = cells[3 + max(len(names), 1) :]
     count = len(names) or len(given or ())
     if not names and cells[3]:
@@ -261,11 +261,3 @@ def _cell_number(text: str, what: str) -> float:
         return parse_number(text)
     except ValueError:
         raise ValueError(f"{what}: {short(text)} is not a number") from None
-
-
-def _is_number(text: str) -> bool:
-    try:
-        parse_number(text)
-    except ValueError:
-        return False
-    return True

@@ -98,10 +98,7 @@ def write_table(
 
 
 def _write_tables(
-    path: Path,
-    titles: Sequence[str],
-    tables: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]],
-    overwrite: bool,
+    path: Path, titles: Sequence[str], tables: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]], overwrite: bool
 ) -> None:
     check_free([path], overwrite)
     with whole(path) as part, part.open("w", encoding="utf-8", newline="\n") as file:
