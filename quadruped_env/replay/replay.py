@@ -77,7 +77,9 @@ class Replay:
     @cached_property
     def saturation(self) -> Saturation | None:
         """Requested torques, and where they exceed the motors' limits; None in kinematic mode, which has no motors."""
-        return None if self.motion is None else saturation(self.targets, self.played, self.motors)
+        return (
+            None if self.motion is None else saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
+        )
 
     @cached_property
     def comparison(self) -> Signals:

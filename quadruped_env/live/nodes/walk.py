@@ -9,7 +9,7 @@ Steer it with the keys of `teleop`, or with the arrow keys in the browser.
 import argparse
 import sys
 
-from quadruped_env.control.policy import LIVE_POLICY
+from quadruped_env.control.policy_files import LIVE_POLICY
 from quadruped_env.live.node_launch import launch
 from quadruped_env.live.node_options import (
     COMMON,
