@@ -114,10 +114,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.scale.ranks.ray_address import check_answers
-    from quadruped_env.scale.sweep.cluster import check_installed
+    from quadruped_env.scale.ranks.job import cores
+    from quadruped_env.scale.ray_connection import check_answers, check_installed
     from quadruped_env.scale.sweep.sweep_results import collect, table, write
-    from quadruped_env.scale.sweep.trial import cores
 
     here = cores() if arguments.cores is None else arguments.cores
     if here < 1:
@@ -127,7 +126,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     config, make = definition(arguments)
     if arguments.address is None and config.cores_per_trial > here:
         raise QuadrupedError(f"--cores-per-trial: found {config.cores_per_trial}; this machine has {here}; lower it")
-    check_installed()
+    check_installed("A sweep")
     if arguments.address is not None:
         check_answers(arguments.address)
     if arguments.resume is None:

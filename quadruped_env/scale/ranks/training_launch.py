@@ -48,7 +48,7 @@ def launch(
 
         return train_on_ray(job, address)
     if job.config.ranks > 1 and on_gpu(job.config.device):
-        check_gpus(job.config.ranks if here is None else here.local_ranks)
+        _check_gpus(job.config.ranks if here is None else here.local_ranks)
     if here is not None:
         return torchrun.train_here(job, here)
     if job.config.ranks > 1:
@@ -56,25 +56,16 @@ def launch(
 
         return train_in_processes(job)
     # Torch takes seconds to import.
-    if job.config.device != "cpu":
-        from quadruped_env.scale.gpu.warp_training import train as train_on_gpu
+    from quadruped_env.scale.ranks.rank import trainer
 
-        return train_on_gpu(job.config, job.runs, job.command, job.resume, job.task_file)
-    from quadruped_env.training.train import train
+    result: tuple[Path, bool] = trainer(job.config.device).train(
+        job.config, job.runs, job.command, job.resume, job.task_file
+    )
+    return result
 
-    return train(job.config, job.runs, job.command, job.resume, job.task_file)
 
-
-def check_gpus(ranks: int) -> None:
-    """Check that each of the ranks on this machine has a GPU of its own.
-
-    Args:
-        ranks: number of ranks on this machine.
-
-    Raises:
-        QuadrupedError: if there are fewer GPUs.
-        MissingExtraError: if torch is not installed.
-    """
+def _check_gpus(ranks: int) -> None:
+    """Check that each of the ranks on this machine has a GPU of its own."""
     try:
         import torch
     except ImportError as error:

@@ -17,6 +17,7 @@ from quadruped_env.scale.ranks import ray_cluster
 from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.torch_group import LOOPBACK, _interface_to
 from quadruped_env.scale.ranks.training_launch import launch
+from quadruped_env.scale.ray_connection import check_answers
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 
@@ -41,13 +42,13 @@ def test_address_that_does_not_answer_is_an_error_that_says_what_to_check():
         free.bind(("127.0.0.1", 0))
         address = f"127.0.0.1:{free.getsockname()[1]}"
     with pytest.raises(QuadrupedError, match=rf"--address: {address} does not answer .*`ray start --head` runs there"):
-        ray_cluster.check_answers(address)
+        check_answers(address)
 
 
 @pytest.mark.parametrize("address", ["node-0", "ray://node-0:10001", ":6379", "node-0:port"])
 def test_address_that_is_none_is_an_error(address):
     with pytest.raises(QuadrupedError, match=r"--address: expected host:port"):
-        ray_cluster.check_answers(address)
+        check_answers(address)
 
 
 def test_ray_without_a_cluster_is_an_error(tmp_path, monkeypatch):

@@ -9,7 +9,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.train import with_recipe
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
-from quadruped_env.scale.sweep.search import proposals
+from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
 
@@ -75,8 +75,8 @@ def test_end_of_a_range_that_no_training_accepts_is_an_error_before_the_first_tr
 
 def test_random_settings_depend_on_their_number_alone():
     config = SweepConfig(space=(RATE, HIDDEN), settings=8)
-    forward = [proposals(config).values(setting) for setting in range(8)]
-    source = proposals(config)
+    forward = [Proposals(config).values(setting) for setting in range(8)]
+    source = Proposals(config)
     assert [source.values(setting) for setting in reversed(range(8))] == forward[::-1]
     assert len({values["learning_rate"] for values in forward}) == 8
 
@@ -84,7 +84,7 @@ def test_random_settings_depend_on_their_number_alone():
 def test_grid_has_each_combination_once():
     other = Dimension("activation", choices=("elu", "tanh"))
     config = SweepConfig(space=(HIDDEN, other), settings=4, search="grid")
-    found = [tuple(proposals(config).values(setting).values()) for setting in range(4)]
+    found = [tuple(Proposals(config).values(setting).values()) for setting in range(4)]
     assert sorted(found) == sorted([((8,), "elu"), ((8,), "tanh"), ((16, 16), "elu"), ((16, 16), "tanh")])
 
 
@@ -95,12 +95,12 @@ def test_optuna_proposes_better_settings_with_the_results_of_an_earlier_process(
     def score(values):
         return 1.0 - abs(values["gamma"] - 0.7) + (0.1 if values["hidden"] == (8,) else 0.0)
 
-    first = proposals(config)
+    first = Proposals(config)
     done = {}
     for setting in range(30):
         done[setting] = first.values(setting)
         first.tell(setting, done[setting], score(done[setting]) if setting != 3 else None)
-    later = proposals(config)
+    later = Proposals(config)
     for setting, values in done.items():
         later.tell(setting, values, score(values))
     found = []

@@ -12,8 +12,8 @@ from waiting import DEADLINE
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.scale.ranks import ray_address
-from quadruped_env.scale.sweep import SweepConfig, cluster
+from quadruped_env.scale import ray_connection
+from quadruped_env.scale.sweep import SweepConfig
 from quadruped_env.scale.sweep.sweep_definition import sha256_of
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 
@@ -105,14 +105,14 @@ def test_listener_that_is_no_ray_ends_in_an_error_after_a_bounded_wait():
         address = f"127.0.0.1:{silent.getsockname()[1]}"
         began = time.monotonic()
         with pytest.raises(QuadrupedError, match=rf"no Ray cluster can be used at {address}.*`ray status --address"):
-            ray_address.check_answers(address, seconds=2.0)
+            ray_connection.check_answers(address, seconds=2.0)
         assert time.monotonic() - began < DEADLINE
 
 
 def test_missing_ray_names_its_extra(monkeypatch):
-    monkeypatch.setattr(cluster.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(ray_connection.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"A sweep needs the 'sweep' extra"):
-        cluster.check_installed()
+        ray_connection.check_installed("A sweep")
 
 
 def test_ray_that_would_listen_on_a_network_is_refused_and_ended(monkeypatch):
@@ -122,8 +122,8 @@ def test_ray_that_would_listen_on_a_network_is_refused_and_ended(monkeypatch):
         shutdown=lambda: ended.append(True),
         util=SimpleNamespace(get_node_ip_address=lambda: "192.0.2.7"),
     )
-    monkeypatch.setattr(cluster, "_imported", lambda: ray)
-    with pytest.raises(QuadrupedError, match=r"Ray would listen on 192\.0\.2\.7"), cluster.connected(None, 1):
+    monkeypatch.setitem(sys.modules, "ray", ray)
+    with pytest.raises(QuadrupedError, match=r"Ray would listen on 192\.0\.2\.7"), ray_connection.connected(None):
         pass
     assert ended
 

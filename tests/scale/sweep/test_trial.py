@@ -10,7 +10,7 @@ from quadruped_env.cli.train import with_recipe
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig, sweep_results, trial
-from quadruped_env.scale.sweep.search import proposals
+from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_driver import TrialBook, clock
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
@@ -29,7 +29,7 @@ def sweep(tmp_path):
     def create(training=BUDGET, **definition):
         folder = SweepFolder.create(tmp_path / "sweeps", "ppo", SweepConfig(dict(training), **definition), "sweep")
         said = []
-        book = TrialBook(folder, make, proposals(folder.config), said.append)
+        book = TrialBook(folder, make, Proposals(folder.config), said.append)
         while book.begin() is not None:
             pass
         return folder, book, said
@@ -66,8 +66,8 @@ def test_scores_at_the_rungs_do_not_change_the_policy(sweep, tmp_path, monkeypat
         seen.append(policy.card["timesteps"])
         return 0.1 * len(seen)
 
-    monkeypatch.setattr("quadruped_env.scale.sweep.scoring.rung_score", score)
-    monkeypatch.setattr("quadruped_env.scale.sweep.scoring.final_score", lambda *arguments: None)
+    monkeypatch.setattr("quadruped_env.scale.sweep.trial.rung_score", score)
+    monkeypatch.setattr("quadruped_env.scale.sweep.trial.final_score", lambda *arguments: None)
     folder, _, _ = sweep(seeds=2, scheduler="asha")
     reports = []
     found = run(folder, 0, reports.append)
@@ -173,7 +173,7 @@ def test_importance_is_that_of_the_field_that_the_score_depends_on():
     pytest.importorskip("optuna")
     space = (Dimension("gamma", 0.5, 1.0), Dimension("learning_rate", 1e-4, 1e-2, log=True))
     config = SweepConfig(space=space, settings=40)
-    source = proposals(config)
+    source = Proposals(config)
     settings = []
     for setting in range(40):
         values = source.values(setting)
