@@ -5,7 +5,7 @@ import shlex
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS

@@ -28,7 +28,9 @@ from quadruped_env.cli.common_options import (
 )
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.control.control_config import ACTION_MODES
-from quadruped_env.control.policy import CARD_FILE, kept_file
+from quadruped_env.control.kept_task_file import kept_file
+from quadruped_env.control.policy import CARD_FILE
+from quadruped_env.control.policy_files import policy_directory
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import kept_definition
@@ -143,7 +145,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         if arguments.trust_task:
             if task_file is not None:
                 raise QuadrupedError(f"--trust-task: found next to --task {task_file}; give one of them")
-            kept = kept_file(resume)
+            kept = kept_file(policy_directory(resume))
             task_file = None if kept is None else kept[0]
             definition = kept_definition(resume)
         parent = Parent.load(resume, definition)

@@ -7,7 +7,8 @@ from typing import Final
 
 from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
-from quadruped_env.control.policy import CARD_FILE, LIVE_POLICY, SHIPPED, Policy, load_policy, training_advice
+from quadruped_env.control.policy import CARD_FILE, Policy
+from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, read_policy, training_advice
 from quadruped_env.control.recording_loop import LoopController
 from quadruped_env.errors import QuadrupedError, did_you_mean
 from quadruped_env.gait import PRESETS
@@ -52,7 +53,7 @@ def _recording(path: Path, robot: Robot) -> ControllerSpec:
     return ControllerSpec(f"recording {path.name}", make)
 
 
-def find_controller(text: str, load: Load = load_policy, robot: Robot = MINI_QUADRUPED) -> ControllerSpec:
+def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUADRUPED) -> ControllerSpec:
     """The controller that a user names.
 
     Args:
@@ -79,7 +80,7 @@ def find_controller(text: str, load: Load = load_policy, robot: Robot = MINI_QUA
 
 
 def find_controllers(
-    names: Sequence[str] = (), runs: Path = RUNS, load: Load = load_policy, robot: Robot = MINI_QUADRUPED
+    names: Sequence[str] = (), runs: Path = RUNS, load: Load = read_policy, robot: Robot = MINI_QUADRUPED
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """All available controllers by name, and the names of those to start with.
 

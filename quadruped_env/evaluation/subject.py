@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.policy import SHIPPED, finished_directory, kept_content, shipped_directory
+from quadruped_env.control.kept_task_file import kept_content
+from quadruped_env.control.policy_files import SHIPPED, finished_directory, shipped_directory
 from quadruped_env.policies import Policy, load_policy, trained_with
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json

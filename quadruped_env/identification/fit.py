@@ -326,13 +326,13 @@ class MotorFit:
 
     def _model(self, motors: MotorConfig) -> mujoco.MjModel:
         spec = self._spec.copy()
-        motors.write(spec, self._max_delay)
+        motors.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
         return spec.compile()
 
     def _sequences(self, steps: int) -> Any:
         """The recording's first physics steps, for the toolbox."""
         spec = self._spec.copy()
-        self.start.write(spec, self._max_delay)
+        self.start.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
         model = spec.compile()
         data = mujoco.MjData(model)
         positions, velocities = self.recorded.start

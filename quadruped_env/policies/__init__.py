@@ -9,8 +9,8 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.policies.policy import (
-    Policy,
+from quadruped_env.control.policy import Policy
+from quadruped_env.policies.policy_loading import (
     find_controller,
     find_controllers,
     kept_definition,
@@ -18,8 +18,8 @@ from quadruped_env.policies.policy import (
     task_differences,
     task_of,
     trained_with,
-    with_task,
 )
+from quadruped_env.policies.policy_task import with_task
 
 __all__ = [
     "CommandedGaitController",

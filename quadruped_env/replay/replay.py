@@ -80,7 +80,9 @@ class Replay:
 
     @cached_property
     def _saturation(self) -> Saturation | None:
-        return None if self.motion is None else saturation(self.targets, self.played, self.motors)
+        return (
+            None if self.motion is None else saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
+        )
 
     def comparison(self) -> Signals:
         """Recorded against simulated positions, velocities and efforts.

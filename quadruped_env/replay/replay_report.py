@@ -139,7 +139,7 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
     assert replay.played.efforts is not None
     assert replay.played.velocities is not None
     times = replay.played.times
-    motors = [replay.motors.of_joint(name) for name in replay.robot.joint_names]
+    motors = replay.motors.of_joints(replay.robot.joint_kinds)
     stall, top = (np.array([getattr(motor, name) for motor in motors]) for name in ("stall_torque", "no_load_speed"))
     torque = {
         "requested": Line(times, np.clip(saturation.asked, -2 * stall, 2 * stall), VERMILION),

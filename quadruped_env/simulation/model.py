@@ -79,7 +79,7 @@ def _compiled(
     if timestep is not None:
         spec.option.timestep = timestep
     if motors is not None and motors != robot.motors:
-        motors.write(spec)
+        motors.write(spec, robot.joint_kinds)
     motors = motors or robot.motors
     if max_delay > motors.delay:
         motors.write_delay(spec, max_delay)

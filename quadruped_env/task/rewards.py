@@ -180,7 +180,7 @@ class electrical_power:  # noqa: N801
     """Sum of max(0, torque * joint velocity) + torque^2 R / K^2: mechanical power, and heat in the windings."""
 
     def __init__(self, context: TaskContext) -> None:
-        self._heat = context.xp.constant(context.motors.joule_coefficients(context.robot.joint_names))[None]
+        self._heat = context.xp.constant(context.motors.joule_coefficients(context.robot.joint_kinds))[None]
 
     def __call__(self, context: TaskContext) -> Any:
         """Values (N,)."""

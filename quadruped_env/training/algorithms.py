@@ -35,7 +35,7 @@ class Algorithm:
     """An algorithm by its class, with the fields of `TrainConfig` that only some algorithms use."""
 
     module: str
-    """Module of its class, in `stable_baselines3` or `sb3_contrib`, or here where it does more than theirs."""
+    """Module of its class, in `stable_baselines3` or `sb3_contrib`."""
     class_name: str
     policies: str
     """Module of its policy and actor; empty for an on-policy algorithm, whose policy is `ActorCritic`."""
@@ -59,8 +59,8 @@ def _off_policy(module: str, class_name: str, policies: str, policy: str, *setti
 ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
     {
         "ppo": Algorithm(
-            "quadruped_env.training.fast_ppo",
-            "FastPPO",
+            "stable_baselines3.ppo",
+            "PPO",
             "",
             "ActorCriticPolicy",
             _ON_POLICY

@@ -10,7 +10,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, code_changes, finished_directory
+from quadruped_env.control.kept_task_file import code_changes
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.control.policy_files import finished_directory
 from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_file, recorded_terms
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short

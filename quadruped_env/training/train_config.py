@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final, Literal
 
+from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_config import ACTION_MODES
-from quadruped_env.control.policy import ACTIVATIONS
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
@@ -162,7 +162,9 @@ class TrainConfig:
     (MuJoCo Warp and rsl-rl, extra gpu); `warp-cpu`, the GPU's code on the CPU, for trying it"""
     hidden: tuple[int, ...] = (64, 64)
     """Widths of the hidden layers of the policy and of the value function"""
-    activation: Literal["elu", "relu", "tanh"] = "elu"
+    activation: Literal["elu", "relu", "tanh", "leaky_relu", "silu", "gelu", "softplus", "selu", "sigmoid", "mish"] = (
+        "elu"
+    )
     """Activation function of the hidden layers"""
     symmetric: bool = True
     """Make the policy left/right symmetric by construction, as the robot is"""

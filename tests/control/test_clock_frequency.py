@@ -154,7 +154,7 @@ def following_policy():
     """The shipped network in a task whose clock follows the command."""
     policy = load_policy("flat")
     task = TaskConfig(clock_frequency=FOLLOWING, action=ActionConfig(mode="residual"))
-    return Policy(policy.weights, policy.biases, policy.activation, task, {"timesteps": 1})
+    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, {"timesteps": 1})
 
 
 def test_policy_keeps_its_frequency_and_refuses_an_env_with_another(tmp_path):

@@ -161,7 +161,7 @@ def policy_with_history(mode="residual", history=3):
     weights = [rng.normal(0.0, 0.1, shape).astype(np.float32) for shape in shapes]
     biases = [rng.normal(0.0, 0.1, shape[1]).astype(np.float32) for shape in shapes]
     task = TaskConfig(action=ActionConfig(mode=mode), observation_history=history)
-    return Policy(weights, biases, "elu", task, {"timesteps": 1})
+    return Policy.for_task(weights, biases, "elu", task, {"timesteps": 1})
 
 
 def test_policy_keeps_its_history_and_refuses_other_observations(tmp_path):

@@ -64,7 +64,7 @@ def commanded(seconds, rate=50.0, steps=0.35, seed=1):
 def measured(commands, motors, noise=NOISE, every=2, seed=0):
     """Recording of a robot on a stand under the commands, by MuJoCo alone: 5 ms steps, every second one measured."""
     spec = joint_spec(MINI_QUADRUPED, "fixed", 0.005)
-    motors.write(spec)
+    motors.write(spec, MINI_QUADRUPED.joint_kinds)
     model = spec.compile()
     data = mujoco.MjData(model)
     data.qpos = commands.positions[0]

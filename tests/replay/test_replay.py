@@ -15,7 +15,7 @@ from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
 from quadruped_env.replay.signal_comparison import lag, lags
-from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
+from quadruped_env.robot import JOINT_KINDS, MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance
 
@@ -170,14 +170,14 @@ class TestReplay:
         targets = positions.copy()
         targets[1:3, 0] = 0.1, -0.4
         target, played = (JointTrajectory(stamps, JOINT_NAMES, p, velocities) for p in (targets, positions))
-        found = saturation(target, played, MotorConfig())
+        found = saturation(target, played, MotorConfig(), JOINT_KINDS * 4)
         # A target acts over the step that follows it.
         np.testing.assert_allclose(found.asked[:, 0], [0.0, 0.0, 0.1 * 40 - 2.0, -0.4 * 40 - 2.0])
         np.testing.assert_allclose(found.excess[:, 0], [0.0, 0.0, 0.0, 8.0])
-        late = saturation(target, played, MotorConfig(delay=0.02))
+        late = saturation(target, played, MotorConfig(delay=0.02), JOINT_KINDS * 4)
         np.testing.assert_allclose(late.asked[:, 0], [0.0, 0.0, -2.0, 0.1 * 40 - 2.0])
         targets[1, 0] = 0.3
-        pulled = saturation(JointTrajectory(stamps, JOINT_NAMES, targets), played, MotorConfig())
+        pulled = saturation(JointTrajectory(stamps, JOINT_NAMES, targets), played, MotorConfig(), JOINT_KINDS * 4)
         assert pulled.excess[2, 0] == pytest.approx(0.3 * 40 - 2.0 - 6.0)
 
     def test_lag_is_the_known_delay(self):

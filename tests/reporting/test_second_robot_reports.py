@@ -97,7 +97,7 @@ def policy():
     """A policy that holds the stance, which is enough for a report."""
     width = len(ObservationLayout(ROBOT, CONFIG.definition.observations).low)
     weights, biases = np.zeros((width, ROBOT.num_joints), np.float32), np.zeros(ROBOT.num_joints, np.float32)
-    return Policy((weights,), (biases,), "tanh", CONFIG, {"command": "python train/ppo.py", "seed": 0})
+    return Policy.for_task((weights,), (biases,), "tanh", CONFIG, {"command": "python train/ppo.py", "seed": 0})
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from gymnasium.envs.registration import EnvSpec
 from paths import ROOT
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.policy import load_terms
+from quadruped_env.control.policy_files import load_terms
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import find_controllers, load_policy

@@ -15,7 +15,7 @@ from waiting import killed_on_failure, output_of
 from benchmarks import env_speed, measures, shipping, terrain_speed, throughput
 from benchmarks.learning_speed import Learned, WalkTest, summary, time_to_walk, walk_test
 from benchmarks.shipping import acceptance
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.task import RandomizationConfig
@@ -87,7 +87,7 @@ def test_acceptance_is_on_the_same_ground_for_every_policy_and_disturbance_is_no
     monkeypatch.setattr(shipping, "ACCEPTANCE_EPISODES", 2)
     flat = load_policy("flat")
     config = flat.config.on_terrain("rough").randomized("moderate")
-    on_hills = Policy(flat.weights, flat.biases, flat.activation, config, {})
+    on_hills = Policy.for_task(flat.weights, flat.biases, flat.activation, config, {})
     for policy in (flat, on_hills):
         shipping.acceptance(policy)
         found = shipping.disturbed(policy, episodes=2)

@@ -19,8 +19,9 @@ from typing import Any, Final
 
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, kept_file, load_policy, load_terms
+from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.messages.command_messages import CommandWriter, positions_message
@@ -73,7 +74,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Control the robot until the session ends, then let it go limp."""
     terms = _terms(arguments)
-    load = functools.partial(load_policy, terms=terms)
+    load = functools.partial(read_policy, terms=terms)
     robot = terms.robot
     live_controller = LiveController(
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
@@ -111,7 +112,7 @@ def _terms(arguments: argparse.Namespace) -> Terms:
         return Terms() if arguments.task is None else load_terms(arguments.task)
     if arguments.task is not None:
         raise QuadrupedError(f"--trust-task: found next to --task {arguments.task}; give one of them")
-    kept = kept_file(arguments.policy)
+    kept = kept_file(policy_directory(arguments.policy))
     return Terms() if kept is None else load_terms(*kept)
 
 

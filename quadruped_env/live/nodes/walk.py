@@ -9,7 +9,7 @@ Steer it with the keys of `teleop`, or with the arrow keys in the browser.
 import argparse
 import sys
 
-from quadruped_env.control.policy import LIVE_POLICY
+from quadruped_env.control.policy_files import LIVE_POLICY
 from quadruped_env.live.node_launch import common, launch
 from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
 from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain

@@ -30,6 +30,7 @@ class Network(MLPModel):
         order: source column of each column of the mirrored input; None: the network is not symmetric.
         sign: sign of each of these columns.
         output_order: source of each mirrored output; None: a mirrored output is the same.
+        output_sign: sign of each of these outputs.
     """
 
     def __init__(
@@ -38,10 +39,12 @@ class Network(MLPModel):
         order: np.ndarray | None = None,
         sign: np.ndarray | None = None,
         output_order: np.ndarray | None = None,
+        output_sign: np.ndarray | None = None,
         **kwargs: Any,
     ) -> None:
         super().__init__(*args, **kwargs)
-        for name, values in (("order", order), ("sign", sign), ("output_order", output_order)):
+        buffers = {"order": order, "sign": sign, "output_order": output_order, "output_sign": output_sign}
+        for name, values in buffers.items():
             self.register_buffer(name, None if values is None else torch.as_tensor(values), persistent=False)
         role = "critic" if self.distribution is None else "actor"
         self.mlp.init_weights([math.sqrt(2.0)] * (len(self.mlp) - 1) + [_OUTPUT_GAIN[role]])
@@ -55,7 +58,7 @@ class Network(MLPModel):
         if self.order is not None:
             mirrored = self.mlp(seen.index_select(-1, self.order) * self.sign)
             if self.output_order is not None:
-                mirrored = mirrored.index_select(-1, self.output_order)
+                mirrored = mirrored.index_select(-1, self.output_order) * self.output_sign
             output = 0.5 * (output + mirrored)
         if self.distribution is None:
             return output
@@ -148,7 +151,8 @@ def _mirror(config: TrainConfig, env: WarpVecEnv, critic: bool) -> dict[str, Any
         return {}
     own = MirrorMap.of(env.task.control.layout)
     if not critic:
-        return {"order": own.observation_order, "sign": own.observation_sign, "output_order": own.action_order}
+        outputs = {"output_order": own.action_order, "output_sign": own.action_sign}
+        return {"order": own.observation_order, "sign": own.observation_sign, **outputs}
     maps = [own]
     if env.privileged_layout is not None:
         maps.append(MirrorMap.of(env.privileged_layout))

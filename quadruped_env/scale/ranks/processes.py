@@ -19,7 +19,7 @@ from types import FrameType
 from typing import Any, Final
 
 import quadruped_env
-from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.scale.ranks.job import Job, threads_per_rank
 from quadruped_env.training.run_directory import LATEST, check_latest

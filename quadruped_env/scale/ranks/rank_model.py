@@ -4,13 +4,16 @@ Each rank computes the gradient of its share of a batch, and the mean over ranks
 2020, "PyTorch Distributed", https://arxiv.org/abs/2006.15704. Advantages are normalized over the whole batch, too.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import torch
+from stable_baselines3 import PPO
+from stable_baselines3.common.buffers import RolloutBuffer
+from stable_baselines3.common.type_aliases import RolloutBufferSamples
 from stable_baselines3.common.utils import set_random_seed
 
 from quadruped_env.training.group import Group
-from quadruped_env.training.sb3_models import native
 from quadruped_env.training.step_statistics import StepStatistics
 
 _EPSILON = 1e-8
@@ -31,7 +34,28 @@ def normalized(values: torch.Tensor, total: torch.Tensor) -> torch.Tensor:
     return ((values.double() - mean) / (variance.sqrt() + _EPSILON)).to(values.dtype)
 
 
-class DistributedPPO(native("ppo")):  # type: ignore[misc]
+class SharedBuffer(RolloutBuffer):
+    """A rank's rollout; the advantages of each batch are normalized over the shares of all ranks.
+
+    Args:
+        args, kwargs: of `RolloutBuffer`.
+        group: this rank.
+    """
+
+    def __init__(self, *args: Any, group: Group, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self._group = group
+
+    def get(self, batch_size: int | None = None) -> Iterator[RolloutBufferSamples]:
+        """See `RolloutBuffer`; of one epoch, whose sums the ranks exchange at once."""
+        batches = list(super().get(batch_size))
+        sums = torch.stack([moments(batch.advantages) for batch in batches])
+        self._group.sum(sums)
+        for batch, total in zip(batches, sums, strict=True):
+            yield batch._replace(advantages=normalized(batch.advantages, total))
+
+
+class DistributedPPO(PPO):
     """PPO on one of several ranks.
 
     Before the optimizer's step, gradients become the mean over all ranks, so each rank takes the same step.
@@ -43,6 +67,9 @@ class DistributedPPO(native("ppo")):  # type: ignore[misc]
 
     def __init__(self, *args: Any, group: Group, **kwargs: Any) -> None:
         self.group = group
+        if group.ranks > 1:
+            kwargs |= {"normalize_advantage": False, "rollout_buffer_class": SharedBuffer}
+            kwargs["rollout_buffer_kwargs"] = {"group": group}
         super().__init__(*args, **kwargs)
 
     def _setup_model(self) -> None:
@@ -51,6 +78,21 @@ class DistributedPPO(native("ppo")):  # type: ignore[misc]
         self.group.broadcast(self.policy.parameters())
         if self.group.rank:
             set_random_seed((self.seed + self.group.rank * self.n_envs) % 2**32)
+        if self.group.ranks > 1:
+            self._average_gradients(list(self.policy.parameters()))
+
+    def _average_gradients(self, parameters: list[torch.nn.Parameter]) -> None:
+        """Make each backward pass end with gradients that are the mean over the ranks."""
+        done: list[torch.nn.Parameter] = []
+
+        def note(parameter: torch.nn.Parameter) -> None:
+            done.append(parameter)
+            if len(done) == len(parameters):
+                done.clear()
+                self.group.average(parameter.grad for parameter in parameters if parameter.grad is not None)
+
+        for parameter in parameters:
+            parameter.register_post_accumulate_grad_hook(note)
 
     def set_random_seed(self, seed: int | None = None) -> None:
         """Seed the network as on all ranks, and the envs by their indices among those of all ranks."""
@@ -72,18 +114,5 @@ class DistributedPPO(native("ppo")):  # type: ignore[misc]
         super().train()
         self.group.check_same(self.policy.parameters(), f"after {self.num_timesteps:,} steps")
 
-    def _normalized(self, batches: list[torch.Tensor]) -> list[torch.Tensor]:
-        """Advantages of each batch, of which this rank has a share, normalized over the shares of all ranks."""
-        if self.group.ranks == 1:
-            return super()._normalized(batches)
-        sums = torch.stack([moments(batch) for batch in batches])
-        self.group.sum(sums)
-        return [normalized(batch, total) for batch, total in zip(batches, sums, strict=True)]
-
-    def _limit_gradients(self) -> None:
-        """Gradients become the mean over ranks, with a limited norm."""
-        self.group.average([self._gradient.values])
-        super()._limit_gradients()
-
     def _excluded_save_params(self) -> list[str]:
-        return [*super()._excluded_save_params(), "group"]
+        return [*super()._excluded_save_params(), "group", "rollout_buffer_kwargs"]

@@ -241,8 +241,8 @@ def test_envs_of_the_ranks_are_those_of_one_rank():
 class Recorded(WarpStatistics):
     """Statistics that keep what is shared after each rollout, clear it after two, and may be stopped after some."""
 
-    def __init__(self, group, rollouts):
-        super().__init__(group)
+    def __init__(self, config, group, rollouts):
+        super().__init__(config, group)
         self.shared, self.rollouts = [], rollouts
 
     def _on_rollout_end(self):
@@ -283,7 +283,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
         model = warp_training.WarpModel(config, envs[group.rank], group)
         steps = watch_steps(envs[group.rank], lock)
         # Rank 1 alone is asked to stop.
-        found = Recorded(group, 3 if group.rank else 99)
+        found = Recorded(config, group, 3 if group.rank else 99)
         warp_training.learn(model, found)
         return found, np.array(steps), model
 
@@ -293,7 +293,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     assert one.ended
     assert other.ended
     assert model.num_timesteps == 3 * 160
-    assert model.agreed_budget_left == 1.0 - 3 / 50
+    assert model.learning_rate.left == 1.0 - 3 / 50
     assert own[:, -1].sum() > 0, "some fall"
     for index, part in enumerate((slice(40), slice(80), slice(80, 120))):
         expected = (own[part].sum(0) + others[part].sum(0)) / 2.0
@@ -319,7 +319,7 @@ def test_weights_are_compared_after_every_update():
 
         model.ppo.update = drift
         with pytest.raises(DifferentWeightsError, match=f"weights of 1 differ from those of rank 0 after {3 * STEPS} "):
-            warp_training.learn(model, WarpStatistics(group))
+            warp_training.learn(model, WarpStatistics(config, group))
 
     on_ranks(2, run)
 

@@ -166,8 +166,8 @@ def test_weights_are_compared_after_every_update():
 class Recorded(StepStatistics):
     """Statistics that keep what this rank had before the exchange, and may be stopped after some rollouts."""
 
-    def __init__(self, group, rollouts):
-        super().__init__(group)
+    def __init__(self, config, group, rollouts):
+        super().__init__(config, group)
         self.own, self.shared, self.rollouts = [], [], rollouts
 
     def _on_rollout_end(self):
@@ -175,7 +175,7 @@ class Recorded(StepStatistics):
         self.stopped = len(self.own) == self.rollouts
         super()._on_rollout_end()
         self.shared.append((np.concatenate([np.ravel(part) for part in self.sums]), self.mean_levels()))
-        self.steps, self.budget_left = self.num_timesteps, self.model.agreed_budget_left
+        self.steps, self.budget_left = self.num_timesteps, self.schedule.left
         self.tiles = self._task.tiles
         self._clear()
 
@@ -189,7 +189,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
         _, _, _, model = training.prepare(config, None, None, group)
         model.set_logger(configure(None, []))
         # Rank 1 alone is asked to stop.
-        found = Recorded(group, 3 if group.rank else 99)
+        found = Recorded(config, group, 3 if group.rank else 99)
         training.learn(config, model, found, fresh=True)
         return found
 
