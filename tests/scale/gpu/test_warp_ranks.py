@@ -25,9 +25,9 @@ from quadruped_env.control.symmetry import MirrorMap  # noqa: E402
 from quadruped_env.policies import load_policy  # noqa: E402
 from quadruped_env.scale.gpu import warp_training  # noqa: E402
 from quadruped_env.scale.gpu.warp_env import FINAL, OBSERVATION, TIME_OUTS  # noqa: E402
+from quadruped_env.scale.gpu.warp_ppo import make_ppo  # noqa: E402
 from quadruped_env.scale.gpu.warp_statistics import WarpStatistics  # noqa: E402
 from quadruped_env.scale.ranks.job import Job  # noqa: E402
-from quadruped_env.scale.ranks.warp_rank_model import make_rank_ppo  # noqa: E402
 from quadruped_env.simulation import BatchSimulation  # noqa: E402
 from quadruped_env.task import Task, TaskConfig  # noqa: E402
 from quadruped_env.training import TrainConfig  # noqa: E402
@@ -74,7 +74,7 @@ def envs_without_physics(task, num_envs):
 
 def collected(task, config):
     """Plain PPO after a rollout, and its last observations. Rewards differ in mean and spread from env to env."""
-    ppo = make_rank_ppo(config, envs_without_physics(task, config.num_envs), Group())
+    ppo = make_ppo(config, envs_without_physics(task, config.num_envs), Group())
     own = torch.arange(1.0, 1.0 + config.num_envs)
     with torch.no_grad():
         for parameter in [*ppo.actor.parameters(), *ppo.critic.parameters()]:
@@ -92,7 +92,7 @@ def collected(task, config):
 def share_of(ppo, seen, task, config, group):
     """A rank's PPO with the weights of a plain one, and its share of that one's rollout and last observations."""
     share = config.num_envs // group.ranks
-    own = make_rank_ppo(config, envs_without_physics(task, share), group)
+    own = make_ppo(config, envs_without_physics(task, share), group)
     unflatten(weights(ppo), [*own.actor.parameters(), *own.critic.parameters()])
     envs = slice(group.rank * share, (group.rank + 1) * share)
     for name in ROLLOUT:
@@ -149,15 +149,13 @@ def test_each_batch_of_each_epoch_is_normalized_over_all_ranks(task):
 def test_ranks_begin_with_the_same_weights_and_explore_with_noise_of_their_own(task):
     def begin(group):
         # As GPUs of two types do, whose arithmetic rounds differently.
-        return weights(
-            make_rank_ppo(dataclasses.replace(CONFIG, seed=group.rank), envs_without_physics(task, 2), group)
-        )
+        return weights(make_ppo(dataclasses.replace(CONFIG, seed=group.rank), envs_without_physics(task, 2), group))
 
     one, other = on_ranks(2, begin)
     assert torch.equal(one, other)
     noise = []
     for group in (Group(), *(Group(rank, 3) for rank in range(3))):
-        make_rank_ppo(CONFIG, envs_without_physics(task, 2), group)
+        make_ppo(CONFIG, envs_without_physics(task, 2), group)
         noise.append(torch.randn(4).tolist())
     assert noise[0] == noise[1], "rank 0 has that of plain training"
     assert len({*map(tuple, noise)}) == 3

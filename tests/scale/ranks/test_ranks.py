@@ -16,7 +16,7 @@ from quadruped_env.cli import train
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.scale.ranks import torchrun
 from quadruped_env.scale.ranks.job import Job
-from quadruped_env.scale.ranks.rank_model import moments, normalized
+from quadruped_env.scale.ranks.rank_model import normalized_over_ranks
 from quadruped_env.scale.ranks.torch_group import RankGroup
 from quadruped_env.scale.ranks.training_launch import launch
 from quadruped_env.training import TrainConfig
@@ -87,9 +87,8 @@ def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(ran
 
 def test_advantages_are_normalized_over_the_shares_of_all_ranks():
     values = torch.randn(30, generator=torch.Generator().manual_seed(0)) * 3.0 + 7.0
-    total = sum(moments(share) for share in values.split([10, 10, 10]))
-    found = torch.cat([normalized(share, total) for share in values.split([10, 10, 10])])
-    torch.testing.assert_close(found, (values - values.mean()) / values.std())
+    found = on_ranks(3, lambda group: normalized_over_ranks([values.split(10)[group.rank]], group)[0])
+    torch.testing.assert_close(torch.cat(found), (values - values.mean()) / values.std())
 
 
 def test_one_rank_gives_the_bits_of_plain_training(run, tmp_path):
