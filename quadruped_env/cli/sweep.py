@@ -12,6 +12,7 @@ Each trial is one training, as of 'train', with its run directory in sweeps/<nam
 """
 
 import argparse
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -196,7 +197,8 @@ def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
     asked = {name: value for name in _OPTIONS if (value := getattr(arguments, name)) is not None}
     settings = asked.pop("trials", None)
     if settings is None:
-        settings = _grid(space) if asked.get("search") == "grid" else DEFAULT_TRIALS if space else 1
+        grid = math.prod(max(1, len(dimension.choices)) for dimension in space)
+        settings = grid if asked.get("search") == "grid" else DEFAULT_TRIALS if space else 1
     return (
         SweepConfig(
             training=typed,
@@ -209,13 +211,6 @@ def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
         ),
         make,
     )
-
-
-def _grid(space: list[Dimension]) -> int:
-    size = 1
-    for dimension in space:
-        size *= max(1, len(dimension.choices))
-    return size
 
 
 def _check_kept(

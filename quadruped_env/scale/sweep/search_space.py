@@ -41,15 +41,15 @@ class Dimension:
     """One field of a space: a range of numbers, or choices."""
 
     field: str
-    low: float | int | None = None
-    high: float | int | None = None
+    low: Any = None
+    high: Any = None
     log: bool = False
     """True to draw the logarithm uniformly."""
     choices: tuple[Any, ...] = ()
 
     def __post_init__(self) -> None:
         numbers = is_quantity(self.low) and is_quantity(self.high)
-        if not self.choices and not (numbers and (0 if self.log else -math.inf) < self.low < self.high):  # type: ignore[operator]
+        if not self.choices and not (numbers and (0 if self.log else -math.inf) < self.low < self.high):
             raise QuadrupedError(
                 f"{short(self.field)}: expected choices, or low below high{', above 0' if self.log else ''}; found "
                 f"{short(self.low)} and {short(self.high)}"
@@ -57,7 +57,7 @@ class Dimension:
 
     def holds(self, value: Any) -> bool:
         """True if `draw` could have given a value, which is from JSON."""
-        return of_json(value) in self.choices if self.choices else is_quantity(value, self.low, self.high)  # type: ignore[arg-type]
+        return of_json(value) in self.choices if self.choices else is_quantity(value, self.low, self.high)
 
     @property
     def whole(self) -> bool:
@@ -68,13 +68,11 @@ class Dimension:
         """A random value."""
         if self.choices:
             return self.choices[int(generator.integers(len(self.choices)))]
-        assert self.low is not None
-        assert self.high is not None
         if self.log:
             value = math.exp(generator.uniform(math.log(self.low), math.log(self.high)))
             return min(max(round(value) if self.whole else value, self.low), self.high)
         if self.whole:
-            return int(generator.integers(int(self.low), int(self.high), endpoint=True))
+            return int(generator.integers(self.low, self.high, endpoint=True))
         return float(generator.uniform(self.low, self.high))
 
     def ends(self) -> tuple[Any, ...]:
@@ -120,7 +118,7 @@ def parse_dimension(text: str, task: Mapping[str, Any]) -> Dimension:
         )
     where, default = f"--vary {name}", default_of(name, task, "--vary")
     if ".." not in values:
-        return _choices(where, name, [_typed(where, part, default) for part in _parts(where, values)], default)
+        return _choices(where, name, _listed(where, values, default), default)
     ends, _, scale = values.strip().partition(":")
     if scale not in ("", "log"):
         raise QuadrupedError(f"{where}: expected ':log' or nothing after the range; found {short(scale)}")
@@ -188,23 +186,20 @@ def _unknown(option: str, name: str, found: str, known: Sequence[str], where: st
     )
 
 
-def _parts(where: str, text: str) -> list[str]:
-    """The choices in a text, separated by commas; those within brackets belong to one choice."""
-    parts, depth, begin = [], 0, 0
-    for i, letter in enumerate(text):
-        depth += (letter in "[{") - (letter in "]}")
-        if letter == "," and depth == 0:
-            parts.append(text[begin:i])
-            begin = i + 1
-    parts.append(text[begin:])
-    if any(not part.strip() for part in parts):
+def _listed(where: str, text: str, default: Any) -> Sequence[Any]:
+    """Choices as typed on the command line, separated by commas."""
+    if not isinstance(default, (str, tuple)):
+        with contextlib.suppress(ValueError):
+            listed: Sequence[Any] = of_json(json.loads(f"[{text}]"))
+            return listed
+    parts = [part.strip() for part in text.split(",")]
+    if not all(parts):
         raise QuadrupedError(f"{where}: an empty choice in {short(text)}; separate the choices with one comma each")
-    return [part.strip() for part in parts]
+    return [_typed(where, part, default) for part in parts]
 
 
 def _typed(where: str, text: str, default: Any) -> Any:
     """A value as typed on the command line, as the field's default has it."""
-    text = text.strip()
     if isinstance(default, tuple) and default and all(isinstance(width, int) for width in default):
         try:
             return tuple(int(width) for width in text.split("x"))

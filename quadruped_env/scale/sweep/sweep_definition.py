@@ -72,10 +72,7 @@ class SweepConfig:
                 raise QuadrupedError(f"--vary {name}: found twice; give each field once, in --vary or in --space")
         first = self.training.get("seed", TrainConfig.seed)
         num_envs = self.training.get("num_envs", TrainConfig.num_envs)
-        if first + self.seeds > 2**32:
-            raise QuadrupedError(
-                f"--seed: {first} and {self.seeds - 1} more go beyond 4294967295; choose a smaller one"
-            )
+        check_fields({"seed": first + self.seeds - 1})
         check_training_seeds("--seeds", first, self.seeds - 1 + num_envs)
         if not self.space and self.settings > 1:
             raise QuadrupedError(

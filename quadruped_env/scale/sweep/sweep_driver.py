@@ -6,6 +6,7 @@ import shutil
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
+from datetime import timedelta
 from types import SimpleNamespace
 from typing import Any, Final
 
@@ -162,13 +163,15 @@ def _watcher(tune: Any, book: "TrialBook", stopped: set[str]) -> Any:
 
     class Watcher(tune.Callback):
         def on_trial_start(self, iteration: int, trials: Any, trial: Any, **info: Any) -> None:
-            book.started(trial.config["number"])
+            book.say(f"{book.name(trial.config['number'])}: training")
 
         def on_trial_result(self, iteration: int, trials: Any, trial: Any, result: Any, **info: Any) -> None:
             book.reported(trial.config["number"], result)
 
         def on_trial_recover(self, iteration: int, trials: Any, trial: Any, **info: Any) -> None:
-            book.lost(trial.config["number"])
+            number = trial.config["number"]
+            if book.folder.trial(number).result() is None:
+                book.say(f"{book.name(number)}: its process or node was lost; it begins again")
 
         def on_trial_complete(self, iteration: int, trials: Any, trial: Any, **info: Any) -> None:
             book.ended(trial.config["number"], stopped=trial.trial_id in stopped)
@@ -215,7 +218,7 @@ class TrialBook:
             if trial.result() is None:
                 self._waiting.append(number)
         if ignored:
-            say(f"note: this version does not have {', '.join(sorted(ignored))}, and trains the trials without")
+            say(f"note: settings that this version does not have are left out: {', '.join(sorted(ignored))}")
         self._open = set(self._waiting)
         for setting in range(folder.config.settings):
             self._tell_if_complete(setting)
@@ -253,23 +256,14 @@ class TrialBook:
             # Fields that do not fit together: the trial says so itself, and the sweep goes on.
             return plain({**asdict(self._make(config.fields_of({}, seed))), **fields})
 
-    def started(self, number: int) -> None:
-        """Print that a trial begins."""
-        self.say(f"{self._name(number)}: training")
-
     def reported(self, number: int, result: Mapping[str, Any]) -> None:
         """Print the score at a rung."""
         last = self.folder.config.reduction**self.folder.config.rungs
         if result.get(RUNG, last) < last:
             self.say(
-                f"{self._name(number)}: score {result[SCORE]:.3f} after {result['timesteps']:,} steps (rung "
+                f"{self.name(number)}: score {result[SCORE]:.3f} after {result['timesteps']:,} steps (rung "
                 f"{result[RUNG]}/{last})"
             )
-
-    def lost(self, number: int) -> None:
-        """Print that a trial begins again."""
-        if self.folder.trial(number).result() is None:
-            self.say(f"{self._name(number)}: its process or node was lost; it begins again")
 
     def ended(self, number: int, stopped: bool = False, error: str | None = None) -> None:
         """Take note of a trial's end.
@@ -292,7 +286,7 @@ class TrialBook:
             return
         self._open.discard(number)
         self._done_here += 1
-        self.say(f"{self._name(number)}: {_outcome(result)}; {self._progress()}")
+        self.say(f"{self.name(number)}: {_outcome(result)}; {self._progress()}")
         self._tell_if_complete(self._numbers[number][0])
 
     def _tell_if_complete(self, setting: int) -> None:
@@ -310,15 +304,20 @@ class TrialBook:
                 scores.append(rows[-1]["score"])
         self._source.tell(setting, self._values[setting], score_of_setting(scores))
 
-    def _name(self, number: int) -> str:
+    def name(self, number: int) -> str:
+        """A trial in words."""
         setting, seed = self._numbers[number]
         values = " ".join(f"{name}={shown(value)}" for name, value in self._values[setting].items())
         return f"trial {number}, seed {seed}{f', {values}' if values else ''}"
 
     def _progress(self) -> str:
         elapsed, left = time.monotonic() - self._began, len(self._open)
-        done = f"{len(self._numbers) - left} of {len(self._numbers)} done, {clock(elapsed)} elapsed"
-        return f"{done}, about {clock(elapsed / self._done_here * left)} left" if left else done
+        done = f"{len(self._numbers) - left} of {len(self._numbers)} done, {_clock(elapsed)} elapsed"
+        return f"{done}, about {_clock(elapsed / self._done_here * left)} left" if left else done
+
+
+def _clock(seconds: float) -> str:
+    return str(timedelta(seconds=round(seconds)))
 
 
 def _outcome(result: Mapping[str, Any]) -> str:
@@ -329,9 +328,3 @@ def _outcome(result: Mapping[str, Any]) -> str:
     score = "" if result.get("score") is None else f", score {result['score']['total']:.3f}"
     seconds = sum(result.get(name, 0.0) for name in ("training_seconds", "scoring_seconds"))
     return f"finished after {seconds:.0f} s{score}"
-
-
-def clock(seconds: float) -> str:
-    """A time as h:mm:ss."""
-    whole = round(seconds)
-    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"

@@ -2,8 +2,6 @@
 
 import dataclasses
 import re
-import signal
-import subprocess
 import threading
 from types import SimpleNamespace
 
@@ -14,11 +12,10 @@ pytest.importorskip("mujoco_warp", reason="MuJoCo Warp is not installed: pip ins
 pytest.importorskip("rsl_rl", reason="rsl-rl is not installed: pip install -e '.[gpu]'")
 
 import numpy as np  # noqa: E402
-from rank_processes import check_death_of_a_rank, check_signal, torchrun  # noqa: E402
+from rank_processes import check_death_of_a_rank  # noqa: E402
 from rank_threads import on_ranks  # noqa: E402
 from tensordict import TensorDict  # noqa: E402
 from trainings import SMALL, STEPS, TINY, WARP_FILES, assert_complete, learn, needs_warp, progress, train  # noqa: E402
-from waiting import DEADLINE  # noqa: E402
 
 from quadruped_env.cli.main import main  # noqa: E402
 from quadruped_env.control.symmetry import MirrorMap  # noqa: E402
@@ -164,36 +161,30 @@ def test_ranks_begin_with_the_same_weights_and_explore_with_noise_of_their_own(t
 # --- GPUs ---
 
 
+OF_TORCHRUN = {
+    "RANK": 5, "WORLD_SIZE": 8, "LOCAL_RANK": 1, "LOCAL_WORLD_SIZE": 4, "MASTER_ADDR": "node", "MASTER_PORT": 29500
+}  # fmt: skip
+
+
 @pytest.mark.parametrize(
-    ("found", "message"),
+    ("arguments", "variables", "gpus", "message"),
     [
-        (1, "--ranks: found 2 ranks on this machine with --device cuda, .*torch finds 1 GPU; choose --ranks 1, or"),
-        (0, "--ranks: found 2 ranks .*torch finds 0 GPUs; check that nvidia-smi shows them"),
+        ("--ranks 2", {}, 1, "--ranks: found 2 ranks on this machine .*, and torch finds 1 GPU; choose --ranks 1, or"),
+        ("--ranks 2", {}, 0, "--ranks: found 2 ranks .*torch finds 0 GPUs; check that nvidia-smi shows them"),
+        ("", OF_TORCHRUN, 2, "--ranks: found 4 ranks on this machine"),
+        ("--ranks 2 --launcher ray --address 127.0.0.1:1", {}, 2, "--launcher: found ray with --device cuda; "),
     ],
 )
-def test_fewer_gpus_than_ranks_is_an_error_with_a_fix(found, message, monkeypatch, tmp_path, capsys):
-    monkeypatch.setattr(torch.cuda, "device_count", lambda: found)
-    arguments = ["train", "--device", "cuda", "--ranks", "2", "--output", str(tmp_path / "runs")]
-    assert main(arguments) == 2
-    errors = [line for line in capsys.readouterr().err.splitlines() if "error" in line]
-    assert len(errors) == 1
-    assert re.search(message, errors[0])
-    assert not (tmp_path / "runs").exists()
-
-
-def test_ranks_of_torchrun_need_as_many_gpus_as_run_on_their_machine(monkeypatch, tmp_path, capsys):
-    variables = {"RANK": 5, "WORLD_SIZE": 8, "LOCAL_RANK": 1, "LOCAL_WORLD_SIZE": 4}
-    for name, value in {**variables, "MASTER_ADDR": "node", "MASTER_PORT": 29500}.items():
+def test_ranks_that_cannot_have_a_gpu_each_are_an_error(
+    arguments, variables, gpus, message, monkeypatch, tmp_path, capsys
+):
+    for name, value in variables.items():
         monkeypatch.setenv(name, str(value))
-    monkeypatch.setattr(torch.cuda, "device_count", lambda: 2)
-    assert main(["train", "--device", "cuda", "--output", str(tmp_path)]) == 2
-    assert "--ranks: found 4 ranks on this machine" in capsys.readouterr().err
-
-
-def test_ranks_of_ray_do_not_use_gpus(tmp_path, capsys):
-    arguments = ["train", "--device", "cuda", "--ranks", "2", "--launcher", "ray", "--address", "127.0.0.1:1"]
-    assert main([*arguments, "--output", str(tmp_path)]) == 2
-    assert "--launcher: found ray with --device cuda; " in capsys.readouterr().err
+    monkeypatch.setattr(torch.cuda, "device_count", lambda: gpus)
+    assert main(["train", "--device", "cuda", *arguments.split(), "--output", str(tmp_path / "runs")]) == 2
+    (error,) = (line for line in capsys.readouterr().err.splitlines() if "error" in line)
+    assert re.search(message, error)
+    assert not (tmp_path / "runs").exists()
 
 
 def test_each_rank_has_the_gpu_of_its_place_on_its_machine():
@@ -340,17 +331,6 @@ def test_run_of_two_ranks_is_that_of_one_and_counts_the_steps_of_all(run):
 
 
 @needs_warp
-def test_torchrun_trains_like_ranks(run, tmp_path):
-    command = torchrun(tmp_path, *TINY, *ON_WARP)
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=DEADLINE)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.count("trained ->") == 1
-    directory = (tmp_path / "latest").resolve()
-    assert_complete(directory, WARP_FILES)
-    assert (directory / "policy.safetensors").read_bytes() == (run / "policy.safetensors").read_bytes()
-
-
-@needs_warp
 def test_run_of_two_ranks_resumes_on_one_and_that_on_two(run, tmp_path):
     one = learn(tmp_path, Parent.load(run).resumed({"ranks": 1, "timesteps": 256}), run)
     assert load_policy(one).card["timesteps"] == int(TINY[1]) + 256
@@ -361,14 +341,3 @@ def test_run_of_two_ranks_resumes_on_one_and_that_on_two(run, tmp_path):
 @needs_warp
 def test_rank_that_dies_ends_the_run_with_one_error_and_a_whole_checkpoint(tmp_path):
     check_death_of_a_rank(1, tmp_path, *ON_WARP)
-
-
-@needs_warp
-def test_signal_stops_all_ranks_after_a_rollout_and_saves(tmp_path):
-    check_signal(signal.SIGINT, tmp_path, *ON_WARP, files=WARP_FILES)
-
-
-@needs_warp
-def test_budget_in_seconds_ends_all_ranks(tmp_path):
-    directory = train(tmp_path, "--seconds", "2", *TINY[2:], *ON_WARP, "--ranks", "2")
-    assert assert_complete(directory, WARP_FILES).card["seconds"] >= 2

@@ -2,28 +2,25 @@
 
 import argparse
 import dataclasses
-import json
 
 import numpy as np
 import pytest
 import torch
 from rank_threads import on_ranks
 from stable_baselines3.common.logger import configure
-from trainings import SMALL, STEPS, learn
+from trainings import SMALL, STEPS
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.scale.ranks import torchrun
 from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.rank_model import normalized_over_ranks
 from quadruped_env.scale.ranks.torch_group import RankGroup
-from quadruped_env.scale.ranks.training_launch import launch
+from quadruped_env.scale.ranks.training_launch import Place, launch, torchrun_place
 from quadruped_env.training import TrainConfig
 from quadruped_env.training import train as training
 from quadruped_env.training.group import DifferentWeightsError, checksum, flat, unflatten
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.sb3_models import make_model
 from quadruped_env.training.step_statistics import StepStatistics
 
@@ -252,33 +249,18 @@ def test_ranks_that_cannot_share_a_training_are_errors_with_a_fix(changes, error
         TrainConfig(**changes)
 
 
-def test_run_without_the_field_resumes_on_one_rank(run, tmp_path):
-    copy = tmp_path / "old"
-    copy.mkdir()
-    for file in run.iterdir():
-        if file.is_file():
-            (copy / file.name).write_bytes(file.read_bytes())
-    document = json.loads((copy / CONFIG_FILE).read_text())
-    del document["training"]["ranks"]
-    (copy / CONFIG_FILE).write_text(json.dumps(document))
-    parent = Parent.load(copy)
-    assert parent.config.ranks == 1
-    directory = learn(tmp_path / "runs", parent.resumed({"timesteps": STEPS}), parent.directory)
-    assert Parent.load(directory).timesteps == 9 * STEPS
-
-
 # --- torchrun ---
 
 TORCHRUN = {"RANK": "3", "WORLD_SIZE": "8", "LOCAL_WORLD_SIZE": "4", "MASTER_ADDR": "node-0", "MASTER_PORT": "29500"}
 
 
 def test_place_of_a_process_of_torchrun():
-    assert torchrun.place(TORCHRUN) == torchrun.Place(3, 8, 4, 0)
+    assert torchrun_place(TORCHRUN) == Place(3, 8, 4, 0)
 
 
 @pytest.mark.parametrize("environment", [{}, {"RANK": "0"}, {"RANK": "0", "WORLD_SIZE": "1"}])
 def test_process_without_other_ranks_has_no_place(environment):
-    assert torchrun.place(environment) is None
+    assert torchrun_place(environment) is None
 
 
 @pytest.mark.parametrize(
@@ -297,7 +279,7 @@ def test_process_without_other_ranks_has_no_place(environment):
 def test_variables_of_torchrun_that_cannot_be_are_errors(changes, error):
     environment = {name: value for name, value in (TORCHRUN | changes).items() if value is not None}
     with pytest.raises(QuadrupedError, match=error):
-        torchrun.place(environment)
+        torchrun_place(environment)
 
 
 def test_ranks_that_are_not_those_of_torchrun_are_an_error(monkeypatch):

@@ -80,3 +80,17 @@ def test_sound_sweep_is_read_as_it_is(tmp_path):
     read_sweep(folder.path)
     assert SweepFolder.open(folder.path) == folder
     assert len(list((folder.path / "trials").iterdir())) == 4
+
+
+def test_sweep_of_a_version_with_other_settings_keeps_its_trials_and_says_so_once(tmp_path):
+    folder = write_sweep(tmp_path)
+    for file in (folder.path / "sweep.json", *folder.path.glob("trials/*/trial.json")):
+        document = json.loads(file.read_text())
+        document["training"]["polish_of_old"] = 3  # a setting that went
+        document["training"].pop("device", None)  # a setting that came
+        file.write_text(json.dumps(document))
+    said = resume(folder.path)
+    assert said[0] == "note: settings that this version does not have are left out: polish_of_old"
+    assert sum("polish_of_old" in line for line in said) == 1
+    assert json.loads((folder.path / "results.json").read_text())["states"] == {"begun": 1, "finished": 3}
+    assert "polish_of_old" not in SweepFolder.open(folder.path).config.training
