@@ -193,7 +193,7 @@ class TrialBook:
         say: prints a line.
 
     Raises:
-        QuadrupedError: if a damaged trial cannot be put aside.
+        QuadrupedError: if a file cannot be written, or is damaged later; its methods do so, too.
     """
 
     def __init__(self, folder: SweepFolder, make: MakeConfig, source: Proposals, say: Say) -> None:
@@ -228,11 +228,7 @@ class TrialBook:
         return set(self._open)
 
     def begin(self) -> int | None:
-        """Write the settings of the next trial; its number, or None if all have begun.
-
-        Raises:
-            QuadrupedError: if a file cannot be written.
-        """
+        """Write the settings of the next trial; its number, or None if all have begun."""
         number = next((number for number in self._waiting if number in self._open), None)
         if number is None:
             return None
@@ -272,9 +268,6 @@ class TrialBook:
             number: of the trial.
             stopped: True if ASHA stopped it.
             error: Ray's error, if it gave the trial up.
-
-        Raises:
-            QuadrupedError: if a file is damaged or cannot be written.
         """
         trial = self.folder.trial(number)
         result = trial.result()

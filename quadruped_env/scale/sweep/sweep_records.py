@@ -51,7 +51,7 @@ _AGAIN: Final = "resume the sweep, which puts this trial aside and trains it aga
 
 @dataclass(frozen=True)
 class SweepFolder:
-    """The directory of a sweep."""
+    """The directory of a sweep. Damaged files, and those that cannot be written, are a `QuadrupedError`."""
 
     path: Path
     identity: str
@@ -62,11 +62,7 @@ class SweepFolder:
 
     @classmethod
     def create(cls, parent: Path, name: str, config: SweepConfig, command: str) -> "SweepFolder":
-        """Make `<parent>/<time>-<name>/` with its definition.
-
-        Raises:
-            QuadrupedError: if it cannot be written.
-        """
+        """Make `<parent>/<time>-<name>/` with its definition."""
         path = free_path(parent / f"{time.strftime('%Y%m%d-%H%M%S')}-{name}")
         try:
             (path / TRIALS).mkdir(parents=True)
@@ -87,11 +83,7 @@ class SweepFolder:
 
     @classmethod
     def open(cls, path: Path) -> "SweepFolder":
-        """The sweep in a directory.
-
-        Raises:
-            QuadrupedError: if the directory holds none, or its definition is damaged.
-        """
+        """The sweep in a directory."""
         file = path / SWEEP_FILE
         if not os.path.isfile(file):  # Path.is_file raises for a name that is too long
             what = "there is no such directory"
@@ -119,11 +111,7 @@ class SweepFolder:
         return TrialFolder(self.path / TRIALS / f"{number:04d}", self.identity, number, self.config)
 
     def put_aside(self, number: int) -> Path:
-        """Give the folder of a damaged trial another name, so that the trial begins again; the new path.
-
-        Raises:
-            QuadrupedError: if the system refuses that.
-        """
+        """Give the folder of a damaged trial another name, so that the trial begins again; the new path."""
         path = self.trial(number).path
         aside = free_path(path.with_name(f"{path.name}.damaged"))
         try:
@@ -133,11 +121,7 @@ class SweepFolder:
 
     @contextlib.contextmanager
     def locked(self) -> Iterator[None]:
-        """Within it, no other process runs this sweep; the lock ends with the process.
-
-        Raises:
-            QuadrupedError: if another process runs it.
-        """
+        """Within it, no other process runs this sweep; the lock ends with the process."""
         path = self.path / _LOCK_FILE
         try:
             file = path.open("a")
@@ -155,7 +139,7 @@ class SweepFolder:
 
 @dataclass(frozen=True)
 class TrialFolder:
-    """The directory of a trial; all of its files appear when they are whole."""
+    """The directory of a trial; all of its files appear when they are whole. Errors as of `SweepFolder`."""
 
     path: Path
     sweep: str
@@ -168,11 +152,7 @@ class TrialFolder:
         write_json(self.path / TRIAL_FILE, {"sweep": self.sweep, **settings})
 
     def settings(self) -> dict[str, Any] | None:
-        """Content of trial.json; None if the trial has not begun.
-
-        Raises:
-            QuadrupedError: if it is damaged, or belongs to another sweep or trial.
-        """
+        """Content of trial.json; None if the trial has not begun."""
         seeds, first = self.config.seeds, self.config.training.get("seed", TrainConfig.seed)
         place = {"number": self.number, "setting": self.number // seeds, "seed": first + self.number % seeds}
         space = {dimension.field: dimension for dimension in self.config.space}
@@ -188,11 +168,7 @@ class TrialFolder:
         return self._read(TRIAL_FILE, sound)
 
     def result(self) -> dict[str, Any] | None:
-        """Content of result.json; None if the trial has not ended.
-
-        Raises:
-            QuadrupedError: if it is damaged, or belongs to another sweep.
-        """
+        """Content of result.json; None if the trial has not ended."""
 
         def sound(found: dict[str, Any]) -> bool:
             score, run = found.get("score"), found.get("run", "run")
@@ -208,14 +184,7 @@ class TrialFolder:
         return self._read(RESULT_FILE, sound)
 
     def check(self) -> None:
-        """Check all that a sweep goes on from, also the results of the suite.
-
-        Raises:
-            QuadrupedError: if a file is damaged or missing, or the folder is a link, through which the training would
-                write elsewhere.
-        """
-        if self.path.is_symlink() or (os.path.lexists(self.path) and not self.path.is_dir()):
-            raise QuadrupedError(f"{self.path}: is {'a link' if self.path.is_symlink() else 'no directory'}; {_AGAIN}")
+        """Check all that a sweep goes on from, also the results of the suite."""
         settings, result = self.settings(), self.result()
         self.scores()
         if result is None:
@@ -248,24 +217,18 @@ class TrialFolder:
         """Write result.json if there is none; the result that stands.
 
         Two processes may train a trial if a node was cut off from the cluster: the first result counts.
-
-        Raises:
-            QuadrupedError: if it cannot be written.
         """
         path = self.path / RESULT_FILE
         content = json.dumps({"sweep": self.sweep, **result}, indent=2, allow_nan=False) + "\n"
-        part = path.with_name(f".{RESULT_FILE}.{uuid.uuid4().hex}.part")
+        part = path.with_name(f".{RESULT_FILE}.{uuid.uuid4().hex}")
+        write_whole({part: content.encode()})
         try:
-            with part.open("x") as file:
-                file.write(content)
-                file.flush()
-                os.fsync(file.fileno())
             with contextlib.suppress(FileExistsError):
                 os.link(part, path)
         except OSError as error:
             raise unwritable(path, error) from error
         finally:
-            part.unlink(missing_ok=True)
+            part.unlink()
         found = self.result()
         assert found is not None
         return found
@@ -279,11 +242,7 @@ class TrialFolder:
         write_whole({self.path / SCORES_FILE: text.getvalue().encode()})
 
     def scores(self) -> list[dict[str, float]]:
-        """Rows of scores.csv; none if the file does not exist.
-
-        Raises:
-            QuadrupedError: if it is damaged.
-        """
+        """Rows of scores.csv; none if the file does not exist."""
         path = self.path / SCORES_FILE
         if not os.path.lexists(path):
             return []

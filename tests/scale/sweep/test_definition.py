@@ -1,7 +1,7 @@
 """Definition of a sweep: its trials, their settings, its checks and its files."""
 
 import json
-import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -159,17 +159,8 @@ def test_trial_of_another_sweep_is_refused(tmp_path):
 def test_first_result_of_a_trial_stands(tmp_path):
     trial = SweepFolder.create(tmp_path, "ppo", SweepConfig(), "sweep").trial(0)
     trial.path.mkdir()
-    found = []
-
-    def end(number):
-        found.append(trial.finish({"state": "finished", "by": number})["by"])
-
-    threads = [threading.Thread(target=end, args=[number]) for number in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(found) == 8
+    with ThreadPoolExecutor(8) as pool:
+        found = list(pool.map(lambda number: trial.finish({"state": "finished", "by": number})["by"], range(8)))
     assert len(set(found)) == 1
     assert [path.name for path in trial.path.iterdir()] == ["result.json"]
 
