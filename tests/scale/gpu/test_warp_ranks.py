@@ -31,7 +31,7 @@ from quadruped_env.training import TrainConfig  # noqa: E402
 from quadruped_env.training.group import DifferentWeightsError, Group, checksum, flat, unflatten  # noqa: E402
 from quadruped_env.training.resume import Parent  # noqa: E402
 
-CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 1})
+CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 2})
 ON_WARP = ("--device", "warp-cpu")
 ROLLOUT = ("observations", "actions", "rewards", "dones", "values", "actions_log_prob")
 
@@ -127,22 +127,6 @@ def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(tas
     assert len({checksum([own_weights]) for _, own_weights in results}) == 1
 
 
-def test_each_batch_of_each_epoch_is_normalized_over_all_ranks(task):
-    whole, seen = collected(task, CONFIG)
-    shared = dataclasses.replace(CONFIG, ranks=2, batch_size=STEPS // 2)
-
-    def batches(group):
-        ppo = share_of(whole, seen, task, shared, group)
-        return [batch.advantages for batch in ppo.storage.mini_batch_generator(2, 3)]
-
-    shares = on_ranks(2, batches)
-    assert [len(share) for share in shares] == [6, 6]
-    for one, other in zip(*shares, strict=True):
-        both = torch.cat([one, other])
-        torch.testing.assert_close(torch.stack([both.mean(), both.std()]), torch.tensor([0.0, 1.0]), atol=1e-5, rtol=0)
-    assert max(float(one.mean().abs()) for one in shares[0]) > 1e-2, "a share alone has another mean"
-
-
 def test_ranks_begin_with_the_same_weights_and_explore_with_noise_of_their_own(task):
     def begin(group):
         # As GPUs of two types do, whose arithmetic rounds differently.
@@ -190,11 +174,8 @@ def test_ranks_that_cannot_have_a_gpu_each_are_an_error(
 def test_each_rank_has_the_gpu_of_its_place_on_its_machine():
     rank = Group(5, 8, local_rank=1)
     assert [warp_training.device_of(device, rank) for device in ("cuda", "warp-cpu")] == ["cuda:1", "cpu"]
-    assert [warp_training.device_of(device, Group()) for device in ("cuda", "cuda:1", "warp-cpu")] == [
-        "cuda",
-        "cuda:1",
-        "cpu",
-    ]
+    for device, name in {"cuda": "cuda", "cuda:1": "cuda:1", "warp-cpu": "cpu"}.items():
+        assert warp_training.device_of(device, Group()) == name
 
 
 def test_first_line_names_the_batch_after_rounding(tmp_path):
@@ -206,14 +187,6 @@ def test_first_line_names_the_batch_after_rounding(tmp_path):
 
 
 # --- the task on Warp ---
-
-
-@needs_warp
-def test_one_rank_gives_the_bits_of_plain_training(tmp_path):
-    config = dataclasses.replace(CONFIG, timesteps=2 * STEPS)
-    plain = learn(tmp_path / "plain", config)
-    forced = warp_training.train(config, tmp_path / "forced", "test", group=Group())[0]
-    assert (plain / "policy.safetensors").read_bytes() == (forced / "policy.safetensors").read_bytes()
 
 
 @needs_warp
@@ -278,9 +251,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 
     (one, own, model), (other, others, _) = on_ranks(2, run)
     assert len(one.shared) == len(other.shared) == 3
-    assert one.stopped
-    assert one.ended
-    assert other.ended
+    assert [one.stopped, one.ended, other.ended] == [True] * 3
     assert model.num_timesteps == 3 * 160
     assert model.learning_rate.left == 1.0 - 3 / 50
     assert own[:, -1].sum() > 0, "some fall"

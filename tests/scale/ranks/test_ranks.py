@@ -58,7 +58,7 @@ def share_of(model, config, group):
 @pytest.mark.parametrize("ranks", [2, 4])
 def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(ranks, max_grad_norm):
     # One batch, so the order of the samples does not matter.
-    config = TrainConfig(**SMALL | {"batch_size": STEPS, "n_epochs": 1, "max_grad_norm": max_grad_norm})
+    config = TrainConfig(**SMALL | {"batch_size": STEPS, "n_epochs": 2, "max_grad_norm": max_grad_norm})
     whole = collected(config)
     # Shares that differ in their mean and spread.
     whole.rollout_buffer.advantages *= np.arange(1.0, 1.0 + config.num_envs, dtype=np.float32)
@@ -78,7 +78,7 @@ def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(ran
     assert (weights(whole) - before).abs().max() > 1e-4, "a step that can be compared"
     for own_gradient, own_weights in results:
         torch.testing.assert_close(own_gradient, gradient, rtol=1e-4, atol=1e-6 * float(gradient.norm()))
-        torch.testing.assert_close(own_weights, weights(whole), rtol=0.0, atol=2e-6)
+        torch.testing.assert_close(own_weights, weights(whole), rtol=0.0, atol=4e-6)
     assert len({checksum([own_weights]) for _, own_weights in results}) == 1
 
 
@@ -191,9 +191,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 
     one, other = on_ranks(2, run)
     assert len(one.own) == len(other.own) == 3
-    assert one.ended
-    assert other.ended
-    assert one.stopped
+    assert [one.ended, other.ended, one.stopped] == [True] * 3
     assert one.steps == other.steps == 3 * config.num_envs * config.n_steps
     assert one.budget_left == other.budget_left == 1.0 - one.steps / config.timesteps
     for index in range(3):
@@ -232,14 +230,8 @@ def test_rank_0_alone_learns_the_reflex(tmp_path, monkeypatch):
     [
         ({"ranks": 0}, r"--ranks: expected 1 or more, .*; found 0"),
         ({"ranks": 300}, r"--ranks: found 300, more than the 256 envs .*; lower it, or give more --num-envs"),
-        (
-            {"ranks": 3},
-            r"--ranks: found 3, .* --num-envs 256 into equal shares; choose --num-envs 255 or --num-envs 258",
-        ),
-        (
-            {"ranks": 4, "batch_size": 1022},
-            r"--ranks: found 4, .* --batch-size 1022 .*; choose --batch-size 1020 or --batch-size 1024",
-        ),
+        ({"ranks": 3}, r"--ranks: found 3, .* --num-envs 256 .*; choose --num-envs 255 or --num-envs 258"),
+        ({"ranks": 4, "batch_size": 1022}, r"--ranks: found 4, .*; choose --batch-size 1020 or --batch-size 1024"),
         ({"ranks": 4, "batch_size": 4}, r"2 or more samples per rank.*--batch-size 8"),
         ({"ranks": 2, "algo": "sac"}, r"--ranks: found 2 with --algo sac; .*choose --algo ppo"),
     ],
@@ -254,22 +246,21 @@ def test_ranks_that_cannot_share_a_training_are_errors_with_a_fix(changes, error
 TORCHRUN = {"RANK": "3", "WORLD_SIZE": "8", "LOCAL_WORLD_SIZE": "4", "MASTER_ADDR": "node-0", "MASTER_PORT": "29500"}
 
 
-def test_place_of_a_process_of_torchrun():
-    assert torchrun_place(TORCHRUN) == Place(3, 8, 4, 0)
-
-
-@pytest.mark.parametrize("environment", [{}, {"RANK": "0"}, {"RANK": "0", "WORLD_SIZE": "1"}])
-def test_process_without_other_ranks_has_no_place(environment):
-    assert torchrun_place(environment) is None
+@pytest.mark.parametrize(
+    ("environment", "found"),
+    [
+        (TORCHRUN, Place(3, 8, 4, 0)),
+        *((environment, None) for environment in ({}, {"RANK": "0"}, {"RANK": "0", "WORLD_SIZE": "1"})),
+    ],
+)
+def test_place_of_a_process_is_that_of_torchrun_if_there_are_other_ranks(environment, found):
+    assert torchrun_place(environment) == found
 
 
 @pytest.mark.parametrize(
     ("changes", "error"),
     [
-        (
-            {"RANK": None},
-            r"RANK: WORLD_SIZE is 8, and this environment variable is missing; start the ranks with torchrun",
-        ),
+        ({"RANK": None}, r"RANK: WORLD_SIZE is 8, and this environment variable is missing; start the ranks with"),
         ({"MASTER_ADDR": None}, r"MASTER_ADDR: .*is missing"),
         ({"RANK": "8"}, r"RANK: expected 0 to 7, since WORLD_SIZE is 8; found 8"),
         ({"WORLD_SIZE": "many"}, r"WORLD_SIZE: expected a whole number of 1 or more .*; found 'many'"),

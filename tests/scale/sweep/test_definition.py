@@ -73,19 +73,15 @@ def test_end_of_a_range_that_no_training_accepts_is_an_error_before_the_first_tr
     SweepConfig(space=(RATE, HIDDEN, SLIP), settings=2).check(make)
 
 
-def test_random_settings_depend_on_their_number_alone():
+def test_random_settings_depend_on_their_number_alone_and_a_grid_has_each_combination_once():
     config = SweepConfig(space=(RATE, HIDDEN), settings=8)
     forward = [Proposals(config).values(setting) for setting in range(8)]
     source = Proposals(config)
     assert [source.values(setting) for setting in reversed(range(8))] == forward[::-1]
     assert len({values["learning_rate"] for values in forward}) == 8
-
-
-def test_grid_has_each_combination_once():
-    other = Dimension("activation", choices=("elu", "tanh"))
-    config = SweepConfig(space=(HIDDEN, other), settings=4, search="grid")
+    config = SweepConfig(space=(HIDDEN, Dimension("activation", choices=("elu", "tanh"))), settings=4, search="grid")
     found = [tuple(Proposals(config).values(setting).values()) for setting in range(4)]
-    assert sorted(found) == sorted([((8,), "elu"), ((8,), "tanh"), ((16, 16), "elu"), ((16, 16), "tanh")])
+    assert sorted(found) == [((8,), "elu"), ((8,), "tanh"), ((16, 16), "elu"), ((16, 16), "tanh")]
 
 
 def test_optuna_proposes_better_settings_with_the_results_of_an_earlier_process():
@@ -136,13 +132,15 @@ def test_damaged_definition_is_an_error_that_names_its_file(tmp_path, change, me
 
 
 def test_directory_without_a_sweep_is_an_error_that_says_what_it_is(tmp_path):
-    with pytest.raises(QuadrupedError, match=r"--resume: .*there is no such directory"):
-        SweepFolder.open(tmp_path / "nowhere")
-    with pytest.raises(QuadrupedError, match=r"it has no sweep\.json"):
-        SweepFolder.open(tmp_path)
-    (tmp_path / "config.json").write_text("{}")
-    with pytest.raises(QuadrupedError, match=r"run directory of one training: continue it with 'train --resume'"):
-        SweepFolder.open(tmp_path)
+    (run := tmp_path / "run").mkdir()
+    (run / "config.json").write_text("{}")
+    for path, message in {
+        tmp_path / "nowhere": r"--resume: .*there is no such directory",
+        tmp_path: r"it has no sweep\.json",
+        run: r"run directory of one training: continue it with 'train --resume'",
+    }.items():
+        with pytest.raises(QuadrupedError, match=message):
+            SweepFolder.open(path)
 
 
 def test_trial_of_another_sweep_is_refused(tmp_path):

@@ -111,18 +111,9 @@ def test_trials_of_a_node_that_is_killed_are_finished_once(nodes, tmp_path):
 
 def test_search_with_asha_scores_stops_and_reports(tmp_path):
     pytest.importorskip("optuna")
-    arguments = (
-        "--vary",
-        "learning_rate=1e-9..1e-2:log",
-        "--vary",
-        "hidden=8,16x16",
-        "--search",
-        "optuna",
-        "--trials",
-        4,
-    )
-    asha = ("--scheduler", "asha", "--rungs", 1)
-    said = sweeps.run(*arguments, *asha, *TINY, "-o", tmp_path)
+    space = ("--vary", "learning_rate=1e-9..1e-2:log", "--vary", "hidden=8,16x16")
+    search = ("--search", "optuna", "--trials", 4, "--scheduler", "asha", "--rungs", 1)
+    said = sweeps.run(*space, *search, *TINY, "-o", tmp_path)
     folder = only(tmp_path)
     table = rows(folder)
     assert len(table) == 4
