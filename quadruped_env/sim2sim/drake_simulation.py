@@ -16,7 +16,6 @@ from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import SimulationState
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils import rotations
-from quadruped_env.utils.arrays import NUMPY
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -43,8 +42,6 @@ class DrakeSimulation:
 
     height_field: HeightField | None = None
 
-    xp = NUMPY
-
     def __init__(self, config: TaskConfig, num_envs: int, timestep: float, contact: Contact) -> None:
         if config.ground.heights().any():
             raise QuadrupedError(
@@ -58,7 +55,7 @@ class DrakeSimulation:
         self._substep = config.physics_timestep
         self._drake = DrakeModel.build(robot, config.motor, timestep, contact)
         self.robots = [DrakeRobot(self._drake) for _ in range(num_envs)]
-        self._servos = Servos(config.motor, robot.joint_names, timestep, num_envs)
+        self._servos = Servos(config.motor, robot.joint_kinds, timestep, num_envs)
         self._joint_position = np.zeros((num_envs, robot.num_joints))
         self._joint_velocity = np.zeros((num_envs, robot.num_joints))
         self._torque = np.zeros((num_envs, robot.num_joints))

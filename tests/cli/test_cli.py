@@ -51,7 +51,6 @@ BAD = {
 SCRIPTS = {
     "train/ppo.py": "train",
     "train/sweep.py": "sweep",
-    "train/tune_gait.py": "tune-gait",
     "evaluate/policy.py": "evaluate",
     **{f"evaluate/{name}.py": name for name in ("compare", "baseline", "sim2sim", "export", "view", "replay")},
     **{f"evaluate/{name}.py": name for name in ("convert", "identify")},
@@ -288,7 +287,7 @@ COMPLETE = {"bash": complete_in_bash, "fish": complete_in_fish, "zsh": complete_
 
 def test_completion_completes_commands_options_values_runs_and_files(complete):
     for line, completed in (
-        ("tune", "tune-gait"),
+        ("basel", "baseline"),
         ("train --final", "--final-log-std"),
         ("train --recipe rob", "robust"),
         ("train --recipe=rob", "robust"),

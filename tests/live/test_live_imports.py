@@ -10,9 +10,10 @@ from quadruped_env.live.__main__ import main
 from quadruped_env.live.nodes import node_module
 with contextlib.suppress(SystemExit):
     main(["controller", "--help"])
+print()
+print(*sys.modules)
 for node in sys.argv[1:]:
     node_module(node)
-print()
 print(*sys.modules)
 node_module("view")
 print(*sys.modules)
@@ -22,7 +23,10 @@ print(*sys.modules)
 def test_nodes_on_a_robot_import_no_viewer_evaluation_or_training():
     command = [sys.executable, "-c", PROGRAM, *ON_A_ROBOT]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
-    loaded, with_view = (line.split() for line in done.stdout.splitlines()[-2:])
+    by_controller, loaded, with_view = (line.split() for line in done.stdout.splitlines()[-3:])
+    packages = ("task", "envs", "simulation", "policies", "trajectory")
+    assert "quadruped_env.live.nodes.controller" in by_controller
+    assert not {"gymnasium", *(f"quadruped_env.{name}" for name in packages)} & set(by_controller)
     assert {f"quadruped_env.live.nodes.{node}" for node in ON_A_ROBOT} <= set(loaded)
     packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "reporting", "replay", "evaluation", "training"))
     assert [name for name in loaded if name.startswith(packages)] == []

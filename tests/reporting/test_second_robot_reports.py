@@ -22,9 +22,9 @@ from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.identification import identify
+from quadruped_env.identification.fit import joint_spec
 from quadruped_env.identification.fitted_parameters import with_values
 from quadruped_env.identification.identification_report import save
-from quadruped_env.identification.spec import joint_spec
 from quadruped_env.policies import CommandedGaitController, Policy, find_controllers, load_policy
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
@@ -92,7 +92,7 @@ def policy():
     """A policy that holds the stance, which is enough for a report."""
     width = len(ObservationLayout(ROBOT, CONFIG.definition.observations).low)
     weights, biases = np.zeros((width, ROBOT.num_joints), np.float32), np.zeros(ROBOT.num_joints, np.float32)
-    return Policy((weights,), (biases,), "tanh", CONFIG, {"command": "python train/ppo.py", "seed": 0})
+    return Policy.for_task((weights,), (biases,), "tanh", CONFIG, {"command": "python train/ppo.py", "seed": 0})
 
 
 @pytest.fixture(scope="module")
@@ -215,7 +215,7 @@ class TestReplay:
         np.testing.assert_array_equal(found.played.positions, recording.joints.positions)
         np.testing.assert_array_equal(found.motion.base_pose, recording.base_pose)
         assert found.motors == ROBOT.motors
-        assert found.report()["motion"]["feet_on_ground_at_start"] >= 3
+        assert found.report["motion"]["feet_on_ground_at_start"] >= 3
 
     def test_report_of_a_replay_names_its_joints_links_and_limits(self, targets, tmp_path):
         found = replay(targets, robot=ROBOT, measured=shuffled(targets))

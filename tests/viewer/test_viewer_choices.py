@@ -9,7 +9,7 @@ import pytest
 from viewing import DT, now, robot
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import COMMANDED
 from quadruped_env.reporting import palette
