@@ -1,4 +1,4 @@
-"""What an import of the package loads, and the registration of the environments without an import of Gymnasium."""
+"""Modules that an import of the package loads, and environments that are registered without an import of Gymnasium."""
 
 import subprocess
 import sys
@@ -11,14 +11,13 @@ MAKE = "gymnasium.make('MiniQuadruped-v0'); gymnasium.make_vec('MiniQuadrupedRou
 
 
 def run(code):
-    """What a fresh Python prints."""
+    """Output of a fresh Python."""
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
 
 
 @pytest.mark.parametrize(
     "imports",
     [
-        "import gymnasium, quadruped_env",
         "import quadruped_env, gymnasium",
         "import quadruped_env, importlib.util; importlib.util.find_spec('gymnasium'); import gymnasium",
         "import quadruped_env, gymnasium.spaces, gymnasium",

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import pytest
 from paths import ROOT
-from prose import CODE, EXAMPLES, docstrings, has_prose, prose
+from prose import EXAMPLES, docstrings, has_prose, prose
 
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.nodes import SUMMARIES
@@ -115,7 +115,7 @@ DOCSTRING_RULES = {
 }
 """Beginnings of docstrings: of modules, classes and functions the first alone, of constants and fields both."""
 
-BREAK = f"\n{CODE}\n{CODE}\n"
+BREAK = "\n\x01\n"
 POEM = "name"
 NAMES = re.compile(
     r"^ *class (?:Gate|Mirror|Rise|Sole)\b|^ *def (?:told|looks|barked)\b|\bself\.(?:told|looks|barked)\b"

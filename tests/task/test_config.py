@@ -118,43 +118,20 @@ def test_configs_share_nothing_and_do_not_change():
     [
         ({"tempo": 1}, r"config: unknown field 'tempo'; valid fields are decimation, physics_timestep"),
         ({"command": {"speed": 1}}, r"config.command: unknown field 'speed'; valid fields are forward_velocity"),
-        ({"command": 0.3}, r"config.command: expected a mapping of fields; found 0.3"),
-        ({"command": {"yaw_rate": 0.3}}, r"config.command.yaw_rate: expected a pair \(low, high\); found 0.3"),
         ({"command": {"yaw_rate": [0.3, 0.1]}}, r"command.yaw_rate must be a pair .* low <= high; found \(0.3, 0.1\)"),
-        ({"command": {"yaw_rate": [0.3, "x"]}}, r"config.command.yaw_rate: expected a number; found 'x'"),
-        ({"command": {"resample_interval": [0, 1]}}, r"command.resample_interval must be positive"),
         ({"command": {"resample_interval": None}}, r"resample_interval: expected a pair \(low, high\); found None"),
-        ({"command": {"standing_fraction": -0.1}}, r"command.standing_fraction must be at least 0; found -0.1"),
-        ({"command": {"turning_fraction": -0.1}}, r"command.turning_fraction must be at least 0; found -0.1"),
         ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.5"),
-        ({"command": {"turning_fraction": 0.6}}, r"fraction \+ turning_fraction must be at most 1; found 1.1"),
         ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
         ({"action": {"gait": "trot"}}, r"config: action.gait must be one of tuned, crouched, low, fast; found 'trot'"),
-        ({"action": {"gait": ["low"]}}, r"config: action.gait must be one of tuned, crouched, low, fast; found \("),
         ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\), .*; found 0"),
-        ({"action": {"residual_scale": math.nan}}, r"action.residual_scale.*found nan"),
         ({"decimation": True}, r"config.decimation: expected a whole number; found True"),
         ({"decimation": 0}, r"config: decimation must be 1 or more, at most 1000; found 0"),
-        ({"physics_timestep": "fast"}, r"config.physics_timestep: expected a number; found 'fast'"),
-        ({"physics_timestep": -0.1}, r"physics_timestep must be positive"),
-        ({"clock_frequency": 0}, r"clock_frequency must be positive"),
-        ({"clock_frequency": math.inf}, r"clock_frequency.*found inf"),
         ({"motor": {"hip": 3}}, r"config.motor.hip: expected a mapping of fields; found 3"),
-        ({"motor": {"ankle": {"kp": 3}}}, r"config.motor: unknown field 'ankle'"),
         ({"reward": {"weights": {"speed": 1}}}, r"config.reward.weights: unknown field 'speed'; valid fields are"),
         ({"reward": {"weights": {"upright": "much"}}}, r"config.reward.weights.upright: expected a number"),
-        ({"reward": {"weights": {"upright": math.nan}}}, r"reward.weights.upright.*found nan"),
-        ({"reward": {"weights": [1, 2]}}, r"config.reward.weights: expected a mapping"),
-        ({"reward": {"base_height": 0}}, r"reward.base_height must be positive \(m\), .*; found 0"),
         ({"termination": {"max_tilt": 4}}, r"termination.max_tilt must be in \(0, pi\] \(rad\); found 4"),
-        ({"termination": {"max_trunk_force": -1}}, r"termination.max_trunk_force must be at least 0"),
-        ({"randomization": {"start_tilt": -1}}, r"randomization.start_tilt must be at least 0 \(rad\); found -1"),
-        ({"randomization": {"friction": [0, 1]}}, r"randomization.friction must be positive"),
-        ({"randomization": {"friction": [1, 0.5]}}, r"randomization.friction must be a pair"),
+        ({"motor": {"hip": {"no_load_speed": 1e-300}}}, r"no_load_speed must be .*1e-09 or more"),
         ({"randomization": {"payload": [-3, 0]}}, r"randomization.payload must be over -1 \(kg\)"),
-        ({"randomization": {"push_velocity": -1}}, r"randomization.push_velocity must be at least 0"),
-        ({"randomization": {"push_interval": [0, 1]}}, r"randomization.push_interval must be positive"),
-        ({"randomization": {"observation_noise": -1}}, r"randomization.observation_noise must be at least 0"),
     ],
 )
 def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
@@ -255,33 +232,14 @@ def _numbers(values, path=()):
             yield (*path, name), value
 
 
-@pytest.mark.parametrize(
-    ("path", "default"), [pytest.param(*entry, id=".".join(entry[0])) for entry in _numbers(TaskConfig().to_dict())]
-)
-def test_a_number_of_any_size_is_refused_and_the_message_gives_the_field_and_the_bounds(path, default):
-    paired = default is None or isinstance(default, tuple)
-    for value in (1e300, -1e300, 2**32, 10**400, math.nan):
-        values = (value, value) if paired else value
-        for name in reversed(path):
-            values = {name: values}
-        with pytest.raises(QuadrupedError, match=rf"{path[-1]}\b.*({BOUNDS}|whole).*; found "):
-            TaskConfig.from_dict(values)
-
-
-@pytest.mark.parametrize(
-    ("values", "message"),
-    [
-        ({"decimation": 2**31}, r"config: decimation must be 1 or more, at most 1000; found 2147483648"),
-        ({"decimation": 10**7}, r"decimation must be 1 or more, at most 1000"),
-        ({"physics_timestep": 1e-300}, r"physics_timestep must be positive, 1e-05 to 1 \(s\); found 1e-300"),
-        (
-            {"reward": {"weights": {"upright": 1e300}}},
-            r"expected a number from -1e\+09 to 1e\+09; found 1e\+300",
-        ),
-        ({"reward": {"base_height": 1e-300}}, r"base_height must be positive \(m\), 1e-09 or more; found 1e-300"),
-        ({"motor": {"hip": {"no_load_speed": 1e-300}}}, r"no_load_speed must be .*1e-09 or more"),
-    ],
-)
-def test_a_value_beyond_the_bounds_names_them(values, message):
-    with pytest.raises(QuadrupedError, match=message):
-        TaskConfig.from_dict(values)
+def test_a_number_of_any_size_is_refused_and_the_message_gives_the_field_and_the_bounds():
+    fields = list(_numbers(TaskConfig().to_dict()))
+    assert len(fields) > 50
+    for path, default in fields:
+        paired = default is None or isinstance(default, tuple)
+        for value in (1e300, -1e300, 2**32, 10**400, math.nan):
+            values = (value, value) if paired else value
+            for name in reversed(path):
+                values = {name: values}
+            with pytest.raises(QuadrupedError, match=rf"{path[-1]}\b.*({BOUNDS}|whole).*; found "):
+                TaskConfig.from_dict(values)

@@ -2,15 +2,11 @@
 
 import copy
 import json
-import pickle
 import re
-import subprocess
-import sys
 
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.envs.registration import EnvSpec
 from paths import ROOT
 
 from quadruped_env import QuadrupedError
@@ -74,17 +70,6 @@ def test_terrain_of_the_page_is_the_ground_of_envs_that_name_it(my_task):
     np.testing.assert_allclose(field.at(np.array([[2.2, 3.0], [2.6, 3.0], [0.0, 0.0]])), [0.02, 0.0, 0.0], atol=1e-9)
     expected = {"name": "ridges", "seed": 1, "level": None, "height": 0.02, "width": 0.4}
     assert env.unwrapped.task.config.to_dict()["terrain"] == expected
-
-
-def test_terrain_of_the_page_is_a_kind_of_tiles(my_task):
-    on_tiles = {"terrain": {"name": "tiles", "kinds": ["ridges", "flat"], "levels": 4}}
-    env = gymnasium.make_vec(ENV_ID, num_envs=2, task_file=my_task, config=on_tiles)
-    env.reset(seed=0)
-    heights = env.unwrapped.task.simulation.height_field.points()[..., 2]
-    assert heights.max() == pytest.approx(4 * 0.0055)
-    middle = len(heights) // 2
-    assert heights[:middle].any(), "the kinds are along y, the first of them at the bottom"
-    assert not heights[middle:].any()
 
 
 def test_randomized_model_field_is_drawn_per_env_and_scales_inertia_too(my_task):
@@ -247,11 +232,6 @@ def test_a_reward_that_is_not_finite_is_refused_with_its_name_and_step(tmp_path)
         env.step(np.zeros(8))
 
 
-def test_a_missing_file_is_refused_by_name(tmp_path):
-    with pytest.raises(QuadrupedError, match=r"gone.py: there is no such file; check its name"):
-        gymnasium.make(ENV_ID, task_file=tmp_path / "gone.py")
-
-
 def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
     from quadruped_env.training import TrainConfig
@@ -275,12 +255,6 @@ def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
         load_policy(directory, my_task)
 
 
-def test_a_named_file_is_not_executed_to_find_out_whether_it_is_the_right_one(tmp_path):
-    config = {"task_file": {"name": "own.py", "sha256": "0" * 64}}
-    with pytest.raises(QuadrupedError, match=r"terms from 'own.py', which is not executed automatically.*--task FILE"):
-        TaskConfig.from_dict(config)
-
-
 def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
     terms = load_terms(write(my_task.parent, EXAMPLES[2]))
     assert terms.observations[-1].name == "joint_torque"
@@ -301,57 +275,21 @@ def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tm
         LiveController(PolicyController(load_policy(directory, file)))
 
 
-@pytest.mark.slow
-def test_the_page_works_from_the_command_line(my_task, tmp_path):
-    budget = ["--timesteps", "4096", "--num-envs", "64", "--task", my_task, "--output", tmp_path / "runs"]
-    for command in (
-        ["train/ppo.py", *budget, "--task", '{"reward": {"weights": {"upright": -3}}}'],
-        [
-            "evaluate/policy.py",
-            tmp_path / "runs" / "latest",
-            "--task",
-            my_task,
-            "--seeds",
-            "1",
-            "--seconds",
-            "2",
-            "--no-video",
-        ],
-    ):
-        arguments = [sys.executable, ROOT / command[0], *command[1:]]
-        done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-    document = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
-    assert document["task"]["reward"]["weights"]["upright"] == -3.0
-    assert document["task"]["task_file"]["name"] == "my_task.py"
-
-
 NOISY = {"randomization": {"observation_noise": 1.0, "push_velocity": 0.4, "push_interval": [0.1, 0.3]}}
-CONTINUE = """
-import pickle, sys
-import numpy as np
-env = pickle.load(open(sys.argv[1], "rb"))
-print([float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)])
-"""
 
 
-def test_a_copied_env_with_own_terms_continues_identically_also_in_another_process(my_task, tmp_path):
+def test_a_copied_env_with_own_terms_continues_identically(my_task):
     env = gymnasium.make(ENV_ID, task_file=my_task, config=NOISY)
     env.reset(seed=1)
     for _ in range(10):
         env.step(np.full(8, -0.1))
-    copied, file = copy.deepcopy(env), tmp_path / "env.pickle"
-    file.write_bytes(pickle.dumps(env))
-    expected = [float(env.step(np.full(8, 0.1))[1]).hex() for _ in range(20)]
-    assert [float(copied.step(np.full(8, 0.1))[1]).hex() for _ in range(20)] == expected
-    done = subprocess.run([sys.executable, "-c", CONTINUE, file], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == str(expected)
+    copied = copy.deepcopy(env)
+    rewards, again = ([one.step(np.full(8, 0.1))[1] for _ in range(20)] for one in (env, copied))
+    assert again == rewards
 
 
-def test_an_env_with_own_terms_is_made_again_from_its_spec_and_in_workers(my_task):
+def test_an_env_with_own_terms_runs_in_workers(my_task):
     env = gymnasium.make(ENV_ID, task_file=my_task)
-    again = gymnasium.make(EnvSpec.from_json(env.spec.to_json()))
-    assert again.observation_space == env.observation_space
     # Not forked: other tests leave threads in this process.
     vector_kwargs = {"context": "spawn"}
     workers = gymnasium.make_vec(

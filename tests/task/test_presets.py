@@ -33,10 +33,6 @@ def test_hard_has_a_delay_of_60_ms_at_its_edge_and_pushes_of_three_quarters_of_a
     assert hard.push_interval == (3.0, 3.0)
 
 
-def test_none_is_the_default():
-    assert TaskConfig.from_dict({"randomization": "none"}) == TaskConfig()
-
-
 def test_each_preset_contains_the_ranges_of_the_one_before():
     moderate, hard = (RandomizationConfig(preset=name) for name in ("moderate", "hard"))
     for name in PRESETS["moderate"].keys() - {"push_interval"}:
@@ -114,31 +110,10 @@ def test_another_robot_runs_with_every_preset():
     ("values", "message"),
     [
         ({"link_mass": [1.2, 0.8]}, r"randomization.link_mass must be a pair .*low <= high.*\(1.2, 0.8\)"),
-        ({"link_mass": [0.0, 1.0]}, r"randomization.link_mass must be positive, 1e-09 or more; found \(0.0, 1.0\)"),
-        ({"link_mass": [-1.0, 1.0]}, r"randomization.link_mass must be positive"),
-        ({"link_inertia": [0.0, 1.0]}, r"randomization.link_inertia must be positive"),
-        ({"friction": [-0.1, 1.0]}, r"randomization.friction must be positive"),
-        ({"motor_strength": [0.0, 1.0]}, r"randomization.motor_strength must be positive"),
-        ({"supply_voltage": [0.0, 1.0]}, r"randomization.supply_voltage must be positive"),
-        ({"position_gain": [-1.0, 1.0]}, r"randomization.position_gain must be positive"),
-        ({"velocity_gain": [-1.0, 1.0]}, r"randomization.velocity_gain must be positive"),
-        ({"joint_friction": [-0.1, 0.1]}, r"randomization.joint_friction must be at least 0 \(N m\)"),
-        ({"joint_damping": [0.0, 1.0]}, r"randomization.joint_damping must be positive"),
         ({"rotor_inertia": [0.0, 1.0]}, r"randomization.rotor_inertia must be positive"),
         ({"base_com": 1.0}, r"randomization.base_com must be .* in \[-0.2, 0.2\] \(m\); found 1"),
-        ({"base_com": [-0.5, 0.0]}, r"randomization.base_com must be in \[-0.2, 0.2\] \(m\)"),
-        ({"payload_position": -0.1}, r"randomization.payload_position must be at least 0"),
         ({"encoder_offset": 2.0}, r"randomization.encoder_offset must be .* in \[-0.5, 0.5\] \(rad\); found 2"),
-        ({"encoder_offset": [0.1, -0.1]}, r"randomization.encoder_offset must be a pair .*low <= high"),
-        ({"imu_mounting": 1.0}, r"randomization.imu_mounting must be .* in \[-0.5, 0.5\] \(rad\)"),
-        ({"action_latency": [-0.01, 0.02]}, r"randomization.action_latency must be in \[0, 0.5\] \(s\)"),
         ({"action_latency": [0.0, 60.0]}, r"randomization.action_latency must be in \[0, 0.5\] \(s\); found \(0.0, 60"),
-        ({"observation_latency": [0.0, 0.9]}, r"randomization.observation_latency must be in \[0, 0.5\] \(s\)"),
-        ({"push_speed": [-1.0, 1.0]}, r"randomization.push_speed must be at least 0 \(m/s\)"),
-        ({"push_force": [-1.0, 1.0]}, r"randomization.push_force must be at least 0 \(N\)"),
-        ({"push_force_interval": [0.0, 1.0]}, r"randomization.push_force_interval must be positive \(s\)"),
-        ({"push_force_duration": [1.0, 0.5]}, r"randomization.push_force_duration must be a pair"),
-        ({"push_force_duration": [-1.0, 0.5]}, r"randomization.push_force_duration must be positive \(s\)"),
         ({"noise_amplitude": {"joint_position": -0.1}}, r"noise_amplitude.joint_position must be at least 0 \(rad\)"),
         ({"noise_amplitude": {"gyro": 0.1}}, r"noise_amplitude: unknown field 'gyro'; valid .*angular_velocity"),
         ({"noise_amplitude": 0.1}, r"noise_amplitude: expected a mapping of fields; found 0.1"),
@@ -205,30 +180,11 @@ def test_a_model_whose_buffer_is_too_short_for_the_latency_is_refused_with_the_f
     Task(simulation(config.compiled_model()), config)
 
 
-def test_model_without_latency_has_no_buffer():
-    assert TaskConfig().compiled_model().nhistory == 0
-    assert TaskConfig().max_delay == 0.0
-
-
 def test_motors_of_another_type_are_refused_by_name():
     model = build_model()
     model.actuator_gaintype[3] = 0
     with pytest.raises(QuadrupedError, match=r"randomization motor_strength: .*dcmotor; set the randomization to null"):
         Task(SingleSimulation(model), TaskConfig.from_dict({"randomization": {"motor_strength": [0.8, 1.2]}}))
-
-
-@pytest.mark.parametrize(
-    ("values", "message"),
-    [
-        ({"law": "direction"}, r"randomization x: width must be 2 for the law direction.*found 1"),
-        ({"law": "direction", "width": 2, "default": 0.5}, r"default must be a pair of numbers, 0 or more; found 0.5"),
-        ({"law": "direction", "width": 2, "default": (-1.0, 1.0)}, r"default must be .*each at least 0; found \(-1.0"),
-        ({"duration": ("x_duration", (1.0, 2.0))}, r"randomization x: a duration needs an interval"),
-    ],
-)
-def test_a_randomization_that_cannot_be_drawn_is_refused_where_it_is_made(values, message):
-    with pytest.raises(QuadrupedError, match=message):
-        Randomization("x", lambda event, values: None, **{"default": None, **values})
 
 
 def test_an_unknown_error_of_the_sensors_is_refused():

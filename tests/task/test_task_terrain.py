@@ -16,12 +16,12 @@ from environments import ROUGH, assert_same, episodes, make, make_native, make_s
 from grounds import ray_heights, slope
 
 from quadruped_env import QuadrupedError
-from quadruped_env.envs import ENV_ID, make_sb3_vec_env
+from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
 from quadruped_env.simulation.built_in_terrains import hills, rough
-from quadruped_env.task import Task, TaskConfig, TerrainConfig, load_task_file
+from quadruped_env.task import Task, TaskConfig, load_task_file
 
 UNEVEN = ("rough", "hills", "stairs", "tiles")
 
@@ -157,9 +157,8 @@ def test_policy_for_a_terrain_of_a_file_is_loaded_with_the_file(tmp_path):
 @pytest.mark.parametrize("name", UNEVEN)
 def test_single_and_vector_environment_on_a_terrain_are_bit_identical(name):
     kwargs = {"config": ROUGH | {"terrain": {"name": name, "seed": 3}}, "max_episode_steps": 60}
-    expected = episodes(make_sync(3, **kwargs), 150)
-    for threads in (1, 2):
-        assert_same(episodes(make_native(3, num_threads=threads, **kwargs), 150), expected)
+    expected = episodes(make_sync(3, **kwargs), 100)
+    assert_same(episodes(make_native(3, num_threads=2, **kwargs), 100), expected)
 
 
 def walk(env, steps):
@@ -183,33 +182,13 @@ def test_copied_and_pickled_env_on_a_terrain_continues_identically():
     np.testing.assert_array_equal(pickled.unwrapped.task.context.base_height, task.context.base_height)
 
 
-def test_env_on_a_terrain_is_made_again_from_its_spec_and_in_workers():
+def test_env_on_a_terrain_is_made_again_from_its_spec():
     env = gymnasium.make(ENV_ID, terrain="rough", config={"terrain": {"seed": 2}})
     again = gymnasium.make(gymnasium.envs.registration.EnvSpec.from_json(env.spec.to_json()))
     for one in (env, again):
         section = one.unwrapped.task.config.terrain
         assert dict(section) == {"name": "rough", "seed": 2, "level": None, "height": 0.01, "distance": 0.2}
     np.testing.assert_array_equal(again.unwrapped.model.hfield_data, env.unwrapped.model.hfield_data)
-    # Not forked: other tests leave threads in this process.
-    vector_kwargs = {"context": "spawn"}
-    workers = gymnasium.make_vec(
-        ENV_ID, num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, terrain="rough"
-    )
-    try:
-        native = make_native(2, terrain="rough")
-        np.testing.assert_array_equal(workers.reset(seed=0)[0], native.reset(seed=0)[0])
-        action = np.full((2, 8), 0.3, np.float32)
-        for _ in range(30):
-            np.testing.assert_array_equal(workers.step(action)[0], native.step(action)[0])
-    finally:
-        workers.close()
-
-
-def test_sb3_env_and_native_vector_env_share_the_ground():
-    pytest.importorskip("stable_baselines3")
-    env = make_sb3_vec_env(2, seed=0, terrain="hills")
-    native = make_native(2, terrain="hills")
-    np.testing.assert_array_equal(env.env.task.simulation.model.hfield_data, native.task.simulation.model.hfield_data)
 
 
 # --- the config
@@ -232,21 +211,14 @@ def test_terrain_of_a_config_is_saved_and_validated():
     ("values", "message"),
     [
         ({"name": "moon"}, "terrain: 'moon' is unknown; there are flat, rough, hills"),
-        ({"name": ["rough"]}, r"terrain: \['rough'\] is unknown"),
         ({"height": 0.1}, "config.terrain: unknown field 'height'; valid fields are name, seed"),
         ({"name": "rough", "height": -1.0}, r"terrain.height must be at least 0 \(m\); found -1.0"),
         ({"seed": -1}, "terrain.seed must be a whole number, 0 or more, at most 4294967295; found -1"),
-        ("rough", "config.terrain: expected a mapping of fields; found 'rough'"),
     ],
 )
 def test_invalid_terrain_of_a_config_is_refused_with_the_valid_values(values, message):
     with pytest.raises(QuadrupedError, match=message):
         gymnasium.make(ENV_ID, config={"terrain": values})
-
-
-def test_section_of_one_terrain_does_not_become_another_ones():
-    with pytest.raises(QuadrupedError, match=r"terrain.name: this section is for 'rough'; found 'hills'"):
-        TerrainConfig(name="rough").replace(name="hills")
 
 
 OWN = """

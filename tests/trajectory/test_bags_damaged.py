@@ -39,8 +39,6 @@ class TestBadMessages:
                 r"message 1: 2 names and 1 positions; fix it, or leave .* out \(--drop\)",
                 True,
             ),
-            (fields(1, velocity=[0.1]), r"message 1: 2 names and 1 velocities", True),
-            (fields(1, effort=[0.1, 0.2, 0.3]), r"message 1: 2 names and 3 efforts", True),
             (
                 fields(1, names=[]),
                 r"message 1: 2 positions and no names: give the joints in their order \(--names\)",
@@ -49,10 +47,8 @@ class TestBadMessages:
             (fields(1, names=["a", "a"]), r"message 1: joint 'a' is named twice", True),
             (fields(1, names=["a", ""]), r"message 1: 2 positions and 2 names, of which 1 are empty", True),
             (fields(1, names=["a", "c"]), r"message 1: it lacks joint 'b', which the messages before it have", True),
-            (fields(1, names=["a"], position=[1]), r"message 1: it lacks joint 'b'", True),
             (fields(1, velocity=[1, 2]), r"message 1: it has the velocity that the messages before it lack", True),
             (fields(1, position=[np.nan, 0]), r"message 1, position\.a: nan is not finite; leave the row out", True),
-            (fields(1, position=[0, np.inf]), r"message 1, position\.b: inf is not finite", True),
             (fields(0), r"message 1, stamp_ns: 0 does not come after 0 .*\(--sort\).*\(--drop", True),
             (fields(1, position=[90.0, 0]), r"message 1, position\.a: 90 rad is more than two turns.*--degrees", False),
         ],
@@ -99,7 +95,7 @@ class TestBadMessages:
             JointTrajectory.load(path, sort=True)
         assert JointTrajectory.load(path, sort=True, drop=True).stamps.tolist() == [1, 3]
 
-    @pytest.mark.parametrize("row", [4095, 4096, 4097])
+    @pytest.mark.parametrize("row", [4095, 4096])
     def test_timestamps_that_decrease_between_blocks_are_refused(self, tmp_path, row):
         stamps = np.arange(5000) * 10
         stamps[row] = stamps[row - 1]

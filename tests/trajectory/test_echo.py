@@ -82,7 +82,6 @@ class TestYaml:
     @pytest.mark.parametrize(
         ("text", "message"),
         [
-            (BLOCK + FLOW, r"message 1, effort\.LF_knee_joint: inf is not finite"),
             (BLOCK + BLOCK, r"message 1, stamp_ns: .* does not come after"),
             (BLOCK.replace("- 0.1\n", ""), r"message 0: 2 names and 1 positions"),
             (
@@ -91,18 +90,12 @@ class TestYaml:
             ),
             (BLOCK.replace("effort:", "position:"), r"message 0: the message must have .*; found .*position.*position"),
             (BLOCK.replace("velocity: []\n", ""), r"message 0: the message must have header, name, position, velocity"),
-            (BLOCK.replace("velocity: []", "velocity:"), r"message 0: velocity must be a list; found ''"),
             (BLOCK.replace("0.1", "O.1"), r"message 0: position: 'O\.1' is not a number"),
-            (BLOCK.replace("0.1", "1_0"), r"message 0: position: '1_0' is not a number"),
             (BLOCK.replace("- 0.1", "- [0.1]"), r"message 0: position must hold single values"),
-            (BLOCK.replace("50000000", "5e7"), r"message 0: '5e7' is not a whole number in a timestamp"),
             (BLOCK.replace("50000000", "1000000000"), r"message 0: .* s and 1000000000 ns are not a valid timestamp"),
-            (BLOCK.replace("sec: 17", "sec: -17"), r"message 0, stamp_ns: -1699999999950000000 is negative"),
             (BLOCK.replace("- .nan", "- : ]"), r"message 0: .*; expected what ros2 topic echo prints"),
             (BLOCK.removesuffix("\n---\n"), r"line 15: the last line does not end, .*'- 2\.5', may be cut off"),
-            ("header:\n  stamp:\n    sec: 1\n", r"message 0: the message must have .*; found header"),
             ("header:\n" + " x" * 600_000 + "\n", r"a message of over 1000000 characters is no joint state"),
-            (BLOCK.replace("- 0.1", "- 90.0"), r"message 0, position\.LF_hip_joint: 90 rad is more than two turns"),
         ],
     )
     def test_damage_is_named(self, tmp_path, text, message):
@@ -148,11 +141,8 @@ class TestCsv:
         ("line", "message"),
         [
             (LINE.replace(",2.5", ""), r"line 1: 2 joints and 1 numbers for effort"),
-            (LINE.replace(",nan,2.5", ""), r"line 1: 2 joints and 0 numbers for effort"),
             (LINE.replace("\n", ",1\n"), r"line 1: there are 1 fields more than 2 joints need"),
             (LINE.replace("2.5", "..."), r"line 1: an array is shortened to '\.\.\.'"),
-            (LINE.replace("2.5", "x"), r"line 1: effort: 'x' is not a number"),
-            (LINE.replace("50000000", "5000000000"), r"line 1: .* are not a valid timestamp"),
             (LINE.removesuffix("\n"), r"line 1: the last line does not end"),
             (LINE + "\n", r"line 2: 1 fields are too few"),
         ],
@@ -237,12 +227,9 @@ class TestColumns:
             ("time,hip,knee\n", r"there is a header and no row"),
             ("time,hip,knee\n0,1\n", r"line 2: expected 3 columns, as in the header; found 2"),
             ("time,hip,knee\n0,1,x\n", r"line 2, knee: 'x' is not a number"),
-            ("time,hip,knee\n0,1,\n", r"line 2, knee: '' is not a number"),
             ("time,hip,knee\nnoon,1,2\n", r"line 2, time: 'noon' is not a time in s"),
-            ("time,hip,knee\n1e999999999,1,2\n", r"line 2, time: '1e999999999' is not a time in s"),
             ("time,hip,knee\n0,1,2", r"line 2: the last line does not end"),
             ('time,hip,knee\n0,"1"x,2\n', r"line 2: .*; fix the line"),
-            ("time,hip,knee\n0,1,2\n0,1,2\n", r"line 3, stamp_ns: 0 does not come after 0"),
         ],
     )
     def test_damage_is_named(self, tmp_path, text, message):
@@ -277,7 +264,6 @@ class TestColumns:
             ("stamp = 1\npositions.q = 3", "0,1\n", r"line 1: no column 3, which .* positions asks for; found 2"),
             ("stamp = 1\npositions.q = 2", "t,x\n0,1\n", r"line 1, column 1: 't' is not a time in s"),
             ("stamp = 1\npositions.q = 2", "0,1\n0.1\n", r"line 2: expected 2 columns"),
-            ("stamp = 1\npositions.q = 2", "", r"the file is empty"),
             ("stamp = 't'\npositions = ['q']\nheader = ['t', 'q']", "0,1,2\n", r"line 1: expected 2 columns.*found 3"),
             ("stamp = 't'\npositions = ['q']", "0,1\n", r"line 1: no column 't'.*header = \[\.\.\.\]"),
         ],
@@ -329,23 +315,16 @@ class TestColumns:
         ("text", "message"),
         [
             ("[columns]\n", r"\[columns\]: stamp is missing; add it"),
-            ("[columns]\nstamp = 'a'\n", r"\[columns\]: positions is missing"),
             ("[columns]\nstamp = 'a'\npositions = []\n", r"positions: name one column or more"),
             ("[columns]\nstamp = 'a'\npositions = ['b', 'b']\n", r"positions: expected each joint once"),
-            ("[columns]\nstamp = 'a'\npositions = ['b', 3]\n", r"positions: expected column names"),
             (
                 "[columns]\nstamp = 0\npositions = ['b']\n",
                 r"stamp: expected a column, name or number from 1 on; found 0",
             ),
             (
-                "[columns]\nstamp = 'a'\npositions = ['b']\nvelocities = ['c']\n",
-                r"velocities: expected each joint once",
-            ),
-            (
                 "[columns]\nstamp = 'a'\npositions = ['b']\nstamp_unit = 'h'\n",
                 r"stamp_unit: expected one of s, ms, us, ns",
             ),
-            ("[columns]\nstamp = 'a'\npositions = ['b']\nseparator = ';;'\n", r"separator: expected one character"),
             (
                 "[columns]\nstamp = 'a'\npositions = ['b']\nvelocity_files.a = '../b'\n",
                 r"velocity_files: expected a table",
