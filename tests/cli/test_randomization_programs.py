@@ -7,7 +7,6 @@ import pytest
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
-from quadruped_env.cli.common_options import randomization_option
 from quadruped_env.cli.main import make_parser
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.policies import load_policy
@@ -35,11 +34,6 @@ def test_an_unknown_preset_is_refused_with_those_that_there_are(program, capsys)
     assert "--randomization" in message
     assert "'extreme'" in message
     assert all(preset in message for preset in PRESETS)
-
-
-def test_option_is_typed_again_as_it_was_given():
-    assert randomization_option("hard") == "--randomization hard "
-    assert randomization_option(None) == ""
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ import pytest
 from tasks import random_readings
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
-from quadruped_env.evaluation.trace import Flag, PerTerm, Quantity, Recorder, Trace, Velocity, measured
+from quadruped_env.evaluation.trace import Flag, PerTerm, Recorder, Trace, Velocity, measured
 from quadruped_env.robot import MINI_QUADRUPED
 
 STEPS, ENVS, JOINTS, LEGS, TERMS = 5, 3, 8, 4, 2
@@ -135,13 +135,13 @@ class TestJoints:
 
 class TestDeclaration:
     def test_quantities_of_a_subclass_are_those_of_the_trace_and_its_own(self):
-        own = {"valid": Quantity(truth=True), "scores": Quantity(("terms",))}
+        own = {"valid": (), "scores": ("terms",)}
         assert Scored.quantities() == Trace.quantities() | own
         assert Trace.quantities() == {
-            "base_pose": Quantity((7,)),
-            **dict.fromkeys(("joint_position", "joint_velocity", "joint_torque"), Quantity(("joints",))),
-            **dict.fromkeys(("velocity", "command"), Quantity((2,))),
-            "contact": Quantity(("legs",), truth=True),
+            "base_pose": (7,),
+            **dict.fromkeys(("joint_position", "joint_velocity", "joint_torque"), ("joints",)),
+            **dict.fromkeys(("velocity", "command"), (2,)),
+            "contact": ("legs",),
         }
 
     @pytest.mark.parametrize(
@@ -206,35 +206,6 @@ class TestRecorder:
         recorder.write(readings[0])
         readings[0].joint_position[:] = 0.0
         np.testing.assert_array_equal(recorder.trace(timestep=0.02).joint_position[0], before)
-
-    @pytest.mark.parametrize(
-        "scores", [numbers(TERMS), numbers(1, TERMS), numbers(ENVS, TERMS, 1), numbers(ENVS, TERMS + 1), 0.0], ids=str
-    )
-    def test_later_sample_of_another_shape_is_refused(self, readings, scores):
-        recorder = Recorder(Scored, MINI_QUADRUPED, 2)
-        recorder.write(readings[0], **self.extras(0))
-        with pytest.raises(QuadrupedError, match=r"scores must have shape \(3, 2\)"):
-            recorder.write(readings[1], **self.extras(1) | {"scores": scores})
-
-    def test_first_sample_of_another_shape_is_refused(self, readings):
-        with pytest.raises(QuadrupedError, match=r"contact must have shape \(3, 4\); found \(4,\)"):
-            Recorder(Trace, MINI_QUADRUPED, 1).write(readings[0], contact=np.zeros(LEGS, bool))
-
-    def test_unknown_quantity_is_refused(self, readings):
-        with pytest.raises(QuadrupedError, match="Trace has no quantity scores; it has base_pose, "):
-            Recorder(Trace, MINI_QUADRUPED, 1).write(readings[0], scores=numbers(ENVS, TERMS))
-
-    def test_sample_without_a_quantity_of_the_first_one_is_refused(self, readings):
-        recorder = Recorder(Scored, MINI_QUADRUPED, 2)
-        recorder.write(readings[0], **self.extras(0))
-        with pytest.raises(QuadrupedError, match="only one of them has scores"):
-            recorder.write(readings[1], valid=np.ones(ENVS, bool))
-
-    def test_sample_after_the_last_one_is_refused(self, readings):
-        recorder = Recorder(Trace, MINI_QUADRUPED, 1)
-        recorder.write(readings[0])
-        with pytest.raises(QuadrupedError, match="all 1 samples are written"):
-            recorder.write(readings[1])
 
     def test_quantity_that_is_always_known_is_required(self):
         # `Scored` requires `velocity`, which `Trace` may leave out.

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import evaluation_report
 from quadruped_env.reporting.plots.canvas import draw_figure, legend_above
@@ -32,7 +32,7 @@ def figures(run_directory, comparison):
         save(self, file, **options)
 
     patch.setattr(matplotlib.figure.Figure, "savefig", keep)
-    evaluation_report._figures(find_subject(str(run_directory)), comparison)
+    evaluation_report._figures(find_policy(str(run_directory)), comparison)
     plots.episode(comparison, "policy", 0)
     times = np.linspace(0.0, 5.0, 200)
     line = Line(times, np.sin(times)[:, None] * np.ones(8), "#0072B2")
@@ -86,7 +86,9 @@ def test_no_text_covers_another_or_leaves_the_figure(figures):
 def test_legend_of_runs_stays_within_the_figure(name):
     def draw(axes):
         names = [f"{name}{i}" for i in range(6)]
-        legend_above(axes[0, 0].figure, [axes[0, 0].plot([0, 1], label=name)[0] for name in names], names, 3)
+        for each in names:
+            axes[0, 0].plot([0, 1], label=each)
+        legend_above(axes[0, 0].figure, 3)
         figure = axes[0, 0].figure
         FigureCanvasAgg(figure).draw()
         box = figure.legends[-1].get_window_extent()

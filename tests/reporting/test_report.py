@@ -17,8 +17,8 @@ from report_page import Page
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.metrics import METRICS
-from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import evaluation_report, pictures
@@ -29,7 +29,7 @@ from quadruped_env.task import TaskConfig
 
 @pytest.fixture(scope="module")
 def written(run_directory, comparison):
-    found = find_subject(str(run_directory))
+    found = find_policy(str(run_directory))
     page, numbers, missing = write_report(found, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
     assert not missing
     return page.read_text(), numbers.read_text()
@@ -135,7 +135,7 @@ def test_without_viser_the_report_is_made_and_names_the_extra(
     run_directory, comparison, tmp_path, monkeypatch, without_figures
 ):
     monkeypatch.setitem(sys.modules, "viser", None)
-    page, _, missing = write_report(find_subject(str(run_directory), tmp_path), comparison, "", with_video=False)
+    page, _, missing = write_report(find_policy(str(run_directory), tmp_path), comparison, "", with_video=False)
     assert missing == ["No 3D replay: The 3D replay needs the 'viewer' extra: pip install 'mini-quadruped[viewer]'"]
     assert "<iframe" not in page.read_text()
     assert "script-src" not in page.read_text()
@@ -150,7 +150,7 @@ def test_table_has_a_row_for_every_motion(comparison):
 def test_report_with_a_video_is_small(run_directory, comparison, tmp_path, monkeypatch):
     monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.4)
     told = []
-    page, _, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", progress=told.append)
+    page, _, _ = write_report(find_policy(str(run_directory), tmp_path), comparison, "", progress=told.append)
     html = page.read_text()
     if "No video" in html:
         pytest.skip("no OpenGL")

@@ -58,7 +58,7 @@ def test_a_sustained_force_in_its_direction_size_and_time(stage, paused):
     fill(page, "For, s", 0.1)
     until(lambda: (panel._direction.value, panel._force.value, panel._seconds.value) == (90, 4, 0.1))
     page.get_by_role("button", name="Apply force").click()
-    until(lambda: controller._lineup.slots[0].robot._force_steps == 5)
+    until(lambda: controller._robots.slots[0].robot._force_steps == 5)
     for _ in range(4):
         controller.step()
         np.testing.assert_allclose(controller.view().robots[0].force, [0.0, 4.0, 0.0], atol=0.2)

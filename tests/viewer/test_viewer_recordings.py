@@ -138,7 +138,7 @@ def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeyp
 
 def test_recordings_of_a_show_are_bounded(control, monkeypatch):
     monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.MAX_TAKES", 1)
+    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.MAX_RECORDINGS", 1)
     controller = control("stand still")
     controller.start_recording()
     controller.stop_recording()
