@@ -20,7 +20,8 @@ from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.train import task_change
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE, load_policy, shipped_directory
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.control.policy_files import read_policy, shipped_directory
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.suite.aggregate import aggregate
@@ -152,7 +153,7 @@ TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "c
 TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
 
 READERS = {
-    "policy": Reader(CARD_FILE, lambda path: load_policy(path.parent), prepare_policy),
+    "policy": Reader(CARD_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "config": Reader(CONFIG_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
     "curve": Reader(PROGRESS_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
     "recipe": Reader(CONFIG_FILE, lambda path: find_subject(str(path.parent)).recipe, prepare_whole_run, lenient=True),
@@ -186,7 +187,7 @@ READERS = {
     ),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
     "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
-    "tensors": Reader(TENSORS_FILE, lambda path: load_policy(path.parent), prepare_policy),
+    "tensors": Reader(TENSORS_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "progress": Reader("progress.csv", read_progress, sound="timesteps,return\n1,2.5\n2,\n"),
 }
 BINARY = ("tensors", "storage")
@@ -196,7 +197,8 @@ JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "refe
 TOML = ("columns", "joints", "space")
 READ_BY = {
     "cli/train.py": ("task",),
-    "control/policy.py": ("policy", "tensors"),
+    "control/kept_task_file.py": ("policy",),
+    "control/policy_files.py": ("policy", "tensors"),
     "control/task_file.py": ("terms",),
     "utils/documents.py": JSON,
     "evaluation/subject.py": ("recipe",),
@@ -214,7 +216,6 @@ READ_BY = {
     "scale/sweep/sweep_definition.py": ("terms",),
     "scale/sweep/sweep_records.py": ("sweep", "trial", "result", "scores"),
     "scale/sweep/search_space.py": ("space", "space as JSON"),
-    "scale/ranks/job.py": "a file of its own process",
     "scale/ranks/processes.py": "a file of its own process",
     "training/sb3_models.py": "the network of a run: tests/training/test_resume.py",
     "training/resume.py": ("config", "curve"),
@@ -225,7 +226,6 @@ READ_BY = {
     "trajectory/formats/recognition.py": ("recording",),
     "trajectory/formats/salvage/__init__.py": ("salvaged",),
     "trajectory/formats/salvage/mcap_scanner.py": ("storage",),
-    "trajectory/formats/salvage/ros1_scanner.py": "ROS 1 bags: tests/trajectory/test_formats_fuzz.py",
     "trajectory/formats/salvage/sqlite3_scanner.py": "sqlite3 bags: tests/trajectory/test_formats_fuzz.py",
     "trajectory/maps.py": ("columns", "joints"),
 }

@@ -19,7 +19,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, without_suite
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.suite.measured_controller import reference_contenders
 from quadruped_env.evaluation.suite.references import REFERENCE_FILE, read_references, reference_row, score_table

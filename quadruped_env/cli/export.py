@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Export, and print what was written."""
-    from quadruped_env.control.policy import SHIPPED
+    from quadruped_env.control.policy_files import SHIPPED
     from quadruped_env.evaluation.subject import find_subject
     from quadruped_env.export import export_policy
     from quadruped_env.export.folder import check_output

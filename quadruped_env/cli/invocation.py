@@ -23,7 +23,6 @@ SUMMARIES: Final = {
     "replay": "play a recording again, and measure how closely the robot follows it",
     "identify": "fit the simulator's motors to a recording of a robot",
     "baseline": "measure a scripted gait, and record its joints",
-    "tune-gait": "search the parameters of the scripted gaits",
     "completion": "print a script that completes these commands in a shell",
 }
 """Summary of each command, in the order of `mini-quadruped --help`.

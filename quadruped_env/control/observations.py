@@ -95,7 +95,8 @@ def observation(
 
     Args:
         unit: unit of the reading.
-        mirror: `"joints"` or `"feet"` for one column per joint or foot; else one sign per column.
+        mirror: `"joints"` for one column per joint, whose sign changes with the joint's (`Robot.joint_signs`), `"feet"`
+            for one per foot; else one sign per column.
         scale: factor from the reading to the observation.
         bound: the scaled value is clipped to +-bound.
         noise: amplitude of uniform noise on the reading, in its unit.
@@ -209,10 +210,6 @@ class ObservationLayout:
     low: Floats = field(init=False)
     high: Floats = field(init=False)
     noise: Floats = field(init=False)
-    mirror_order: NDArray[np.intp] = field(init=False)
-    """Source column of each column of the mirrored observation, (width,)."""
-    mirror_sign: NDArray[np.float32] = field(init=False)
-    """Sign of each column of the mirrored observation, (width,)."""
 
     def __post_init__(self) -> None:
         names = [entry.name for entry in self.fields]
@@ -220,11 +217,6 @@ class ObservationLayout:
             raise QuadrupedError(f"observations: expected one or more fields with unique names; found {names}")
         widths = [entry.width(self.robot) for entry in self.fields]
         starts = [sum(widths[:i]) for i in range(len(widths))]
-        order, signs = [], []
-        for entry, start, width in zip(self.fields, starts, widths, strict=True):
-            columns, sign = _mirror(entry.mirror, self.robot, width)
-            order += [start + column for column in columns]
-            signs += sign
         bounds = self._columns("bound", widths)
         values: dict[str, object] = {
             "width": sum(widths),
@@ -233,8 +225,6 @@ class ObservationLayout:
             "low": -bounds,
             "high": bounds,
             "noise": self._columns("noise", widths),
-            "mirror_order": np.array(order),
-            "mirror_sign": np.array(signs, dtype=np.float32),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -264,11 +254,3 @@ class ObservationLayout:
     def of(cls, robot: Robot, fields: Sequence[Field], history: int = 1) -> Self:
         """A layout from any sequence of fields."""
         return cls(robot, tuple(fields), history)
-
-
-def _mirror(rule: MirrorRule, robot: Robot, width: int) -> tuple[Sequence[int], list[float]]:
-    if rule == "joints":
-        return robot.joint_mirror, [1.0] * width
-    if rule == "feet":
-        return robot.foot_mirror, [1.0] * width
-    return range(width), list(rule)

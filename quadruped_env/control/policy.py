@@ -1,70 +1,63 @@
-"""Trained policies as data (tensors and JSON), evaluated with NumPy alone."""
+"""A trained policy as data, evaluated with NumPy alone."""
 
+import functools
 import hashlib
+import importlib
 import json
-import os
-import warnings
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Final
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from safetensors import SafetensorError
-from safetensors.numpy import load, save
+from safetensors.numpy import save
 
-from quadruped_env.control.control_config import COMMANDS, ActionConfig, Command, ControlConfig
-from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.task_file import (
-    KEPT_FILE,
-    TASK_FILE,
-    TaskFileError,
-    changed_definitions,
-    execute,
-    merged,
-    needs_file,
-    recorded_file,
-    recorded_terms,
-    robot_in,
-)
-from quadruped_env.errors import QuadrupedError, QuadrupedWarning, did_you_mean, short
-from quadruped_env.robot.description import check_no_description
+from quadruped_env.control.activations import ACTIVATIONS, OUTPUTS
+from quadruped_env.control.control_config import ActionConfig, ControlConfig
+from quadruped_env.control.observations import ObservationField, ObservationLayout
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.utils.documents import check_regular, read_json
-from quadruped_env.utils.files import write_whole
-from quadruped_env.utils.interpreter import program_command
-from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
+from quadruped_env.utils.files import unwritable, write_whole
+
+if TYPE_CHECKING:
+    from gymnasium import Env
+    from gymnasium.vector import VectorEnv
+
+    from quadruped_env.task import TaskConfig
 
 FORMAT_VERSION: Final = 1
 TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
-CHECKPOINTS: Final = "checkpoints"
-"""Directory of a run's checkpoints, each with the files of a policy."""
-SHIPPED: Final = ("flat", "robust", "rough")
-"""Names of the policies that the package has; the first is the default."""
-LIVE_POLICY: Final = "robust"
-"""The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
-
-_MAX_KEPT_BYTES: Final = 1_000_000
-"""Maximum size of a task file that is shown and compared: far larger than any written by hand."""
-
-_SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
 
 
-def _elu(x: NDArray[np.float32]) -> NDArray[np.float32]:
-    return np.maximum(x, 0.0) + np.expm1(np.minimum(x, 0.0))
+class Agent(Protocol):
+    """A policy that is code: recurrent, convolutional, of another library, or written by hand.
 
+    An agent may also have the attribute `env_kwargs`: arguments of `gymnasium.make` (action_mode, config, task_file,
+    robot, terrain) for the env that it was made for, in place of the default one.
+    """
 
-_Activation = Callable[[NDArray[np.float32]], NDArray[np.float32]]
-ACTIVATIONS: Final[dict[str, _Activation]] = {"tanh": np.tanh, "elu": _elu, "relu": lambda x: np.maximum(x, 0.0)}
-OUTPUTS: Final[dict[str, _Activation]] = {"clip": lambda x: np.minimum(np.maximum(x, -1.0), 1.0), "tanh": np.tanh}
+    def reset(self, begun: NDArray[np.bool_]) -> None:
+        """Forget the envs in which an episode begins, before `predict` is called with their first observations.
+
+        Args:
+            begun: mask (N,) of these envs. N changes only when all begin.
+        """
+        ...
+
+    def predict(self, observation: NDArray[np.float32]) -> NDArray[np.floating[Any]]:
+        """Actions (N, J) for the observations (N, width) of one control step; they are clipped to [-1, 1]."""
+        ...
 
 
 @dataclass(frozen=True)
 class Policy:
     """A deterministic policy: a small multilayer perceptron with the meaning of its observations and actions.
+
+    A policy that is code has an `Agent` in place of weights. It can be evaluated, viewed and filmed, but has no file.
 
     Args:
         weights: one matrix per layer (in, out), float32.
@@ -75,6 +68,11 @@ class Policy:
         task: config of the task that it was trained for, as plain values.
         card: provenance: command, seed, steps, versions, metrics.
         robot: robot that it was trained on.
+        output: function that brings the last layer's values into [-1, 1], a key of `OUTPUTS`.
+        source: name of the policy's file in error messages.
+        task_config: the config of that task with the terms that are known here; None: with the built-in ones, when it
+            is needed. A robot's controller never needs it.
+        agent: object that acts in place of the weights, of which there are none then.
     """
 
     weights: tuple[NDArray[np.float32], ...]
@@ -86,9 +84,96 @@ class Policy:
     card: dict[str, Any]
     robot: Robot = MINI_QUADRUPED
     output: str = "clip"
-    """Function that brings the last layer's values into [-1, 1], a key of `OUTPUTS`."""
     source: str = CARD_FILE
-    """Name of the policy's file in error messages."""
+    task_config: "TaskConfig | None" = field(default=None, repr=False, compare=False)
+    agent: Agent | None = None
+
+    @classmethod
+    def for_task(
+        cls,
+        weights: Sequence[NDArray[np.float32]],
+        biases: Sequence[NDArray[np.float32]],
+        activation: str,
+        config: "TaskConfig",
+        card: dict[str, Any],
+        output: str = "clip",
+        agent: Agent | None = None,
+    ) -> Self:
+        """A policy of a task, from the task's config; the other arguments are those of the class."""
+        return cls(
+            tuple(weights),
+            tuple(biases),
+            activation,
+            config.control,
+            config.definition.observations,
+            config.to_dict(),
+            card,
+            config.robot,
+            output,
+            task_config=config,
+            agent=agent,
+        )
+
+    @classmethod
+    def from_sb3(cls, model: Any, card: dict[str, Any] | None = None) -> "Policy":
+        """The deterministic part of a Stable-Baselines3 (or sb3-contrib) model that was trained on this package's env.
+
+        Every multilayer perceptron with one activation function of `ACTIVATIONS` fits: the actors of PPO, A2C, TRPO,
+        SAC, TD3, DDPG, TQC, CrossQ and ARS with their MLP policies. Observations that `VecNormalize` normalizes are
+        folded into the first layer, without its clipping.
+
+        Args:
+            model: the model, with its env.
+            card: provenance; None: algorithm, seed and number of steps.
+
+        Raises:
+            QuadrupedError: if the model has no env of this package, or a policy's file cannot hold its actor; the
+                message names the reason, and the protocol for such policies.
+
+        Warns:
+            QuadrupedWarning: if `VecNormalize` clips observations that the env can give.
+        """
+        policy: Policy = _later("sb3_policies").from_sb3(model, card)
+        return policy
+
+    @functools.cached_property
+    def config(self) -> "TaskConfig":
+        """Config of the task that it was trained for, with the terms that are known here.
+
+        Raises:
+            QuadrupedError: if the task is not valid here.
+        """
+        config: TaskConfig = self.task_config or _later("policy_task").config_of(self)
+        return config
+
+    def with_card(self, card: dict[str, Any]) -> Self:
+        """The same policy with another card."""
+        return replace(self, card=card)
+
+    def make_env(self, **kwargs: Any) -> "Env[NDArray[np.float32], NDArray[np.float32]]":
+        """The environment that the policy was trained for: its task, action mode and control rate.
+
+        Args:
+            **kwargs: arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
+
+        Raises:
+            QuadrupedError: if `kwargs` name another task than the policy's.
+        """
+        env: Env[NDArray[np.float32], NDArray[np.float32]] = _later("policy_task").make_env(self, **kwargs)
+        return env
+
+    def make_vec_env(self, num_envs: int, **kwargs: Any) -> "VectorEnv[Any, Any, Any]":
+        """A native vector environment of the task that the policy was trained for.
+
+        Args:
+            num_envs: number of robots.
+            **kwargs: arguments of `gymnasium.make_vec`, such as `max_episode_steps`.
+
+        Raises:
+            QuadrupedError: if `kwargs` name another task than the policy's.
+        """
+        envs: VectorEnv[Any, Any, Any] = _later("policy_task").make_vec_env(self, num_envs, **kwargs)
+        return envs
 
     @property
     def action_mode(self) -> str:
@@ -102,6 +187,8 @@ class Policy:
             QuadrupedError: if the last axis has another length than an observation.
         """
         x = np.asarray(observation, dtype=np.float32)
+        if self.agent is not None:
+            return self._ask(self.agent, x)
         if x.shape[-1:] != self.weights[0].shape[:1]:
             raise QuadrupedError(
                 f"policy: expected observations of shape (..., {self.weights[0].shape[0]}); found {x.shape}"
@@ -110,6 +197,29 @@ class Policy:
         for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
             x = activate(x @ weight + bias)
         return OUTPUTS[self.output](x @ self.weights[-1] + self.biases[-1])
+
+    def _ask(self, agent: Agent, observation: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Actions of an agent, clipped."""
+        actions = np.asarray(agent.predict(observation))
+        expected = (*observation.shape[:-1], self.robot.num_joints)
+        if actions.shape != expected or not np.issubdtype(actions.dtype, np.floating):
+            raise QuadrupedError(
+                f"{self.source}: predict: expected an array of numbers of shape {expected}; found {actions.dtype} of "
+                f"shape {actions.shape}"
+            )
+        return np.clip(actions, -1.0, 1.0).astype(np.float32)
+
+    def check_is_data(self, use: str) -> None:
+        """Check that a policy has weights, for a use that needs its file.
+
+        Raises:
+            QuadrupedError: if it is code.
+        """
+        if self.agent is not None:
+            raise QuadrupedError(
+                f"{use}: {self.source} is a policy of Python code, and this takes policies of files: the directory of "
+                f"a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
+            )
 
     def check_control(self, control: ControlConfig) -> None:
         """Check that actions have the same meaning in a task as in training.
@@ -149,20 +259,61 @@ class Policy:
                 f"own with policy.make_env()"
             )
 
-    def save(self, directory: Path) -> None:
-        """Write the policy's two files into a directory.
+    def check_env(self, env: Any) -> None:
+        """Check that actions and observations have the same meaning in an environment as in training.
+
+        Args:
+            env: an environment of this package, with or without wrappers, or a vector environment with a list of such
+                environments (`gymnasium.vector.SyncVectorEnv`, SB3's `DummyVecEnv`).
+
+        Raises:
+            QuadrupedError: if its robot, action mode, action scale, control rate, gait clock or observations differ
+                from the policy's.
+        """
+        inner = getattr(env, "unwrapped", env)
+        config: Any = getattr(getattr(inner, "task", None), "config", None)
+        members = getattr(inner, "envs", None)
+        if config is None and isinstance(members, (list, tuple)) and members:
+            for member in members:
+                self.check_env(member)
+            return
+        if not isinstance(getattr(config, "control", None), ControlConfig):
+            raise QuadrupedError(
+                f"policy: {env!r} is not an environment of this package; make one with policy.make_env()"
+            )
+        self.check_task(config)
+
+    def check_task(self, config: "TaskConfig") -> None:
+        """As `check_env`, for the config of a task. Fields that do not change these meanings may differ.
+
+        Raises:
+            QuadrupedError: if the robot, action mode, action scale, control rate, gait clock or observations differ
+                from the policy's.
+        """
+        check_same_robot(self.robot.identity, config.robot)
+        self.check_control(config.control)
+        self.check_observations(ObservationLayout(config.robot, config.definition.observations))
+
+    def save(self, directory: str | Path) -> None:
+        """Write the policy's two files into a directory, which is created if it does not exist.
 
         Raises:
             QuadrupedError: if a weight is not finite, or the files cannot be written; in both cases no file is written.
         """
-        write_whole({directory / name: content for name, content in self.files().items()})
+        directory, files = Path(directory), self.files()
+        try:
+            directory.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise unwritable(directory, error) from error
+        write_whole({directory / name: content for name, content in files.items()})
 
     def files(self) -> dict[str, bytes]:
         """Contents of the files that `save` writes, by name; the card is last.
 
         Raises:
-            QuadrupedError: if a weight is not finite.
+            QuadrupedError: if a weight is not finite, or the policy is code.
         """
+        self.check_is_data("save")
         tensors = {}
         for i, (weight, bias) in enumerate(zip(self.weights, self.biases, strict=True)):
             if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
@@ -175,14 +326,14 @@ class Policy:
         document = {
             "format_version": FORMAT_VERSION,
             "weights_sha256": hashlib.sha256(content).hexdigest(),
-            "config_sha256": _config_hash(self.task),
+            "config_sha256": config_hash(self.task),
             "activation": self.activation,
             "output": self.output,
             "layers": len(self.weights),
             "robot": self.robot.identity,
             "observation_layout": ObservationLayout(self.robot, self.fields).document(),
             "action_mode": self.action_mode,
-            "scripted_gait": _gait_document(self.control.action, self.robot),
+            "scripted_gait": gait_document(self.control.action, self.robot),
             "control_rate_hz": 1.0 / self.control.timestep,
             "config": self.task,
             "card": self.card,
@@ -190,323 +341,17 @@ class Policy:
         return {TENSORS_FILE: content, CARD_FILE: (json.dumps(document, indent=2) + "\n").encode()}
 
 
-def _config_hash(config: Any) -> str:
+def config_hash(config: Any) -> str:
     """SHA-256 of a task's config, independent of the layout of the JSON."""
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
-def _gait_document(action: ActionConfig, robot: Robot) -> dict[str, Any] | None:
+def gait_document(action: ActionConfig, robot: Robot) -> dict[str, Any] | None:
     """Scripted gait of a residual policy as JSON values; None for other policies."""
     gait = action.scripted_gait(robot)
     return None if gait is None else gait.parameters()
 
 
-def training_advice() -> str:
-    """The command that trains a policy, as the end of an error message."""
-    return f"train one with '{program_command('train')}'"
-
-
-def shipped_directory(name: str) -> Path:
-    """Directory of a shipped policy."""
-    return _SHIPPED_DIRECTORY / name
-
-
-def finished_directory(run: Path) -> Path:
-    """Directory of a run's policy: that of the run, or that of its last checkpoint if it was killed or still trains.
-
-    Warns:
-        QuadrupedWarning: if a checkpoint is used.
-    """
-    # Not Path's methods, which raise for names that are too long and for directories without rights.
-    if os.path.exists(run / CARD_FILE) or not os.path.isdir(run / CHECKPOINTS):
-        return run
-    checkpoints = [path for path in (run / CHECKPOINTS).iterdir() if (path / CARD_FILE).is_file()]
-    if not checkpoints:
-        return run
-    # Checkpoints are named by seconds, and later names may have more digits.
-    last = max(checkpoints, key=lambda path: (len(path.name), path.name))
-    warnings.warn(
-        f"{run}: the training was killed or is still running; its last checkpoint is used: {last.relative_to(run)}",
-        QuadrupedWarning,
-        stacklevel=3,
-    )
-    return last
-
-
-@dataclass(frozen=True)
-class Terms:
-    """Parts of a policy that are not stored in its file: its robot, fields of the observation, commands."""
-
-    observations: tuple[ObservationField, ...] = OBSERVATIONS
-    commands: tuple[Command, ...] = COMMANDS
-    robot: Robot = MINI_QUADRUPED
-    file: TaskFile | None = None
-    """File that defines what is not built in."""
-
-
-def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
-    """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
-
-    Raises:
-        QuadrupedError: as `execute` and `robot_in`.
-    """
-    file, module = execute(path, expected)
-    values = list(vars(module).values())
-    return Terms(
-        merged(OBSERVATIONS, [value for value in values if isinstance(value, ObservationField)]),
-        merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
-        robot_in(module) or MINI_QUADRUPED,
-        file,
-    )
-
-
-def load_policy(source: str | Path, terms: Terms | None = None) -> Policy:
-    """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
-
-    For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
-    stable-baselines3 is needed. A file of terms that a run names is not executed. It is needed only if it defines the
-    policy's observations or robot; pass them in `terms`.
-
-    Args:
-        source: name or directory.
-        terms: robot and terms of a user's file, for a policy that was trained with one.
-
-    Raises:
-        QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another
-            robot, observations or scripted gait; the message names the file and the fix.
-
-    Warns:
-        QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
-    """
-    directory = policy_directory(source)
-    tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
-    document = read_json(card_path, "the file is damaged, train again")
-    check_regular(tensors_path, "name the directory of a finished run")
-    try:
-        content = tensors_path.read_bytes()
-    except OSError as error:
-        raise QuadrupedError(f"{tensors_path}: cannot be read ({error.strerror})") from error
-    _check_hash(document, "weights_sha256", hashlib.sha256(content).hexdigest(), card_path, tensors_path)
-    try:
-        tensors = load(content)
-    # Number types that NumPy lacks raise various errors.
-    except (SafetensorError, TypeError, AttributeError, ValueError) as error:
-        raise QuadrupedError(f"{tensors_path}: not a safetensors file ({error}); it is damaged, train again") from error
-    return _from_document(document, tensors, (card_path, tensors_path), terms or Terms())
-
-
-def policy_directory(source: str | Path) -> Path:
-    """Directory of the policy that a name or a directory means; that of a checkpoint if a run was killed.
-
-    Raises:
-        QuadrupedError: if there is no such policy, or one of its files is missing.
-    """
-    directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
-    # Not Path.is_dir, which raises for names that are too long and for directories without rights.
-    if not os.path.isdir(directory):
-        check_no_description(directory)
-        raise QuadrupedError(
-            f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
-            f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"
-        )
-    for path in (directory / CARD_FILE, directory / TENSORS_FILE):
-        if not os.path.exists(path):
-            if run := max(directory.glob(f"*/{CARD_FILE}"), default=None):
-                raise QuadrupedError(f"{directory}: is not a run, and holds runs; name one, such as {run.parent}")
-            raise QuadrupedError(
-                f"{path}: missing, so the run is incomplete; name a finished run, or one of its checkpoints"
-            )
-    return directory
-
-
-def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
-    """The copy of the user's file that a run keeps, with the file's name and hash; None for a run without a file.
-
-    Raises:
-        QuadrupedError: as `policy_directory`, or if the run keeps no copy.
-    """
-    directory = policy_directory(source)
-    document = read_json(directory / CARD_FILE, "the file is damaged, train again")
-    task = document.get("config") if isinstance(document, dict) else None
-    task = task if isinstance(task, dict) else {}
-    file = recorded_file(task.get(TASK_FILE)) or recorded_file(task.get(TERRAIN_FILE), TERRAIN_FILE)
-    if file is None:
-        return None
-    path = directory / KEPT_FILE
-    if not os.path.exists(path):
-        raise QuadrupedError(
-            f"{path}: missing, so there is no copy of {short(file.name)} to trust; name the file with --task FILE"
-        )
-    check_regular(path, "name the file with --task FILE")
-    return path, file
-
-
-def kept_content(directory: Path, recorded: TaskFile) -> bytes | None:
-    """Content of the copy that a run keeps of its task file; None without one, or if it is not as recorded."""
-    path = directory / KEPT_FILE
-    try:
-        if not path.is_file() or path.stat().st_size > _MAX_KEPT_BYTES:
-            return None
-        content = path.read_bytes()
-    except OSError:
-        return None
-    return content if hashlib.sha256(content).hexdigest() == recorded.sha256 else None
-
-
-def code_changes(directory: Path, recorded: TaskFile, file: TaskFile) -> tuple[str, ...] | None:
-    """Names whose code in a file differs from that in a run's copy; None if the run has no copy that can be compared.
-
-    No code is executed.
-    """
-    if recorded.sha256 == file.sha256:
-        return ()
-    kept = kept_content(directory, recorded)
-    return None if kept is None else changed_definitions(kept, file.content)
-
-
-def _check_terms(document: dict[str, Any], terms: Terms, file: TaskFile, directory: Path) -> None:
-    """Refuse terms with which a policy that was trained with a user's file would get wrong observations."""
-    robot, defined = document.get("robot"), recorded_terms(document["config"][TASK_FILE])
-    if terms.file is None:
-        if isinstance(robot, dict) and robot != terms.robot.identity:
-            raise needs_file(f"this policy has the robot {short(robot.get('name'))}", file)
-        if defined is None:
-            raise needs_file("this policy was trained by an earlier version with terms", file)
-        if defined.get("observations"):
-            raise needs_file(f"this policy has the observation {', '.join(defined['observations'])}", file)
-        return
-    if terms.file.sha256 == file.sha256:
-        return
-    here = [entry.name for entry in terms.observations if not any(entry is other for other in OBSERVATIONS)]
-    own = here if defined is None else {*here, *defined.get("observations", ())}
-    changed = code_changes(directory, file, terms.file)
-    other = [name for name in own if changed is None or name in changed]
-    if other and document["observation_layout"] == ObservationLayout(terms.robot, terms.observations).document():
-        found = "may compute" if changed is None else "computes"
-        raise TaskFileError(
-            f"{terms.file.name} {found} the observation {', '.join(sorted(other))} differently from the version of "
-            f"{short(file.name)} with which the policy was trained (SHA-256 {short(file.sha256)[:13]}...), so the "
-            f"policy would read other values; use that version, or the run's copy of it with --trust-task "
-            f"(trust_task=True in Python)"
-        )
-
-
-def unusable(path: Path | str, error: QuadrupedError) -> QuadrupedError:
-    """The error for a policy's file whose task cannot be used here."""
-    fix = "" if isinstance(error, TaskFileError) else "; train again, or install the version that made it"
-    return QuadrupedError(f"{path}: {error}{fix}")
-
-
-def _check_robot(document: dict[str, Any], robot: Robot) -> None:
-    """Refuse a policy of another robot. Those without the field are of the built-in robot."""
-    if "robot" in document:
-        check_same_robot(document["robot"], robot)
-    elif robot.name != MINI_QUADRUPED.name:
-        check_same_robot(MINI_QUADRUPED.identity, robot)
-
-
-def _check_hash(document: Any, field: str, found: str, card_path: Path, path: Path) -> None:
-    """Refuse a file whose SHA-256 is not the one in the card."""
-    expected = document.get(field, found) if isinstance(document, dict) else found
-    if expected != found:
-        raise QuadrupedError(
-            f"{path}: its SHA-256 differs from {field} in {card_path.name}; the file is damaged or of another policy: "
-            f"train again, or use another checkpoint"
-        )
-
-
-def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple[Path, Path], terms: Terms) -> Policy:
-    card_path, tensors_path = paths
-    version = document.get("format_version") if isinstance(document, dict) else None
-    if version != FORMAT_VERSION:
-        raise QuadrupedError(
-            f"{card_path}: format_version is {short(version)}, and this version of the package reads {FORMAT_VERSION}; "
-            f"train again, or install the version that made it"
-        )
-    for key in ("weights_sha256", "config_sha256", "activation", "layers", "observation_layout", "config", "card"):
-        if key not in document:
-            raise QuadrupedError(f"{card_path}: field {key!r} is missing; the file is damaged, train again")
-    try:
-        task = document["config"]
-        file = recorded_file(task.get(TASK_FILE)) if isinstance(task, dict) else None
-        if file is None:
-            terms = Terms(robot=terms.robot)
-        else:
-            _check_terms(document, terms, file, card_path.parent)
-        _check_robot(document, terms.robot)
-        control = ControlConfig.of_task(task, terms.commands)
-    except QuadrupedError as error:
-        raise unusable(card_path, error) from error
-    robot = terms.robot
-    layout = ObservationLayout(robot, terms.observations)
-    if document["observation_layout"] != layout.document():
-        raise QuadrupedError(
-            f"{card_path}: observation_layout differs from this version's, so the policy would get other columns than "
-            f"it was trained on; train again, or install the version that made it"
-        )
-    output = document.get("output", "clip")
-    for name, value, valid in (("activation", document["activation"], ACTIVATIONS), ("output", output, OUTPUTS)):
-        if value not in tuple(valid):
-            raise QuadrupedError(
-                f"{card_path}: {name} {short(value)} is not one of {', '.join(valid)}; the file is damaged, train again"
-            )
-    if not isinstance(document["card"], dict):
-        raise QuadrupedError(
-            f"{card_path}: card must be a table of facts; found {short(document['card'])}; the file is damaged, train "
-            f"again"
-        )
-    if not isinstance(document["layers"], int) or document["layers"] < 1:
-        raise QuadrupedError(
-            f"{card_path}: layers must be a whole number, 1 or more; found {short(document['layers'])}; "
-            f"the file is damaged, train again"
-        )
-    _check_hash(document, "config_sha256", _config_hash(document["config"]), card_path, card_path)
-    if document.get("scripted_gait") != _gait_document(control.action, robot):
-        raise QuadrupedError(
-            f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
-            f"train again, or install the version that made it"
-        )
-    inputs = control.observation_history * layout.width
-    weights, biases = _layers(document["layers"], tensors, tensors_path, inputs, robot.num_joints)
-    return Policy(
-        weights,
-        biases,
-        document["activation"],
-        control,
-        terms.observations,
-        task,
-        document["card"],
-        robot,
-        output,
-        str(card_path),
-    )
-
-
-def _layers(
-    count: int, tensors: dict[str, NDArray[Any]], tensors_path: Path, inputs: int, outputs: int
-) -> tuple[tuple[NDArray[np.float32], ...], tuple[NDArray[np.float32], ...]]:
-    """Weights and biases that fit together."""
-    weights, biases = [], []
-    width = inputs
-    for i in range(count):
-        weight, bias = tensors.get(f"layer{i}.weight"), tensors.get(f"layer{i}.bias")
-        if weight is None or bias is None or bias.ndim != 1 or weight.shape != (width, len(bias)):
-            found = " and ".join("none" if tensor is None else str(tensor.shape) for tensor in (weight, bias))
-            raise QuadrupedError(
-                f"{tensors_path}: layer{i}.weight must have shape ({width}, outputs) and layer{i}.bias (outputs,); "
-                f"found {found}; the file is damaged, train again"
-            )
-        if weight.dtype != np.float32 or bias.dtype != np.float32:
-            raise QuadrupedError(
-                f"{tensors_path}: layer{i} must be float32; found {weight.dtype} and {bias.dtype}; train again"
-            )
-        if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
-            raise QuadrupedError(f"{tensors_path}: layer{i} holds NaN or infinity; the training diverged, train again")
-        weights.append(weight)
-        biases.append(bias)
-        width = len(bias)
-    if width != outputs:
-        raise QuadrupedError(
-            f"{tensors_path}: the last layer has {width} outputs; expected {outputs}, one per joint; train again"
-        )
-    return tuple(weights), tuple(biases)
+def _later(module: str) -> ModuleType:
+    """A module of `policies`, which a robot's controller never loads: it needs neither the task nor the env."""
+    return importlib.import_module(f"quadruped_env.policies.{module}")

@@ -22,14 +22,32 @@ class MirrorMap:
     observation_sign: NDArray[np.float32]
     """Sign of each column of the mirrored observation, (width,)."""
     action_order: NDArray[np.intp]
-    """Source joint of each joint of the mirrored robot, (J,); all joints turn about the y axis, so no sign changes."""
+    """Source joint of each joint of the mirrored robot, (J,)."""
+    action_sign: NDArray[np.float32]
+    """Sign of each joint of the mirrored robot, (J,); see `Robot.joint_signs`."""
 
     @classmethod
     def of(cls, layout: ObservationLayout) -> Self:
-        """From the mirror rules of a layout's fields and its robot's joints; the same for each step of a history."""
+        """From the mirror rules of a layout's fields and its robot's joints; the same for each step of a history.
+
+        Raises:
+            QuadrupedError: if the robot's joints have no mirror images; see `Robot.joint_signs`.
+        """
+        robot = layout.robot
+        joints = np.array(robot.joint_mirror), robot.joint_signs
+        feet = np.array(robot.foot_mirror), np.ones(robot.num_legs)
+        order, sign = [], []
+        for field in layout.fields:
+            rule = field.mirror
+            columns = joints if rule == "joints" else feet if rule == "feet" else (np.arange(len(rule)), np.array(rule))
+            order.append(layout.slices[field.name].start + columns[0])
+            sign.append(columns[1])
         steps = layout.width * np.arange(layout.history)[:, None]
-        order = (steps + layout.mirror_order).ravel()
-        return cls(order, np.tile(layout.mirror_sign, layout.history), np.array(layout.robot.joint_mirror))
+        return cls(
+            (steps + np.concatenate(order)).ravel(),
+            np.tile(np.concatenate(sign).astype(np.float32), layout.history),
+            *joints,
+        )
 
     def observation(self, observation: NDArray[np.floating]) -> NDArray[np.floating]:
         """Mirrored observation (..., width)."""
@@ -37,4 +55,4 @@ class MirrorMap:
 
     def action(self, action: NDArray[np.floating]) -> NDArray[np.floating]:
         """Mirrored action (..., J)."""
-        return action[..., self.action_order]
+        return action[..., self.action_order] * self.action_sign

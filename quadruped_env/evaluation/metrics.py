@@ -132,7 +132,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
     heading = heading_of(r.orientation)
     speed = masked_mean(forward, counted)
     hips = [joints[0] for joints in r.robot.leg_joints]
-    coefficient = r.motors.joule_coefficients(r.robot.joint_names)
+    coefficient = r.motors.joule_coefficients(r.robot.joint_kinds)
     electrical = masked_mean(electrical_power(r.joint_torque, r.joint_velocity, coefficient), counted)
     mechanical = masked_mean(mechanical_power(r.joint_torque, r.joint_velocity), counted)
     return {

@@ -91,8 +91,8 @@ def files_of(contents: Mapping[str, bytes]) -> dict[str, dict[str, Any]]:
 def _joints(policy: Policy) -> list[dict[str, Any]]:
     robot = policy.robot
     joints = []
-    for i, name in enumerate(robot.joint_names):
-        motor = policy.config.motor.of_joint(name)
+    motors = policy.config.motor.of_joints(robot.joint_kinds)
+    for i, (name, motor) in enumerate(zip(robot.joint_names, motors, strict=True)):
         joints.append(
             {
                 "name": name,

@@ -10,7 +10,7 @@ from quadruped_env._version import __version__
 from quadruped_env.control import observations
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError
 from quadruped_env.export.onnx_interface import (
     ACTION,
     COMMAND,
@@ -33,8 +33,18 @@ BATCH: Final = "batch"
 
 _FLOAT: Final = 1
 """ONNX's number of the type float32."""
-_OPERATORS: Final = {"elu": "Elu", "tanh": "Tanh", "relu": "Relu"}
-"""Activation function of a policy -> ONNX operator."""
+_OPERATORS: Final = {
+    "elu": "Elu",
+    "tanh": "Tanh",
+    "relu": "Relu",
+    "leaky_relu": "LeakyRelu",
+    "gelu": "Gelu",
+    "softplus": "Softplus",
+    "selu": "Selu",
+    "sigmoid": "Sigmoid",
+    "mish": "Mish",
+}
+"""Activation function of a policy -> ONNX operator, whose attributes have the same defaults."""
 
 
 def policy_graph(interface: PolicyInterface, name: str) -> bytes:
@@ -50,14 +60,7 @@ def policy_graph(interface: PolicyInterface, name: str) -> bytes:
 
     Raises:
         MissingExtraError: if onnx is not installed.
-        QuadrupedError: if ONNX has no operator for the policy's activation function.
     """
-    policy = interface.policy
-    if policy.activation not in _OPERATORS:
-        raise QuadrupedError(
-            f"export: there is no ONNX operator for the activation {policy.activation!r}; train with one of "
-            f"{', '.join(_OPERATORS)}"
-        )
     graph = _Graph()
     clock, phase = _clock(graph, interface)
     observation = _with_history(graph, interface, _observation(graph, interface, clock))
@@ -125,7 +128,10 @@ def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> s
     x = observation
     for weight, bias in inner:
         layer = graph.add("Gemm", x, graph.constant(weight), graph.constant(bias))
-        x = graph.add(_OPERATORS[policy.activation], layer)
+        if policy.activation == "silu":  # which ONNX Runtime has not as one operator
+            x = graph.add("Mul", layer, graph.add("Sigmoid", layer))
+        else:
+            x = graph.add(_OPERATORS[policy.activation], layer)
     x = graph.add("Gemm", x, graph.constant(last[0]), graph.constant(last[1]))
     if policy.output == "tanh":
         return graph.add("Tanh", x, output=ACTION)

@@ -1,4 +1,4 @@
-"""Numbers of the scripted gaits: the tutorial's, and those that `mini-quadruped tune-gait` found."""
+"""Numbers of the scripted gaits: the tutorial's, and those that tools/tune_gait.py found."""
 
 import math
 from dataclasses import dataclass

@@ -262,7 +262,9 @@ class CommandedGait:
         fore, hind: tables of the straight gait, for the fore and the hind legs.
         fore_turn, hind_turn: what a turn of either sign adds, per rad/s of its size.
         fore_side, hind_side: what a turn adds on the right and subtracts on the left, per rad/s of its size.
-        robot: robot that walks. The tables are joint angles of the robot on which they were tuned.
+        robot: robot that walks.
+        native: True if the tables are joint angles of that robot; else they are of the robot on which the presets were
+            tuned, and are mapped.
     """
 
     angular_frequency: float
@@ -275,6 +277,7 @@ class CommandedGait:
     fore_side: LegTable
     hind_side: LegTable
     robot: Robot = MINI_QUADRUPED
+    native: bool = False
     _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
     _tables: NDArray[np.float64] = field(init=False, repr=False, compare=False)
     """The nine waves below side by side, (K, 9 J)."""
@@ -290,7 +293,7 @@ class CommandedGait:
         straight = self._waves_of(self.fore, self.hind, legs)
         turn = self._waves_of(self.fore_turn, self.hind_turn, legs)
         side = self._waves_of(self.fore_side, self.hind_side, legs)
-        if self.robot != TUNED_ON:
+        if not self.native and self.robot != TUNED_ON:
             straight, turn, side = self._mapped(straight, turn, side)
         right = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
         for name, waves in (("straight", straight), ("turn", turn), ("side", side * right)):
@@ -330,10 +333,11 @@ class CommandedGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """A gait found by `mini-quadruped tune-gait`, `tuned`, `crouched`, `low` or `fast`, mapped to a robot.
+        """`tuned`, `crouched`, `low` or `fast`: the robot's own of `Robot.gaits`, or else the preset, mapped to it.
 
         Raises:
-            QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
+            QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
+                the robot.
         """
         if name not in COMMANDED:
             raise QuadrupedError(
@@ -390,4 +394,19 @@ class CommandedGait:
 
 @functools.cache
 def _commanded(name: str, robot: Robot) -> CommandedGait:
-    return CommandedGait(**COMMANDED[name], robot=robot)
+    gaits = robot.gaits or {}
+    if unknown := set(gaits) - set(COMMANDED):
+        raise QuadrupedError(
+            f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
+            f"{', '.join(COMMANDED)}"
+        )
+    if name not in gaits:
+        return CommandedGait(**COMMANDED[name], robot=robot)
+    own = gaits[name]
+    try:
+        tables = {table: LegTable(**own[table]) for table in _TABLES}
+        return CommandedGait(**{**own, **tables}, robot=robot, native=True)
+    except (TypeError, KeyError, ValueError) as error:
+        raise QuadrupedError(
+            f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
+        ) from error

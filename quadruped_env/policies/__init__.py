@@ -9,8 +9,10 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.policies.policy import (
-    Policy,
+from quadruped_env.control.policy import Agent, Policy
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED
+from quadruped_env.policies.code_policies import as_policy
+from quadruped_env.policies.policy_loading import (
     find_controller,
     find_controllers,
     kept_definition,
@@ -18,10 +20,13 @@ from quadruped_env.policies.policy import (
     task_differences,
     task_of,
     trained_with,
-    with_task,
 )
+from quadruped_env.policies.policy_task import with_task
 
 __all__ = [
+    "DEFAULT",
+    "SHIPPED",
+    "Agent",
     "CommandedGaitController",
     "Controller",
     "ControllerSpec",
@@ -30,6 +35,7 @@ __all__ = [
     "PolicyController",
     "TrajectoryController",
     "ZeroController",
+    "as_policy",
     "find_controller",
     "find_controllers",
     "kept_definition",

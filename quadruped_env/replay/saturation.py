@@ -1,5 +1,6 @@
 """Motor saturation in a replay: requested torques that exceed the motors' limits."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,7 +37,9 @@ class Saturation:
         }
 
 
-def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorConfig) -> Saturation:
+def saturation(
+    targets: JointTrajectory, played: JointTrajectory, motors: MotorConfig, kinds: Sequence[str]
+) -> Saturation:
     """Compute the torques that the controllers requested, from joint targets and measured motion.
 
     Args:
@@ -44,6 +47,7 @@ def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorC
         played: measurements of the simulation with velocities, one row at the end of each control step; its joints
             have the order of the targets'.
         motors: motors of the simulation.
+        kinds: kinds of the joints (`Robot.joint_kinds`).
     """
     assert played.velocities is not None
     times = played.times
@@ -51,9 +55,9 @@ def saturation(targets: JointTrajectory, played: JointTrajectory, motors: MotorC
     # A target is held over its control step, and arrives later by the motors' delay.
     sent = np.maximum(np.ceil((times - motors.delay) / step - 1e-6) - 1.0, 0.0) * step if step else times
     speed = played.velocities
-    of_joint = [motors.of_joint(name) for name in played.names]
     kp, kd, stall, top = (
-        np.array([getattr(motor, name) for motor in of_joint]) for name in ("kp", "kd", "stall_torque", "no_load_speed")
+        np.array([getattr(motor, name) for motor in motors.of_joints(kinds)])
+        for name in ("kp", "kd", "stall_torque", "no_load_speed")
     )
     asked = kp * (targets.positions_at(sent) - played.positions) - kd * speed
     slope = stall / top

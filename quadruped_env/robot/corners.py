@@ -24,18 +24,17 @@ _DIFFERENCE: Final = 1e-5
 
 
 def corners(robot: Robot) -> tuple[int, ...]:
-    """Corner of each leg: 0 left fore, 1 right fore, 2 left hind, 3 right hind.
+    """`Robot.corners` of a robot with one leg in each.
 
     Raises:
         QuadrupedError: if the robot has not one leg with two joints in each corner.
     """
-    found = tuple((2 * ~robot.fore_legs + ~robot.left_legs).tolist())
-    if sorted(found) != [0, 1, 2, 3] or robot.num_joints != 2 * robot.num_legs:
+    if sorted(robot.corners) != [0, 1, 2, 3] or robot.num_joints != 2 * robot.num_legs:
         raise QuadrupedError(
             f"gait: the scripted gaits and the gait clock are for robots with one leg in each corner, with a hip and a "
             f"knee; {robot.name!r} has {robot.num_legs} legs with {robot.num_joints} joints"
         )
-    return found
+    return robot.corners
 
 
 def leg_jacobians(robot: Robot) -> NDArray[np.float64]:

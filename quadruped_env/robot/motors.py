@@ -24,7 +24,10 @@ MAX_DELAY: Final = 0.5
 """Maximum delay, s."""
 
 JOINT_KINDS: Final = ("hip", "knee")
+"""Fields of `MotorConfig`, of which each joint of a robot has one as its motor."""
 
+_POSITION: Final = 1
+"""MuJoCo's mode of a DC motor whose control is a joint position."""
 _LINEAR: Final = 1
 """MuJoCo's mode of interpolation between stored commands."""
 _POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
@@ -77,10 +80,12 @@ class JointMotor(PlainFields):
 
 @dataclass(frozen=True)
 class MotorConfig(PlainFields):
-    """All motors of a robot: one set of parameters for the hips, one for the knees."""
+    """All motors of a robot, of two kinds; the robot says which joint has which (`Robot.joint_kinds`)."""
 
     hip: JointMotor = field(default_factory=JointMotor)
+    """Motor of the hips: by default of all joints but the knees."""
     knee: JointMotor = field(default_factory=JointMotor)
+    """Motor of the knees: by default of each leg's last joint, if it is not the only one."""
     delay: float = 0.0
     """Delay from joint target to motor, s; interpolated between physics steps."""
 
@@ -90,24 +95,24 @@ class MotorConfig(PlainFields):
         if self.delay > MAX_DELAY:
             raise QuadrupedError(f"motor: delay must be at most {MAX_DELAY:g} s; found {self.delay!r}; give it in s")
 
-    def of_joint(self, name: str) -> JointMotor:
-        """The motor of a joint."""
-        motor: JointMotor = getattr(self, kind_of_joint(name))
-        return motor
+    def of_joints(self, kinds: Sequence[str]) -> list[JointMotor]:
+        """The motor of each joint, for the kinds of the joints (`Robot.joint_kinds`)."""
+        return [getattr(self, kind) for kind in kinds]
 
-    def joule_coefficients(self, joint_names: Sequence[str]) -> NDArray[np.float64]:
-        """Heat in each joint's winding per squared torque (J,), W/(N m)^2."""
-        return np.array([self.of_joint(name).joule_coefficient for name in joint_names])
+    def joule_coefficients(self, kinds: Sequence[str]) -> NDArray[np.float64]:
+        """Heat in each joint's winding per squared torque (J,), W/(N m)^2; `kinds` as in `of_joints`."""
+        return np.array([motor.joule_coefficient for motor in self.of_joints(kinds)])
 
-    def write(self, spec: mujoco.MjSpec, max_delay: float | None = None) -> None:
+    def write(self, spec: mujoco.MjSpec, kinds: Sequence[str], max_delay: float | None = None) -> None:
         """Set these motors in a robot's specification.
 
         Args:
             spec: specification of a robot; its time step must already be set.
+            kinds: kinds of the robot's joints, which are in the order of the actuators.
             max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
         """
-        for actuator in spec.actuators:
-            motor, joint = self.of_joint(actuator.target), spec.joint(actuator.target)
+        for actuator, motor in zip(spec.actuators, self.of_joints(kinds), strict=True):
+            joint = spec.joint(actuator.target)
             joint.damping[0] = motor.damping
             joint.frictionloss = motor.friction_loss
             joint.armature = motor.armature
@@ -117,7 +122,7 @@ class MotorConfig(PlainFields):
                 nominal=[VOLTAGE, motor.stall_torque, motor.no_load_speed],
                 saturation=[motor.stall_torque, 0.0, 0.0],
                 controller=[motor.kp, 0.0, motor.kd, 0.0, 0.0, VOLTAGE],
-                ctrlspec=actuator.ctrlspec,
+                ctrlspec=_POSITION,
             )
         self.write_delay(spec, self.delay if max_delay is None else max_delay)
 
@@ -127,11 +132,6 @@ class MotorConfig(PlainFields):
             for actuator in spec.actuators:
                 actuator.delay, actuator.interp = self.delay, _LINEAR
                 actuator.nsample = math.ceil(max_delay / spec.option.timestep - 1e-9) + 1
-
-
-def kind_of_joint(name: str) -> str:
-    """Kind of a joint, one of `JOINT_KINDS`: a hip if its name says so, else a knee."""
-    return "hip" if "hip" in name else "knee"
 
 
 def fill_command_history(

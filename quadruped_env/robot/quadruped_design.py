@@ -6,6 +6,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.robot import quadruped_files
+from quadruped_env.robot.motors import JOINT_KINDS
 from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
 from quadruped_env.robot.robot import Robot
 
@@ -22,7 +23,7 @@ class QuadrupedDesign(QuadrupedDimensions):
     def robot(self) -> Robot:
         """The robot, with its MJCF and its URDF."""
         joints, legs = self.joint_names, self.leg_names
-        motors = [self.motors.of_joint(name) for name in joints]
+        motors = self.motors.of_joints(JOINT_KINDS * len(legs))
         return Robot(
             name=self.name,
             leg_names=legs,

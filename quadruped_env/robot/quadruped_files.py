@@ -172,7 +172,7 @@ def _kind(joint: str) -> str:
 
 
 def _motor(design: QuadrupedDimensions, joint: str) -> JointMotor:
-    return design.motors.of_joint(joint)
+    return design.motors.of_joints([_kind(joint)])[0]
 
 
 def _range(design: QuadrupedDimensions, joint: str) -> tuple[float, float]:

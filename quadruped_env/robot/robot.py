@@ -16,13 +16,17 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import link_transforms, resting_pose
 from quadruped_env.robot.link_transforms import Transform
-from quadruped_env.robot.motors import JointMotor, MotorConfig, kind_of_joint
+from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.utils.plain import plain
 
 Floats = NDArray[np.float64]
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
+_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "gaits")
+"""Fields that may be None; then they are not part of the content, so that robots without them keep their identity."""
+_MIRROR_TOLERANCE = 1e-3
+"""Difference between an axis and its mirror image, as 1 - |cosine|, about 2.5 degrees."""
 _FOOTPRINT = 4.0 / 3.0
 """Footprint as a multiple of the distance of the farthest foot in the stance; at a start the legs deviate from it."""
 _LIMIT_TOLERANCE = 1e-9
@@ -64,7 +68,7 @@ class Robot:
     foot_sites: tuple[str, ...]
     """Sites of the model at the centres of the feet, one per leg."""
     joint_mirror: tuple[int, ...]
-    """Index of each joint's counterpart on the other side; all joints turn about the y axis, so no sign changes."""
+    """Index of each joint's counterpart on the other side; `joint_signs` says which of them turn the other way."""
     foot_mirror: tuple[int, ...]
     """Index of each foot's counterpart on the other side."""
     sensors: Mapping[str, tuple[str, ...]]
@@ -75,6 +79,17 @@ class Robot:
     """MuJoCo model of the robot alone, with a floating base and without ground."""
     urdf: str
     """Description for ROS (`robot_description`)."""
+    motor_kinds: tuple[str, ...] | None = None
+    """Motor of each joint, a field of `MotorConfig` (J,). None: see `joint_kinds`."""
+    mirror_signs: tuple[int, ...] | None = None
+    """1 for each joint that turns the same way as its counterpart under the left/right mirror, -1 for one that turns
+    the other way (J,). None: see `joint_signs`."""
+    leg_corners: tuple[int, ...] | None = None
+    """Corner of each leg (L,), whose phase and motion it has in the scripted gaits: 0 left fore, 1 right fore, 2 left
+    hind, 3 right hind. None: see `corners`."""
+    gaits: Mapping[str, Mapping[str, Any]] | None = None
+    """Scripted gaits tuned on this robot, by name of the preset whose place they take, as `tools/tune_gait.py` writes
+    them. None: the presets, mapped to the robot."""
 
     def __post_init__(self) -> None:
         for name in _PER_JOINT:
@@ -99,6 +114,7 @@ class Robot:
         ):
             if len(getattr(self, name)) != length:
                 raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
+        self._check_given()
         for names in (self.leg_names, self.joint_names, self.link_names):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
@@ -107,6 +123,24 @@ class Robot:
             raise self._error(
                 f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
             )
+
+    def _check_given(self) -> None:
+        """Check the optional fields, and make them plain."""
+        for name, length, allowed in (
+            ("motor_kinds", self.num_joints, JOINT_KINDS),
+            ("mirror_signs", self.num_joints, (1, -1)),
+            ("leg_corners", self.num_legs, (0, 1, 2, 3)),
+        ):
+            given = getattr(self, name)
+            if given is None:
+                continue
+            if len(given) != length or not set(given) <= set(allowed):
+                raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
+            object.__setattr__(self, name, tuple(given))
+        if self.gaits is not None:
+            if not isinstance(self.gaits, Mapping):
+                raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
+            object.__setattr__(self, "gaits", plain(dict(self.gaits)))
 
     @property
     def base_name(self) -> str:
@@ -159,14 +193,26 @@ class Robot:
         return _FOOTPRINT * float(np.hypot(self.stance_feet[:, 0], self.stance_feet[:, 1]).max())
 
     @functools.cached_property
-    def fore_legs(self) -> NDArray[np.bool_]:
-        """True for each leg whose foot is in front of the base's centre in the stance (L,)."""
-        return self.stance_feet[:, 0] > 0.0
+    def corners(self) -> tuple[int, ...]:
+        """Corner of each leg: `leg_corners`, or by the place of its foot in the stance.
 
-    @functools.cached_property
+        A leg is a fore leg if its foot is in front of the middle of all feet, and a left leg if it is to the left of
+        the plane y = 0.
+        """
+        if self.leg_corners is not None:
+            return self.leg_corners
+        x, y = self.stance_feet[:, 0], self.stance_feet[:, 1]
+        return tuple((2 * (x <= 0.5 * (x.min() + x.max())) + (y <= 0.0)).tolist())
+
+    @property
+    def fore_legs(self) -> NDArray[np.bool_]:
+        """True for each fore leg (L,)."""
+        return np.array(self.corners) < 2
+
+    @property
     def left_legs(self) -> NDArray[np.bool_]:
-        """True for each leg whose foot is to the left of the base's centre in the stance (L,)."""
-        return self.stance_feet[:, 1] > 0.0
+        """True for each left leg (L,)."""
+        return np.array(self.corners) % 2 == 0
 
     @property
     def leg_joints(self) -> tuple[tuple[int, ...], ...]:
@@ -174,12 +220,48 @@ class Robot:
         return self.skeleton.leg_joints
 
     @functools.cached_property
+    def joint_kinds(self) -> tuple[str, ...]:
+        """Kind of each joint (J,), which is its motor in a `MotorConfig`: `motor_kinds`, or by its place in the leg.
+
+        The last joint of a leg of two or more is a knee, and every other joint is a hip.
+        """
+        if self.motor_kinds is not None:
+            return self.motor_kinds
+        knees = {joints[-1] for joints in self.leg_joints if len(joints) > 1}
+        return tuple(JOINT_KINDS[joint in knees] for joint in range(self.num_joints))
+
+    @functools.cached_property
     def joints_by_kind(self) -> Mapping[str, list[int]]:
         """Indices of the joints of each kind (`hip`, `knee`), which have the same motors, in order of appearance."""
         kinds: dict[str, list[int]] = {}
-        for joint, name in enumerate(self.joint_names):
-            kinds.setdefault(kind_of_joint(name), []).append(joint)
+        for joint, kind in enumerate(self.joint_kinds):
+            kinds.setdefault(kind, []).append(joint)
         return kinds
+
+    @functools.cached_property
+    def joint_signs(self) -> NDArray[np.float32]:
+        """Factor from each joint's position to its counterpart's under the left/right mirror (J,), 1 or -1.
+
+        It is `mirror_signs`, or follows from the axes in the stance: the mirror y -> -y turns the axis (x, y, z) of a
+        hinge into (-x, y, -z), and that of a slide into (x, -y, z).
+
+        Raises:
+            QuadrupedError: if a joint's axis is not the mirror image of its counterpart's.
+        """
+        if self.mirror_signs is not None:
+            return np.array(self.mirror_signs, dtype=np.float32)
+        axes, hinges = self.skeleton.joint_axes(self.stance)
+        images = axes * np.where(hinges[:, None], [-1.0, 1.0, -1.0], [1.0, -1.0, 1.0])
+        cosines = (images * axes[list(self.joint_mirror)]).sum(axis=-1)
+        wrong = np.abs(cosines) < 1.0 - _MIRROR_TOLERANCE
+        if wrong.any():
+            joint = int(wrong.argmax())
+            raise self._error(
+                f"the axis of {self.joint_names[joint]} is not the mirror image of that of "
+                f"{self.joint_names[self.joint_mirror[joint]]}, its counterpart in joint_mirror; correct joint_mirror, "
+                f"or give mirror_signs"
+            )
+        return np.sign(cosines).astype(np.float32)
 
     def spec(self) -> mujoco.MjSpec:
         """A new specification of the robot alone, to be changed and compiled.
@@ -320,6 +402,7 @@ class Robot:
         return {
             entry.name: dataclasses.asdict(value) if isinstance(value, MotorConfig) else plain(value)
             for entry, value in self._content()
+            if value is not None or entry.name not in _OPTIONAL
         }
 
     @classmethod
@@ -330,7 +413,7 @@ class Robot:
             QuadrupedError: if a field is missing or unknown, or as for `Robot`.
         """
         names = {entry.name for entry in fields(cls)}
-        if not isinstance(values, Mapping) or set(values) != names:
+        if not isinstance(values, Mapping) or not names - set(_OPTIONAL) <= set(values) <= names:
             raise QuadrupedError(f"robot: expected the fields {', '.join(sorted(names))}; found {short(values)}")
         made: dict[str, Any] = {
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value

@@ -142,6 +142,11 @@ class Skeleton:
             mujoco.mj_jac(self.model, data, jacobian, None, centre, self.model.body(link).id)
         return found[:, :, 6:]
 
+    def joint_axes(self, positions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """Axes of the joints (J, 3) in the base frame, and which of them are hinges (J,), for positions (J,) in rad."""
+        data = self._data(positions)
+        return data.xaxis[1:].copy(), self.model.jnt_type[1:] == mujoco.mjtJoint.mjJNT_HINGE
+
     def lowest(self, positions: ArrayLike, up: NDArray[np.float64]) -> float:
         """Height of the robot's lowest point relative to its base's centre, along a direction in the base frame, m.
 

@@ -74,7 +74,7 @@ class DrakeModel:
             plant.RegisterCollisionGeometry(plant.world_body(), RigidTransform(), HalfSpace(), "ground", ground)
             _set_contact(plant, scene, robot, contact)
             if motors != robot.motors:
-                _write(plant, motors)
+                _write(plant, robot, motors)
             plant.Finalize()
             diagram = builder.Build()
         bodies = {name: plant.GetBodyByName(name) for name in robot.link_names}
@@ -129,10 +129,11 @@ def _with_contact(properties: Any, contact: Contact) -> Any:
     return properties
 
 
-def _write(plant: Any, motors: MotorConfig) -> None:
+def _write(plant: Any, robot: Robot, motors: MotorConfig) -> None:
     """Put the passive joint torques and rotors of motors into a robot; dry friction has no place in Drake's joints."""
+    of_joints = dict(zip(robot.joint_names, motors.of_joints(robot.joint_kinds), strict=True))
     for actuator in _actuators(plant):
-        motor = motors.of_joint(actuator.joint().name())
+        motor = of_joints[actuator.joint().name()]
         actuator.joint().set_default_damping(motor.damping)
         actuator.set_default_rotor_inertia(motor.armature / actuator.default_gear_ratio() ** 2)
 

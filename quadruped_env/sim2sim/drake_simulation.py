@@ -55,7 +55,7 @@ class DrakeSimulation:
         self._substep = config.physics_timestep
         self._drake = DrakeModel.build(robot, config.motor, timestep, contact)
         self.robots = [DrakeRobot(self._drake) for _ in range(num_envs)]
-        self._servos = Servos(config.motor, robot.joint_names, timestep, num_envs)
+        self._servos = Servos(config.motor, robot.joint_kinds, timestep, num_envs)
         self._joint_position = np.zeros((num_envs, robot.num_joints))
         self._joint_velocity = np.zeros((num_envs, robot.num_joints))
         self._torque = np.zeros((num_envs, robot.num_joints))

@@ -21,13 +21,13 @@ class Servos:
 
     Args:
         motors: gains, limits, friction and delay.
-        joint_names: joints, in the order of the columns (J,).
+        kinds: kinds of the joints, in the order of the columns (J,); see `Robot.joint_kinds`.
         timestep: time step of the engine, s.
         num_robots: N.
     """
 
-    def __init__(self, motors: MotorConfig, joint_names: Sequence[str], timestep: float, num_robots: int = 1) -> None:
-        of_joints = [motors.of_joint(name) for name in joint_names]
+    def __init__(self, motors: MotorConfig, kinds: Sequence[str], timestep: float, num_robots: int = 1) -> None:
+        of_joints = motors.of_joints(kinds)
         self._kp = np.array([motor.kp for motor in of_joints])
         self._kd = np.array([motor.kd for motor in of_joints])
         self._stall = np.array([motor.stall_torque for motor in of_joints])

@@ -68,18 +68,13 @@ def build_model(
 
 @functools.lru_cache(maxsize=8)
 def _compiled(
-    timestep: float | None,
-    motors: MotorConfig | None,
-    terrain: Terrain,
-    robot: Robot,
-    max_delay: float,
-    _modified: int,
+    timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, max_delay: float, _modified: int
 ) -> mujoco.MjModel:
     spec = scene(robot)
     if timestep is not None:
         spec.option.timestep = timestep
     if motors is not None and motors != robot.motors:
-        motors.write(spec)
+        motors.write(spec, robot.joint_kinds)
     motors = motors or robot.motors
     if max_delay > motors.delay:
         motors.write_delay(spec, max_delay)

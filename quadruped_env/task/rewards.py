@@ -146,7 +146,7 @@ class electrical_power:  # noqa: N801
     """Sum of max(0, torque * joint velocity) + torque^2 R / K^2: mechanical power, and heat in the windings."""
 
     def __init__(self, context: TaskContext) -> None:
-        self._heat = frozen(context.motors.joule_coefficients(context.robot.joint_names))
+        self._heat = frozen(context.motors.joule_coefficients(context.robot.joint_kinds))
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N,)."""

@@ -8,8 +8,9 @@ https://arxiv.org/abs/2403.04359; equivariant perceptrons: Su et al. 2024, https
 that sees what only the simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
 """
 
+import math
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Final, NamedTuple, Self
 
 import numpy as np
 import torch
@@ -19,10 +20,9 @@ from stable_baselines3.common.torch_layers import MlpExtractor
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
-from quadruped_env.training.perceptron import Projection, Tied
+from quadruped_env.training.exploration import ClockNoise
 
-Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
-"""Weights (in, out) and biases (out,)"""
+_LOG_ROOT_TAU: Final = 0.5 * math.log(math.tau)
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +41,23 @@ class Mirrored:
     def same(cls, width: int) -> Self:
         """Of what does not change."""
         return cls(np.arange(width), np.ones(width, dtype=np.float32))
+
+
+class Projection(NamedTuple):
+    """Projection on values whose entries are, up to their sign, equal in pairs: half the sum with the mirror image."""
+
+    order: torch.Tensor
+    """Index of each entry's mirror image in the flat values, of the values' shape"""
+    half: torch.Tensor
+    """Half of the sign of the mirror image, of the values' shape"""
+
+    def __call__(self, values: torch.Tensor) -> torch.Tensor:
+        """Projected values, of the same shape."""
+        return torch.take(values, self.order).mul_(self.half).add_(values, alpha=0.5)
+
+
+Tied = tuple[torch.nn.Parameter, Projection]
+"""A parameter whose mirror images are the same, and the projection that keeps them so"""
 
 
 def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection:
@@ -120,6 +137,8 @@ class ActorCritic(ActorCriticPolicy):
         self.actor_width, self.mirror, self.critic_mirror = actor_width, mirror, critic_mirror
         self.tied: list[Tied] = []
         """Parameters that symmetry ties"""
+        self.clock_noise: ClockNoise | None = None
+        """Source of the exploration's noise; None: white noise"""
         super().__init__(*args, **kwargs)
 
     def _get_constructor_parameters(self) -> dict[str, Any]:
@@ -139,7 +158,7 @@ class ActorCritic(ActorCriticPolicy):
         super()._build(lr_schedule)
         if self.mirror is None or self.critic_mirror is None:
             return
-        actions = Mirrored(self.mirror.action_order, np.ones(len(self.mirror.action_order), dtype=np.float32))
+        actions = Mirrored(self.mirror.action_order, self.mirror.action_sign)
         actor, critic = self.mlp_extractor.policy_net, self.mlp_extractor.value_net
         self.tied = [
             *_tied_perceptron([*actor, self.action_net], _observations(self.mirror), actions),
@@ -150,6 +169,22 @@ class ActorCritic(ActorCriticPolicy):
             # The mean of a random weight and its mirror image is smaller than either.
             parameter.data *= np.sqrt(2.0)
             parameter.register_hook(projection)
+
+    def mean_action(self, observations: torch.Tensor) -> torch.Tensor:
+        """Mean action (N, J) of observations (N, width)."""
+        return self.action_net(self.mlp_extractor.forward_actor(observations))
+
+    def forward(
+        self, obs: torch.Tensor, deterministic: bool = False
+    ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+        """Actions (N, J), values (N, 1) and log probabilities (N,): see SB3, whose distribution draws white noise."""
+        means = self.mean_action(obs)
+        noise = torch.zeros_like(means)
+        if not deterministic:
+            noise = torch.randn_like(means) if self.clock_noise is None else self.clock_noise.draw(means)
+        log_prob = -0.5 * (noise * noise).sum(-1) - (self.log_std + _LOG_ROOT_TAU).sum()
+        values = self.value_net(self.mlp_extractor.forward_critic(obs))
+        return means + noise * self.log_std.exp(), values, log_prob
 
     def project(self) -> None:
         """Make a symmetric network symmetric again, after anything but a gradient step has changed its parameters."""
@@ -168,16 +203,5 @@ def mirrors(env: MiniQuadrupedSB3VecEnv) -> tuple[MirrorMap, MirrorMap]:
         return own, own
     more = MirrorMap.of(env.privileged.layout)
     order = np.concatenate([own.observation_order, len(own.observation_order) + more.observation_order])
-    return own, MirrorMap(order, np.concatenate([own.observation_sign, more.observation_sign]), own.action_order)
-
-
-def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
-    """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
-    (first, first_bias), *inner, (last, last_bias) = layers
-    half = np.float32(0.5)
-    mirrored = (first * mirror.observation_sign[:, None])[np.argsort(mirror.observation_order)]
-    return [
-        (np.concatenate([first, mirrored], axis=1), np.tile(first_bias, 2)),
-        *((np.kron(np.eye(2, dtype=np.float32), weight), np.tile(bias, 2)) for weight, bias in inner),
-        (half * np.concatenate([last, mirror.action(last)]), half * (last_bias + mirror.action(last_bias))),
-    ]
+    sign = np.concatenate([own.observation_sign, more.observation_sign])
+    return own, MirrorMap(order, sign, own.action_order, own.action_sign)

@@ -10,6 +10,8 @@ from typing import Final
 
 import torch
 
+from quadruped_env.control.control_interface import ControlInterface
+
 _KEPT: Final = 0.98
 """Correlation of a wave with itself one control step later: it lasts for about a second, two strides."""
 
@@ -23,35 +25,34 @@ class ClockNoise:
 
     Args:
         share: largest share of the waves in the variance, 0 to below 1.
-        num_envs: number of robots, N.
-        joints: number of joints, J.
+        control: the gait clocks and commands of the N robots.
     """
 
-    def __init__(self, share: float, num_envs: int, joints: int) -> None:
-        self._largest_share = share
-        self._waves = torch.randn(2, num_envs, joints)
-        self._share = torch.zeros(joints)
+    def __init__(self, share: float, control: ControlInterface) -> None:
+        self._largest_share, self._control = share, control
+        shape = control.action.shape
+        self._waves = torch.randn(2, *shape)
+        self._share = torch.zeros(shape[1])
+        self._means: list[torch.Tensor] = []
 
-    def set_share(self, mean_actions: torch.Tensor, deviation: torch.Tensor) -> None:
-        """Set the share of the waves from the actions of a rollout.
-
-        Args:
-            mean_actions: the policy's actions without noise (steps, N, J).
-            deviation: standard deviation of the noise (J,).
-        """
-        variance = deviation.square()
-        self._share = self._largest_share * variance / (variance + mean_actions.var(dim=(0, 1)))
-
-    def mix_into(self, white: torch.Tensor, phase: torch.Tensor, moving: torch.Tensor) -> None:
-        """Mix the waves into white noise, in place, and advance them by a control step.
-
-        Args:
-            white: standard normal numbers (N, J).
-            phase: phase of each robot's gait clock (N,), rad.
-            moving: 1 where a motion is commanded, else 0, (N,).
-        """
+    def draw(self, means: torch.Tensor) -> torch.Tensor:
+        """Noise (N, J) of one control step, for the policy's mean actions (N, J)."""
+        self._means.append(means)
+        phase, moving = (torch.from_numpy(part).float() for part in (self._control.phase, self._control.moving))
         share = self._share * moving[:, None]
         cosine, sine = self._waves
         wave = cosine * phase.cos()[:, None] + sine * phase.sin()[:, None]
-        white.mul_((1.0 - share).sqrt()).add_(share.sqrt() * wave)
+        noise = torch.randn_like(means).mul_((1.0 - share).sqrt()).add_(share.sqrt() * wave)
         self._waves.mul_(_KEPT).add_(torch.randn_like(self._waves), alpha=math.sqrt(1.0 - _KEPT**2))
+        return noise
+
+    def end_rollout(self, deviation: torch.Tensor) -> None:
+        """Set the share of the waves from the mean actions since the last rollout.
+
+        Args:
+            deviation: standard deviation of the noise (J,).
+        """
+        variance = deviation.square()
+        swing = torch.stack(self._means).var(dim=(0, 1))
+        self._share = self._largest_share * variance / (variance + swing)
+        self._means.clear()

@@ -100,7 +100,7 @@ def polish(
     envs, critic and exploration stay as they are.
 
     Args:
-        model: a `FastPPO`; its `num_timesteps` grows.
+        model: a PPO of `make_model`; its `num_timesteps` grows.
         generations: of the search.
         report: called after every step, and in the end with the result.
         stopped: true if the training is to end; then the policy stays as it is.
@@ -160,6 +160,7 @@ class _Search:
         counterpart = joints if model.policy.mirror is None else np.minimum(joints, self._robot.joint_mirror)
         self._own, self._row = np.unique(counterpart, return_inverse=True)
         self._mirrored = joints != counterpart
+        self._sign = np.where(self._mirrored, self._robot.joint_signs, 1.0)
         self._directions, self._mean = np.zeros((0, 0)), np.zeros(0)
         self.size = 0
         """Number of parameters of a candidate."""
@@ -189,6 +190,7 @@ class _Search:
         of_joints, bias = weights[..., self._row], bias[..., self._row]
         halves = np.roll(np.arange(len(self._mean)), len(self._mean) // 2)
         of_joints[..., self._mirrored] = of_joints[:, halves][..., self._mirrored]
+        of_joints, bias = of_joints * self._sign, bias * self._sign
         return self._layer + np.concatenate([of_joints, bias[:, None]], axis=1)
 
     def costs(self, candidates: Floats, sets: int = 1) -> Floats:
@@ -317,7 +319,7 @@ class _Measures:
         self._stride, self._clock = np.zeros((num, legs)), task.control.leg_clock()
         self._contact = task.context.foot_contact.copy()
         self._velocity, self._power, self._fallen = np.zeros((num, 2)), np.zeros(num), np.zeros(num, dtype=np.bool_)
-        self._joule = task.config.motor.joule_coefficients(task.config.robot.joint_names)
+        self._joule = task.config.motor.joule_coefficients(task.config.robot.joint_kinds)
         self._counted = 0
 
     def add(self, count: bool) -> None:

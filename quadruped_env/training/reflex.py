@@ -88,6 +88,7 @@ class Reflex:
     def __init__(self, robot: Robot) -> None:
         joints = np.arange(robot.num_joints)
         _, self._row = np.unique(np.minimum(joints, robot.joint_mirror), return_inverse=True)
+        self._sign = np.where(joints > np.array(robot.joint_mirror), robot.joint_signs, 1.0)
         self._leg = np.empty_like(joints)
         for leg, own in enumerate(robot.leg_joints):
             self._leg[list(own)] = leg
@@ -132,11 +133,11 @@ class Reflex:
 
     def response(self, inputs: Floats, weights: Floats) -> Floats:
         """Actions of fully disturbed robots by a reflex with these weights (N, J)."""
-        return np.einsum("njf,jf->nj", inputs, weights[self._row])
+        return self._sign * np.einsum("njf,jf->nj", inputs, weights[self._row])
 
     def products(self, per_joint: Floats, inputs: Floats) -> Floats:
         """Sum of numbers (N, J) times inputs, over the joints that share weights (N, pairs of joints, inputs)."""
-        products = per_joint[..., None] * inputs
+        products = (self._sign * per_joint)[..., None] * inputs
         sums = np.zeros((len(inputs), *self.weights.shape))
         for joint, row in enumerate(self._row):
             sums[:, row] += products[:, joint]
@@ -177,7 +178,7 @@ def add_reflex(
     to end before the lesson, the policy stays as it is.
 
     Args:
-        model: a `FastPPO`; its `num_timesteps` grows.
+        model: a PPO of `make_model`; its `num_timesteps` grows.
         rounds: number of gradient steps of the reflex.
         report: called now and then with the fraction done, and the rounds so far.
         stopped: true if the training is to end.
@@ -245,7 +246,7 @@ class _Practice:
     def _act(self, observations: NDArray[np.float32]) -> tuple[Floats, Floats, Floats]:
         """Actions of policy and reflex (N, J), disturbance (N,) and inputs of the reflex (N, J, inputs)."""
         with torch.inference_mode():
-            actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
+            actions = self._model.policy.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
         disturbance, inputs = self.reflex.disturbance(self.task), self.reflex.inputs(self.task)
         return actions + self.reflex.actions(disturbance, inputs), disturbance, inputs
 
@@ -383,7 +384,7 @@ class _Practice:
                 actions = teacher(seen[step]).numpy() + self.reflex.actions(disturbance, inputs)
                 wanted[step] = torch.from_numpy(np.clip(actions, -1.0, 1.0))
                 if step >= half:
-                    actions = self._model.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
+                    actions = self._model.policy.mean_action(torch.from_numpy(observations)).numpy().astype(np.float64)
             self._advance(noise)
             observations, *_ = self._step(actions + _NOISE * astray * disturbance[:, None] * noise)
             if step + 1 in (half, self._lesson):

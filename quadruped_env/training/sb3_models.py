@@ -1,16 +1,15 @@
-"""Models of Stable-Baselines3 and sb3-contrib on the native vector environment: networks, schedules, policies as data.
+"""Models of Stable-Baselines3 and sb3-contrib on the native vector environment: networks and settings.
 
 PPO: Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively parallel setting follows Rudin et al. 2021,
 https://arxiv.org/abs/2109.11978.
 """
 
 import contextlib
-import functools
 import importlib
+import inspect
 import os
-import time
 import zipfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -19,26 +18,27 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
-from quadruped_env.task import TaskConfig
+from quadruped_env.policies.sb3_policies import MODULES
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE
 from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.training.user_classes import is_user_class, load_class
 
 try:
     import numpy as np
     import torch
     from stable_baselines3.common.noise import NormalActionNoise
+    from stable_baselines3.common.policies import BasePolicy
     from stable_baselines3.common.save_util import load_from_zip_file
 
-    from quadruped_env.training.actor_critic import ActorCritic, Layer, mirrors, symmetrized
+    from quadruped_env.training.actor_critic import ActorCritic, mirrors
+    from quadruped_env.training.schedules import Schedule
     from quadruped_env.training.squashed import squashed_policy
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
-_ACTIVATIONS = {"elu": torch.nn.ELU, "relu": torch.nn.ReLU, "tanh": torch.nn.Tanh}
-_FINAL_LEARNING_RATE = 0.1
-"""Share of the first learning rate that is left at the end."""
+_ACTIVATIONS = {name: getattr(torch.nn, module) for module, name in MODULES.items()}
 _DIRECT: Final = frozenset(
     {
         "n_steps",
@@ -49,8 +49,6 @@ _DIRECT: Final = frozenset(
         "clip_range",
         "ent_coef",
         "max_grad_norm",
-        "clock_noise",
-        "straight_steps",
         "buffer_size",
         "learning_starts",
         "gradient_steps",
@@ -58,80 +56,33 @@ _DIRECT: Final = frozenset(
     }
 )
 """Fields of `TrainConfig` that are arguments of the algorithms' classes."""
+_OF_OUR_POLICIES: Final = frozenset({"actor_width", "mirror", "critic_mirror"})
+"""Arguments of `ActorCritic` and `SquashedPolicy` that Stable-Baselines3's policies do not have."""
 
 
-class NativeModel:
-    """Base of the models: schedules that can follow the wall clock and go on from a run's."""
+def go_on_from(model: Any, parent: Parent) -> None:
+    """Take over a run's network, optimizer, step count and place in the schedules.
 
-    budget_seconds: float | None = None
-    budget_left_at_start: float = 1.0
-    """Share of the schedules that is left at the start; they reach their ends with the budget's"""
-    agreed_budget_left: float | None = None
-    """The share that all ranks of a training use after a rollout, whatever their own clocks say; None: one rank"""
-    log_std_bounds: tuple[float, float] | None = None
-    """Upper bounds of the exploration's log standard deviation, at the start and at the end of the budget"""
-    _started: float = 0.0
-    # Of SB3's BaseAlgorithm.
-    policy: Any
-    num_timesteps: int
-    _current_progress_remaining: float
-    _num_timesteps_at_start: int
-    _total_timesteps: int
+    A replay buffer is not saved with a run: it fills again.
 
-    def collect_rollouts(self, *args: Any, **kwargs: Any) -> Any:
-        """See SB3."""
-        if self.log_std_bounds is not None:
-            first, final = self.log_std_bounds
-            bound = final + (first - final) * self._current_progress_remaining
-            self.policy.log_std.data.clamp_(max=bound)
-        return super().collect_rollouts(*args, **kwargs)  # type: ignore[misc]
-
-    def train(self, *args: Any, **kwargs: Any) -> None:
-        """See SB3."""
-        super().train(*args, **kwargs)  # type: ignore[misc]
-        if isinstance(self.policy, ActorCritic):
-            # Where the steps are not elementwise, rounding would add up to a difference between the sides.
-            self.policy.project()
-
-    def _setup_learn(self, *args: Any, **kwargs: Any) -> Any:
-        self._started = time.perf_counter()
-        return super()._setup_learn(*args, **kwargs)  # type: ignore[misc]
-
-    def _update_current_progress_remaining(self, num_timesteps: int, total_timesteps: int) -> None:
-        agreed = self.agreed_budget_left
-        self._current_progress_remaining = self.budget_left() if agreed is None else agreed
-
-    def budget_left(self) -> float:
-        """Share of the schedules that is left, from 1 at the start of a first training to 0."""
-        start = self._num_timesteps_at_start
-        if self.budget_seconds is not None:
-            used = (time.perf_counter() - self._started) / self.budget_seconds
-        else:
-            used = (self.num_timesteps - start) / max(1, self._total_timesteps - start)
-        return self.budget_left_at_start * max(0.0, 1.0 - used)
-
-    def go_on_from(self, parent: Parent) -> None:
-        """Take over a run's network, optimizer, step count and place in the schedules.
-
-        A replay buffer is not saved with a run: it fills again.
-
-        Raises:
-            QuadrupedError: if its file cannot be read.
-        """
-        path = parent.directory / RESUME_FILE
-        with resuming(path):
-            with zipfile.ZipFile(path) as archive:
-                # Few bytes could stand for more than any memory holds.
-                if any(entry.compress_type != zipfile.ZIP_STORED for entry in archive.infolist()):
-                    raise _UnusableError("compressed")
-            _, tensors, variables = load_from_zip_file(str(path), load_data=False, device="cpu")
-            check_finite({**tensors, **(variables or {})})
-            self.set_parameters(tensors, device="cpu")  # type: ignore[attr-defined]
-            # Such as the weight of the entropy, which the line above leaves out.
-            for name, value in (variables or {}).items():
-                getattr(self, name).data.copy_(value.data)
-        self.num_timesteps = parent.timesteps
-        self.budget_left_at_start = self._current_progress_remaining = parent.budget_left
+    Raises:
+        QuadrupedError: if its file cannot be read.
+    """
+    path = parent.directory / RESUME_FILE
+    with resuming(path):
+        with zipfile.ZipFile(path) as archive:
+            # Few bytes could stand for more than any memory holds.
+            if any(entry.compress_type != zipfile.ZIP_STORED for entry in archive.infolist()):
+                raise _UnusableError("compressed")
+        _, tensors, variables = load_from_zip_file(str(path), load_data=False, device="cpu")
+        check_finite({**tensors, **(variables or {})})
+        model.set_parameters(tensors, device="cpu")
+        # Such as the weight of the entropy, which the line above leaves out.
+        for name, value in (variables or {}).items():
+            getattr(model, name).data.copy_(value.data)
+    model.num_timesteps = parent.timesteps
+    model.learning_rate.go_on(parent.timesteps, parent.budget_left)
+    model.learning_rate.stage(parent.timesteps, model.env.task)
 
 
 class _UnusableError(Exception):
@@ -163,15 +114,15 @@ def check_finite(value: Any, place: str = "") -> None:
         raise _UnusableError(f"{place} holds NaN or infinity")
 
 
-@functools.cache
-def native(name: str) -> type[Any]:
-    """Class of an algorithm's native model.
+def algorithm_class(name: str) -> Any:
+    """Class of an algorithm, or that of a user's file, which is executed.
 
     Raises:
         MissingExtraError: if it is in sb3-contrib, which is not installed.
     """
-    base = _member(name, algorithm(name).module, algorithm(name).class_name)
-    return type(f"Native{base.__name__}", (NativeModel, base), {})
+    if is_user_class(name):
+        return load_class("algo", name)[1]
+    return _member(name, algorithm(name).module, algorithm(name).class_name)
 
 
 def _member(name: str, module: str, member: str) -> Any:
@@ -181,24 +132,13 @@ def _member(name: str, module: str, member: str) -> Any:
         raise MissingExtraError(f"--algo {name}", "contrib") from error
 
 
-class LinearSchedule:
-    """A learning rate that falls linearly with the share of the budget that is left."""
-
-    def __init__(self, start: float) -> None:
-        self.start = start
-
-    def __call__(self, progress_remaining: float) -> float:
-        """The rate when this share of the budget is left."""
-        return self.start * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * progress_remaining)
-
-
-def make_model(config: TrainConfig, env: Any, kind: type[Any] | None = None, **changes: Any) -> Any:
-    """A fresh model for a training.
+def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = None, **changes: Any) -> Any:
+    """A fresh model for a training, whose `learning_rate` is a `Schedule`; `learn` needs the callback `Scheduled`.
 
     Args:
         config: settings of the training.
         env: its Stable-Baselines3 env.
-        kind: class of the model. None: `native(config.algo)`.
+        kind: makes the model. None: the class of the algorithm.
         changes: arguments of the class that replace those that `config` gives.
 
     Raises:
@@ -233,72 +173,33 @@ def make_model(config: TrainConfig, env: Any, kind: type[Any] | None = None, **c
         if "action_noise" in entry.settings:
             joints = env.action_space.shape[0]
             arguments["action_noise"] = NormalActionNoise(np.zeros(joints), np.full(joints, config.action_noise))
+    if config.policy:
+        policy, own = _own_policy(config.policy, own)
     arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
-    arguments["learning_rate"] = LinearSchedule(config.learning_rate)
-    model = (kind or native(config.algo))(policy, env, **arguments | changes)
-    if entry.on_policy:
-        model.log_std_bounds = (config.log_std_init, min(config.log_std_init, config.final_log_std))
+    arguments["learning_rate"] = schedule = Schedule(config)
+    schedule.stage(0, env.task)
+    kind = kind or algorithm_class(config.algo)
+    if is_user_class(config.algo):
+        arguments = accepted(kind, arguments)
+    model = kind(policy, env, **arguments | changes)
+    if config.policy or is_user_class(config.algo):
+        Policy.from_sb3(model)  # which says why a policy could not be saved, before the training
     return model
 
 
-def export_policy(model: Any, task: TaskConfig, activation: str, card: dict[str, Any]) -> Policy:
-    """The deterministic part of SB3's policy as plain arrays.
-
-    Raises:
-        QuadrupedError: if a policy's file cannot express the actor.
-    """
-    actor: Any = getattr(model.policy, "actor", None)
-    if isinstance(model.policy, ActorCritic):
-        output, modules = "clip", [*model.policy.mlp_extractor.policy_net, model.policy.action_net]
-    elif hasattr(actor, "latent_pi"):
-        output, modules = "tanh", [*actor.latent_pi, actor.mu]
-    elif isinstance(getattr(actor, "mu", None), torch.nn.Sequential) and isinstance(actor.mu[-1], torch.nn.Tanh):
-        output, modules = "tanh", list(actor.mu[:-1])
-    else:
-        raise QuadrupedError(
-            f"policy: the actor of {type(model.policy).__name__} is not a multilayer perceptron, so no policy file can "
-            f"hold it; train with another --algo"
-        )
-    layers = linear_layers(modules, activation)
-    if output == "tanh" and model.policy.mirror is not None:
-        layers = symmetrized(layers, model.policy.mirror)
-    return Policy(
-        weights=tuple(weight for weight, _ in layers),
-        biases=tuple(bias for _, bias in layers),
-        activation=activation,
-        config=task,
-        card=card,
-        output=output,
-    )
+def _own_policy(text: str, arguments: dict[str, Any]) -> tuple[type[Any], dict[str, Any]]:
+    """A user's policy class, and those of the arguments that it takes."""
+    _, kind = load_class("policy", text)
+    if not issubclass(kind, BasePolicy):
+        raise QuadrupedError(f"--policy: {kind.__name__} is not derived from a policy class of Stable-Baselines3")
+    if not issubclass(kind, ActorCritic):
+        arguments = {name: value for name, value in arguments.items() if name not in _OF_OUR_POLICIES}
+    return kind, accepted(kind, arguments)
 
 
-def linear_layers(modules: Iterable[torch.nn.Module], activation: str) -> list[Layer]:
-    """Weights and biases of a perceptron's layers, with one activation function between them.
-
-    A batch renormalization before a layer, which in use is an affine function of its inputs, becomes a part of it.
-
-    Raises:
-        QuadrupedError: if there is any other module, or another activation function.
-    """
-    layers: list[Layer] = []
-    renorm: Layer | None = None
-    activated = True
-    for module in modules:
-        if isinstance(module, torch.nn.Linear) and activated:
-            weight, bias = module.weight.detach().numpy().T.copy(), module.bias.detach().numpy().copy()
-            if renorm is not None:
-                scale, shift = renorm
-                weight, bias = scale[:, None] * weight, bias + shift @ weight
-            layers.append((weight, bias))
-            renorm, activated = None, False
-        elif isinstance(module, _ACTIVATIONS[activation]) and not activated:
-            activated = True
-        elif type(module).__name__ == "BatchRenorm1d" and activated and renorm is None:
-            factor = module.scale / (module.ra_var + module.eps).sqrt()
-            renorm = factor.detach().numpy(), (module.bias - module.ra_mean * factor).detach().numpy()
-        else:
-            raise QuadrupedError(
-                f"policy: its actor has the module {type(module).__name__}, which a policy's file cannot hold: it "
-                f"holds linear layers with {activation} between them; train with another --algo"
-            )
-    return layers
+def accepted(kind: Callable[..., Any], arguments: dict[str, Any]) -> dict[str, Any]:
+    """Those of some keyword arguments that a class takes."""
+    taken = inspect.signature(kind).parameters
+    if any(parameter.kind is parameter.VAR_KEYWORD for parameter in taken.values()):
+        return arguments
+    return {name: value for name, value in arguments.items() if name in taken}

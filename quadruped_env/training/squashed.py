@@ -78,6 +78,7 @@ def _symmetric(base: Any) -> type[Any]:
                 ("order", mirror.observation_order),
                 ("sign", mirror.observation_sign),
                 ("action_order", mirror.action_order),
+                ("action_sign", mirror.action_sign),
             ):
                 self.register_buffer(name, torch.as_tensor(values), persistent=False)
 
@@ -87,15 +88,16 @@ def _symmetric(base: Any) -> type[Any]:
             return torch.cat([features, features.index_select(-1, self.order) * self.sign])
 
         def _mean(self, both: torch.Tensor) -> torch.Tensor:
-            """Mean (N, J) of the outputs of both sides (2 N, J)."""
+            """Mean (N, J) of the actions of both sides (2 N, J)."""
             one, other = both.chunk(2)
-            return 0.5 * (one + other.index_select(-1, self.action_order))
+            return 0.5 * (one + other.index_select(-1, self.action_order) * self.action_sign)
 
         def get_action_dist_params(self, obs: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor, dict[str, Any]]:
             """See SB3; of the actors with a Gaussian."""
             latent = self.latent_pi(self._both(obs))
-            mean, log_std = self._mean(self.mu(latent)), self._mean(self.log_std(latent))
-            return mean, log_std.clamp(*_LOG_STD), {}
+            one, other = self.log_std(latent).chunk(2)
+            log_std = 0.5 * (one + other.index_select(-1, self.action_order))
+            return self._mean(self.mu(latent)), log_std.clamp(*_LOG_STD), {}
 
         def forward(self, obs: torch.Tensor, *args: Any, **kwargs: Any) -> torch.Tensor:
             """See SB3."""

@@ -5,11 +5,11 @@ from typing import cast
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from stable_baselines3.common.callbacks import BaseCallback
 
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.training.group import ALONE, Group
-from quadruped_env.training.sb3_models import NativeModel
+from quadruped_env.training.schedules import Scheduled
+from quadruped_env.training.train_config import TrainConfig
 
 Floats = NDArray[np.float64]
 
@@ -17,17 +17,18 @@ _ERRORS = 2
 """Number of velocity errors: forward and yaw."""
 
 
-class StepStatistics(BaseCallback):
+class StepStatistics(Scheduled):
     """Sums over the steps since `_clear`. With several ranks each runs one, and they exchange it after each rollout.
 
     They then agree on what must be equal on all: the end of the training, and the place in the schedules.
 
     Args:
+        config: settings of the training.
         group: this rank.
     """
 
-    def __init__(self, group: Group = ALONE) -> None:
-        super().__init__()
+    def __init__(self, config: TrainConfig, group: Group = ALONE) -> None:
+        super().__init__(config)
         self._group = group
         self.stopped = False
         """True if a signal asked to stop, after a rollout also if it asked another rank"""
@@ -35,6 +36,7 @@ class StepStatistics(BaseCallback):
         """True if the ranks agreed to end the training"""
 
     def _on_training_start(self) -> None:
+        super()._on_training_start()
         self._env = cast(MiniQuadrupedSB3VecEnv, self.training_env)
         self._task = self._env.task
         self._levels: Floats | None = None
@@ -75,18 +77,19 @@ class StepStatistics(BaseCallback):
         return True
 
     def _on_rollout_end(self) -> None:
+        super()._on_rollout_end()
         if self._group.ranks > 1:
             self._exchange()
 
     def _exchange(self) -> None:
-        tiles, model = self._task.tiles, cast(NativeModel, self.model)
+        tiles, schedule = self._task.tiles, self.schedule
         levels = np.zeros((0, 2)) if tiles is None else tiles.level_sums()
         # Clocks of ranks differ, and that of rank 0 counts.
-        agreed = np.array([self.stopped, self._over(), model.budget_left() if self._group.rank == 0 else 0.0])
+        agreed = np.array([self.stopped, self._over(), schedule.left if self._group.rank == 0 else 0.0])
         shared = np.concatenate([agreed, self._own, levels.ravel()])
         self._group.sum(torch.from_numpy(shared))
         agreed, own, levels = np.split(shared, [len(agreed), len(agreed) + len(self._own)])
-        self.stopped, self.ended, model.agreed_budget_left = bool(agreed[0]), bool(agreed[1]), float(agreed[2])
+        self.stopped, self.ended, schedule.left = bool(agreed[0]), bool(agreed[1]), float(agreed[2])
         own[:-1] /= self._group.ranks
         self._sums += own
         self._own[:] = 0.0

@@ -9,7 +9,7 @@ from types import FrameType
 from typing import Any
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.sb3_models import make_model
+from quadruped_env.training.sb3_models import go_on_from, make_model
 
 # isort: split
 from quadruped_env.envs import make_sb3_vec_env
@@ -87,9 +87,8 @@ def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, gro
     try:
         model.set_logger(Logger(None, []))
         # Rank 0 polishes and learns the reflex alone.
-        learn(
-            replace(config, reflex_rounds=0, polish_generations=0), model, StepStatistics(group), fresh=parent is None
-        )
+        config = replace(config, reflex_rounds=0, polish_generations=0)
+        learn(config, model, StepStatistics(config, group), fresh=parent is None)
     finally:
         env.close()
 
@@ -133,8 +132,7 @@ def prepare(
     else:
         model = make_model(config, env, group.ppo, group=group, batch_size=config.batch_size // group.ranks)
     if parent is not None:
-        model.go_on_from(parent)
-    model.budget_seconds = config.seconds
+        go_on_from(model, parent)
     return config, parent, env, model
 
 

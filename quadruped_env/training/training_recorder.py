@@ -9,15 +9,15 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.sb3_models import NativeModel, export_policy
+import quadruped_env.training.sb3_models  # noqa: F401
 
 # isort: split
-from quadruped_env.control.policy import CHECKPOINTS
+from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -29,6 +29,7 @@ from quadruped_env.training.reflex import ReflexRound, reflex_steps
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.step_statistics import StepStatistics
 from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.files import unwritable, whole, write_whole
 
 try:
@@ -74,7 +75,7 @@ class Recorder(StepStatistics):
         group: Group = ALONE,
         observer: Observer | None = None,
     ) -> None:
-        super().__init__(group)
+        super().__init__(config, group)
         self._observer = observer
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
@@ -254,21 +255,20 @@ class Recorder(StepStatistics):
         return {self.resume_file: archive.getvalue(), **self._policy(self._card()).files()}
 
     def _card(self) -> dict[str, Any]:
-        model = cast(NativeModel, self.model)
         return {
             **self._run.facts,
             "recipe": self._config.recipe,
-            "algo": self._config.algo,
+            "algo": recorded_name(self._config.algo),
             "seed": self._config.seed,
-            "timesteps": int(model.num_timesteps),
+            "timesteps": int(self.model.num_timesteps),
             "seconds": round(self.seconds, 1),
-            "budget_left": model.budget_left(),
+            "budget_left": self.schedule.left_after(self.model.num_timesteps),
             **({"polish": asdict(self._polished)} if self._polished is not None else {}),
             **({"reflex": [asdict(result) for result in self._reflex]} if self._reflex else {}),
         }
 
     def _policy(self, card: dict[str, Any]) -> Policy:
-        return export_policy(self.model, self._task_config, self._config.activation, card)
+        return Policy.from_sb3(self.model, card)
 
     def finish(self) -> None:
         """Log the remaining steps, and close the progress bar."""

@@ -51,7 +51,6 @@ BAD = {
 SCRIPTS = {
     "train/ppo.py": "train",
     "train/sweep.py": "sweep",
-    "train/tune_gait.py": "tune-gait",
     "evaluate/policy.py": "evaluate",
     **{f"evaluate/{name}.py": name for name in ("compare", "baseline", "sim2sim", "export", "view", "replay")},
     **{f"evaluate/{name}.py": name for name in ("convert", "identify")},
@@ -210,7 +209,6 @@ def test_output_has_one_name_in_every_command(name):
     ("arguments", "default"),
     [
         (("train", "--runs"), Path("runs")),
-        (("tune-gait", "--out"), Path("results/gait.json")),
         (("evaluate", "--out"), None),
         (("compare", "a", "b", "--out"), None),
         (("baseline", "--out"), None),
@@ -325,7 +323,7 @@ COMPLETE = {"bash": complete_in_bash, "fish": complete_in_fish, "zsh": complete_
 @pytest.mark.parametrize(
     ("line", "completed"),
     [
-        ("tune", "tune-gait"),
+        ("basel", "baseline"),
         ("train --final", "--final-log-std"),
         ("train --recipe rob", "robust"),
         ("train --recipe=rob", "robust"),

@@ -9,14 +9,9 @@ from settings import settings
 from tasks import NEVER_FALLS, ONE_COMMAND, make_task
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import (
-    CommandedFrequency,
-    CommandedGaitController,
-    ControlConfig,
-    ControlInterface,
-    PolicyController,
-)
+from quadruped_env.control import CommandedFrequency, ControlConfig, ControlInterface
 from quadruped_env.control.clock import frequency_at, frequency_of
+from quadruped_env.control.controllers import CommandedGaitController, PolicyController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.joint_command import limited
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
@@ -154,7 +149,7 @@ def following_policy():
     """The shipped network in a task whose clock follows the command."""
     policy = load_policy("flat")
     task = TaskConfig(clock_frequency=FOLLOWING, action=ActionConfig(mode="residual"))
-    return Policy(policy.weights, policy.biases, policy.activation, task, {"timesteps": 1})
+    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, {"timesteps": 1})
 
 
 def test_policy_keeps_its_frequency_and_refuses_an_env_with_another(tmp_path):

@@ -10,7 +10,8 @@ from comparisons import random_policy
 from settings import settings
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout, PolicyController
+from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
+from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
@@ -161,7 +162,7 @@ def policy_with_history(mode="residual", history=3):
     weights = [rng.normal(0.0, 0.1, shape).astype(np.float32) for shape in shapes]
     biases = [rng.normal(0.0, 0.1, shape[1]).astype(np.float32) for shape in shapes]
     task = TaskConfig(action=ActionConfig(mode=mode), observation_history=history)
-    return Policy(weights, biases, "elu", task, {"timesteps": 1})
+    return Policy.for_task(weights, biases, "elu", task, {"timesteps": 1})
 
 
 def test_policy_keeps_its_history_and_refuses_other_observations(tmp_path):

@@ -14,8 +14,10 @@ from policies import TASK, make_policy, observations
 from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.policy import ACTIVATIONS, CARD_FILE, CHECKPOINTS, SHIPPED, TENSORS_FILE
-from quadruped_env.policies import load_policy
+from quadruped_env.control.activations import ACTIVATIONS
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.control.policy_files import CHECKPOINTS, SHIPPED
+from quadruped_env.policies import Policy, load_policy
 
 # --- saving and loading ---
 
@@ -65,7 +67,7 @@ import sys
 for name in ("torch", "stable_baselines3", "pickle5", "tensorboard"):
     sys.modules[name] = None
 import numpy as np
-from quadruped_env.policies import load_policy
+from quadruped_env.policies import Policy, load_policy
 policy = load_policy(sys.argv[1])
 np.save(sys.argv[3], policy.predict(np.load(sys.argv[2])))
 """
@@ -118,7 +120,7 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, sym
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.sb3_models import export_policy, make_model
+    from quadruped_env.training.sb3_models import make_model
 
     torch.manual_seed(0)
     config = TrainConfig(
@@ -128,7 +130,7 @@ def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, sym
     model = make_model(config, env)
     # At initialization, the last layer is almost zero and the biases are zero.
     perturb(model, 0.3)
-    export_policy(model, TASK, activation, {"seed": 0}).save(tmp_path)
+    Policy.from_sb3(model, {"seed": 0}).save(tmp_path)
     policy = load_policy(tmp_path)
     assert [weight.shape[1] for weight in policy.weights] == [32, 24, 16, ACTION_WIDTH]
     assert policy.activation == activation

@@ -86,8 +86,8 @@ DAMAGES = {
     "no card field": (lambda d: edit_card(d, card=None), r"policy.json: field 'card' is missing"),
     "no layers": (lambda d: edit_card(d, layers=None), r"policy.json: field 'layers' is missing"),
     "unknown activation": (
-        lambda d: edit_card(d, activation="gelu"),
-        r"policy.json: activation 'gelu' is not one of tanh",
+        lambda d: edit_card(d, activation="step"),
+        r"policy.json: activation 'step' is not one of tanh",
     ),
     "activation a list": (lambda d: edit_card(d, activation=["elu"]), r"policy.json: activation"),
     "layers a word": (lambda d: edit_card(d, layers="three"), r"policy.json: layers must be .*found 'three'"),

@@ -11,7 +11,7 @@ from policies import TASK, make_policy
 from quadruped_env import QuadrupedError
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, PolicyController, load_policy
@@ -213,7 +213,7 @@ def test_policy_that_needs_no_users_file_is_not_affected_by_one(run_directory, t
 
 def test_env_of_a_policy_for_another_robot_has_that_robot():
     own = make_policy()
-    policy = Policy(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
+    policy = Policy.for_task(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
     env = policy.make_env()
     assert env.unwrapped.task.config == policy.config
     assert env.unwrapped.task.config.robot == second_robot.ROBOT
@@ -229,7 +229,7 @@ def test_controller_of_a_policy_for_another_robot_is_refused_at_its_first_action
 
 def test_check_env_refuses_an_env_of_another_robot():
     own = make_policy()
-    policy = Policy(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
+    policy = Policy.for_task(own.weights, own.biases, own.activation, TASK.for_robot(second_robot.ROBOT), own.card)
     env = own.make_env()
     with pytest.raises(QuadrupedError, match=f"made for the robot '{second_robot.ROBOT.name}'"):
         policy.check_env(env)

@@ -370,7 +370,7 @@ def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_p
     (tmp_path / "my_robot.py").write_text("from second_robot import ROBOT\n")
     policy = random_policy(mode)
     task = TaskConfig(action=ActionConfig(mode=mode)).for_robot(second_robot.ROBOT)
-    Policy(policy.weights, policy.biases, policy.activation, task, policy.card).save(tmp_path / "run")
+    Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card).save(tmp_path / "run")
     assert main(["export", str(tmp_path / "run")]) == 2
     assert "--task FILE" in capsys.readouterr().err
     assert main(["export", str(tmp_path / "run"), "--task", str(tmp_path / "my_robot.py")]) == 0
@@ -406,7 +406,7 @@ def test_clock_that_follows_the_command_is_in_the_manifest_with_its_formula():
     frequency = CommandedFrequency((0.1, 0.3, 0.7), (2.0, 2.5, 4.0), 0.4)
     shipped = load_policy("flat")
     task = dataclasses.replace(shipped.config, clock_frequency=frequency)
-    policy = Policy(shipped.weights, shipped.biases, shipped.activation, task, {})
+    policy = Policy.for_task(shipped.weights, shipped.biases, shipped.activation, task, {})
     interface = PolicyInterface(policy)
     clock = manifest(policy, interface, "following", None, 0.0)["gait_clock"]
     assert "2 pi * frequency * timestep" in clock["formula"]

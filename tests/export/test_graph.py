@@ -11,12 +11,13 @@ from policies import make_policy
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control import CommandedFrequency
-from quadruped_env.control import policy as control_policy
+from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import IR_VERSION, OPSET, policy_graph
 from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.sb3_policies import MODULES
 from quadruped_env.robot.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
 
@@ -81,7 +82,7 @@ def network(policy, observation):
     """Actions of the policy's network by torch."""
     import torch
 
-    activation = {"elu": torch.nn.ELU, "tanh": torch.nn.Tanh, "relu": torch.nn.ReLU}[policy.activation]
+    activation = getattr(torch.nn, {name: module for module, name in MODULES.items()}[policy.activation])
     layers = []
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         layer = torch.nn.Linear(*weight.shape)
@@ -95,14 +96,14 @@ def other_robots_policy(mode):
     """A policy of a robot with another order of legs, other ranges and another stance."""
     policy = random_policy(mode)
     task = TaskConfig(action=ActionConfig(mode=mode)).for_robot(second_robot.ROBOT)
-    return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
+    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 
 def low_stepping_policy():
     """A policy on top of the gait with low steps."""
     policy = random_policy("residual")
     task = TaskConfig(action=ActionConfig(mode="residual", gait="low"), clock_frequency=5.0)
-    return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
+    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 
 def following_policy(mode):
@@ -110,7 +111,7 @@ def following_policy(mode):
     policy = random_policy(mode)
     clock = CommandedFrequency((0.1, 0.3, 0.7), (2.0, 2.5, 4.0), 0.4)
     task = TaskConfig(action=ActionConfig(mode=mode), clock_frequency=clock)
-    return Policy(policy.weights, policy.biases, policy.activation, task, policy.card)
+    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 
 POLICIES = {
@@ -120,7 +121,7 @@ POLICIES = {
     "low steps, residual": low_stepping_policy,
     "elu, other rate": lambda: make_policy("elu"),
     "tanh": lambda: make_policy("tanh"),
-    "relu, one layer": lambda: make_policy("relu", (24,)),
+    **{name: lambda name=name: make_policy(name, (24,)) for name in ACTIVATIONS if name not in ("elu", "tanh")},
     "linear": lambda: make_policy("tanh", ()),
     "clock that follows, residual": lambda: following_policy("residual"),
     "clock that follows, position": lambda: following_policy("position"),
@@ -207,14 +208,14 @@ def test_graph_of_a_training_is_torchs_policy(symmetric):
 
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training import TrainConfig
-    from quadruped_env.training.sb3_models import export_policy, make_model
+    from quadruped_env.training.sb3_models import make_model
 
     torch.manual_seed(0)
     config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
     env = make_sb3_vec_env(2, seed=0, action_mode="residual")
     model = make_model(config, env)
     perturb(model, 0.1)
-    policy = export_policy(model, env.task.config, config.activation, {})
+    policy = Policy.from_sb3(model, {})
     readings, command, phase, last_action = random_states(policy)
     observation = control_of(policy, command, phase, last_action).observe(readings)
     with torch.no_grad():
@@ -254,7 +255,7 @@ def own_policy(tmp_path, text, widths=35):
     rng = np.random.default_rng(0)
     weights = [rng.normal(0.0, 0.3, shape).astype(np.float32) for shape in ((widths, 12), (12, 8))]
     biases = [np.zeros(width, np.float32) for width in (12, 8)]
-    return Policy(weights, biases, "tanh", TaskConfig(definition=definition), {})
+    return Policy.for_task(weights, biases, "tanh", TaskConfig(definition=definition), {})
 
 
 def test_field_of_a_users_file_is_an_input_in_its_unit(tmp_path):
@@ -276,7 +277,7 @@ def test_policy_without_clock_and_gait_needs_neither_command_nor_phase(tmp_path)
     policy = own_policy(tmp_path, TERMS)
     kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
     weights = (policy.weights[0][:31], policy.weights[1])
-    blind = control_policy.Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot)
+    blind = Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot)
     interface = PolicyInterface(blind)
     assert {entry.name for entry in interface.inputs} == {entry.name for entry in kept}
     assert [entry.name for entry in interface.outputs] == ["action", "joint_target"]
@@ -293,7 +294,7 @@ def test_graph_that_differs_from_the_policy_is_refused():
     policy = load_policy("flat")
     content = policy_graph(PolicyInterface(policy), "flat")
     changed = [*policy.weights[:-1], policy.weights[-1] + np.float32(1e-3)]
-    other = Policy(changed, policy.biases, policy.activation, policy.config, policy.card)
+    other = Policy.for_task(changed, policy.biases, policy.activation, policy.config, policy.card)
     with pytest.raises(QuadrupedError, match=r"ONNX Runtime differs from the policy by .* nothing was written"):
         runtime.largest_difference(PolicyInterface(other), content, 100)
 

@@ -22,4 +22,4 @@ def random_policy(mode, **config):
     )
     biases = tuple(np.zeros(width, np.float32) for width in widths[1:])
     card = {"command": "python train/ppo.py", "seed": 0, "best return": math.nan}
-    return Policy(weights, biases, "tanh", TaskConfig(action=ActionConfig(mode=mode), **config), card)
+    return Policy.for_task(weights, biases, "tanh", TaskConfig(action=ActionConfig(mode=mode), **config), card)

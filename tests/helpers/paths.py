@@ -9,6 +9,8 @@ TESTS = ROOT / "tests"
 _SHARED = next((place for place in (ROOT / "shared", ROOT.parent / "shared") if place.is_dir()), ROOT / "shared")
 DYNA1 = _SHARED / "data" / "dyna1"
 """Recordings of a real robot; tests that need them skip where they are absent."""
+ROBOTS = _SHARED / "data" / "robots"
+"""Published robot descriptions; tests that need them skip where they are absent."""
 
 
 def importing():

@@ -15,7 +15,7 @@ def make_policy(activation="elu", hidden=(16, 12), seed=0):
     """A policy with random weights for `TASK`."""
     rng = np.random.default_rng(seed)
     widths = (OBSERVATION_WIDTH, *hidden, ACTION_WIDTH)
-    return Policy(
+    return Policy.for_task(
         weights=tuple(
             rng.standard_normal((a, b)).astype(np.float32) / np.float32(a**0.5) for a, b in itertools.pairwise(widths)
         ),

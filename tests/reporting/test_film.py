@@ -11,7 +11,7 @@ from paths import ROOT
 from PIL import Image
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.control.policy import shipped_directory
+from quadruped_env.control.policy_files import shipped_directory
 from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.trace import Trace

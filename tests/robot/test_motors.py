@@ -10,7 +10,7 @@ import pytest
 from built_in import STANCE, STANCE_HEIGHT
 
 from quadruped_env import QuadrupedError
-from quadruped_env.robot import JOINT_NAMES, JointMotor, MotorConfig, asset_path
+from quadruped_env.robot import JOINT_KINDS, JOINT_NAMES, JointMotor, MotorConfig, asset_path
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import TaskConfig
 
@@ -19,6 +19,7 @@ OTHER = MotorConfig(
     knee=JointMotor(stall_torque=12.0, no_load_speed=8.0, kp=55.0),
     delay=0.01,
 )
+KINDS = JOINT_KINDS * 4
 ROW = np.zeros(1, dtype=np.intp)
 START = np.array([[0.0, 0.0, STANCE_HEIGHT, 1.0, 0.0, 0.0, 0.0, *STANCE]])
 
@@ -29,7 +30,7 @@ def hung_up(motors):
     spec.delete(spec.joint("floating_base"))
     for key in list(spec.keys):
         spec.delete(key)
-    motors.write(spec)
+    motors.write(spec, KINDS)
     return spec.compile()
 
 
@@ -46,7 +47,7 @@ def swing(model, steps):
 
 def test_the_defaults_are_the_model_files(model):
     spec = mujoco.MjSpec.from_file(str(asset_path("scene.xml")))
-    MotorConfig().write(spec)
+    MotorConfig().write(spec, KINDS)
     written = spec.compile()
     for name in dir(model):
         value = getattr(model, name)
@@ -56,8 +57,8 @@ def test_the_defaults_are_the_model_files(model):
 
 def test_each_number_reaches_its_joint():
     model = build_model(motors=OTHER)
-    for name in JOINT_NAMES:
-        motor, dof, actuator = OTHER.of_joint(name), model.joint(name).dofadr[0], model.actuator(name).id
+    for name, motor in zip(JOINT_NAMES, [OTHER.hip, OTHER.knee] * 4, strict=True):
+        dof, actuator = model.joint(name).dofadr[0], model.actuator(name).id
         assert model.dof_damping[dof] == motor.damping
         assert model.dof_frictionloss[dof] == motor.friction_loss
         assert model.dof_armature[dof] == motor.armature
@@ -77,8 +78,8 @@ def test_heat_is_that_of_the_current_in_the_winding():
     # At rest and full voltage all of the power becomes heat: voltage^2 / R.
     for other in (OTHER.hip, OTHER.knee):
         assert other.joule_coefficient * other.stall_torque**2 == pytest.approx(24.0**2 / other.resistance)
-    expected = [OTHER.of_joint(name).joule_coefficient for name in JOINT_NAMES]
-    np.testing.assert_array_equal(OTHER.joule_coefficients(JOINT_NAMES), expected)
+    expected = [OTHER.hip.joule_coefficient, OTHER.knee.joule_coefficient] * 4
+    np.testing.assert_array_equal(OTHER.joule_coefficients(KINDS), expected)
 
 
 def test_a_stronger_motor_gives_its_torque_and_no_more():

@@ -159,7 +159,7 @@ class TestDesign:
         motors = MotorConfig(JointMotor(stall_torque=7.0, kp=30.0, friction_loss=0.2), JointMotor(no_load_speed=8.0))
         robot = QuadrupedDesign(motors=motors).robot()
         compiled, spec = robot.spec().compile(), MINI_QUADRUPED.spec()
-        motors.write(spec)
+        motors.write(spec, robot.joint_kinds)
         written = spec.compile()
         for name in ("dof_damping", "dof_armature", "dof_frictionloss", "actuator_gainprm", "actuator_biasprm"):
             np.testing.assert_array_equal(getattr(compiled, name), getattr(written, name), err_msg=name)

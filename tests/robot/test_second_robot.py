@@ -21,8 +21,7 @@ from waiting import wait_until
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.control import ControlInterface
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy import load_policy as load_control_policy
-from quadruped_env.control.policy import load_terms
+from quadruped_env.control.policy_files import load_terms, read_policy
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.gait import PRESETS
@@ -378,7 +377,7 @@ class TestTraining:
         assert load_policy(resumed, FILE).robot == ROBOT
 
     def test_live_controller_runs_the_policy(self, run):
-        policy = load_control_policy(run, load_terms(FILE))
+        policy = read_policy(run, load_terms(FILE))
         loop = Loop(controller=lambda: PolicyController(policy), robot=ROBOT)
         _, upright = loop.run(4.0)
         assert upright.min() > 0.9

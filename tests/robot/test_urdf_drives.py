@@ -164,6 +164,6 @@ def test_drives_in_the_urdf_are_those_of_the_mjcf(name):
         np.testing.assert_array_equal(column(drives, of_command), getattr(robot, limit))
     np.testing.assert_array_equal(column(drives, "effort"), robot.effort_limit)
     np.testing.assert_array_equal(column(drives, "velocity"), robot.velocity_limit)
-    motors = [robot.motors.of_joint(joint) for joint in robot.joint_names]
+    motors = robot.motors.of_joints(robot.joint_kinds)
     np.testing.assert_array_equal(column(drives, "kp"), [motor.kp for motor in motors])
     np.testing.assert_array_equal(column(drives, "kd"), [motor.kd for motor in motors])

@@ -12,11 +12,11 @@ from quadruped_env.simulation import build_model
 
 HIP = JointMotor(stall_torque=8.0, no_load_speed=4.0, kp=30.0, kd=0.5, friction_loss=0.2, armature=0.02)
 MOTORS = MotorConfig(hip=HIP, knee=JointMotor())
-NAMES = ("LF_hip_joint", "LF_knee_joint")
+KINDS = ("hip", "knee")
 
 
 def torque(error, speed, motors=MOTORS):
-    servos = Servos(motors, NAMES, 0.002)
+    servos = Servos(motors, KINDS, 0.002)
     return servos.torque(np.array([error]), np.zeros((1, 2)), np.array([speed]))[0]
 
 
@@ -41,7 +41,7 @@ def test_torque_equals_that_of_mujocos_motors_in_random_states(motors):
     rng, robot = np.random.default_rng(0), MINI_QUADRUPED
     model = build_model(motors=motors)
     data = mujoco.MjData(model)
-    servos = Servos(motors, robot.joint_names, 0.002)
+    servos = Servos(motors, robot.joint_kinds, 0.002)
     saturated = 0
     for _ in range(300):
         low, high = robot.joint_position_low, robot.joint_position_high
@@ -58,7 +58,7 @@ def test_torque_equals_that_of_mujocos_motors_in_random_states(motors):
 
 def test_delayed_target_is_interpolated_between_steps():
     motors = dataclasses.replace(MINI_QUADRUPED.motors, delay=0.003)
-    servos = Servos(motors, NAMES, 0.002, num_robots=2)
+    servos = Servos(motors, KINDS, 0.002, num_robots=2)
     servos.reset(np.array([0, 1]), np.array([[0.0, 0.0], [0.1, 0.1]]))
     zeros, sent = np.zeros((2, 2)), [0.02, 0.04, 0.08, 0.08]
     found = [servos.torque(np.full((2, 2), target), zeros, zeros)[:, 0] / 40.0 for target in sent]
@@ -67,8 +67,8 @@ def test_delayed_target_is_interpolated_between_steps():
 
 
 def test_friction_opposes_the_motion_and_stops_a_slow_rotor_within_a_step():
-    servos = Servos(MOTORS, NAMES, 0.002)
+    servos = Servos(MOTORS, KINDS, 0.002)
     assert servos.has_friction
-    assert not Servos(MINI_QUADRUPED.motors, NAMES, 0.002).has_friction
+    assert not Servos(MINI_QUADRUPED.motors, KINDS, 0.002).has_friction
     for speed, expected in ((1.0, -0.2), (-1.0, 0.2), (0.01, -0.02 * 0.01 / 0.002), (0.0, 0.0)):
         np.testing.assert_allclose(servos.friction(np.array([[speed, speed]]))[0], [expected, 0.0], atol=1e-15)

@@ -14,10 +14,11 @@ from trainings import SMALL, progress
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.cli import train as cli
-from quadruped_env.control import PolicyController
-from quadruped_env.control import policy as control_policy
+from quadruped_env.control.controllers import PolicyController
+from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy import CARD_FILE, CHECKPOINTS
+from quadruped_env.control.policy import CARD_FILE
+from quadruped_env.control.policy_files import CHECKPOINTS, load_terms, read_policy
 from quadruped_env.control.task_file import KEPT_FILE, changed_definitions
 from quadruped_env.live.nodes import controller
 from quadruped_env.policies import load_policy
@@ -128,7 +129,7 @@ def test_policy_without_the_file_of_its_reward_walks_and_nothing_is_executed(rew
     _, _, _, _, info = env.step(policy.predict(observation))
     assert "reward_hip_usage" not in info
     assert policy.config.reward.weights["upright"] == -3.0
-    LiveController(PolicyController(control_policy.load_policy(rewarded)))
+    LiveController(PolicyController(read_policy(rewarded)))
 
 
 def test_policy_with_the_copy_that_the_run_keeps_has_its_whole_task(rewarded):
@@ -191,10 +192,10 @@ def test_policy_that_observes_what_the_file_defines_needs_it(observed):
     with pytest.raises(QuadrupedError, match=message):
         load_policy(observed)
     with pytest.raises(QuadrupedError, match=message):
-        control_policy.load_policy(observed)
+        read_policy(observed)
     assert load_policy(observed, trust_task=True).fields[-1].name == "joint_torque"
-    terms = control_policy.load_terms(*control_policy.kept_file(observed))
-    assert control_policy.load_policy(observed, terms).fields[-1].name == "joint_torque"
+    terms = load_terms(*kept_file(observed))
+    assert read_policy(observed, terms).fields[-1].name == "joint_torque"
 
 
 def test_observation_that_replaces_a_built_in_one_of_the_same_layout_needs_the_file(tmp_path):
@@ -204,7 +205,7 @@ def test_observation_that_replaces_a_built_in_one_of_the_same_layout_needs_the_f
     )
     run = trained(edited(tmp_path, text), tmp_path / "runs")
     with pytest.raises(QuadrupedError, match=r"this policy has the observation gait_clock from 'my_task.py'"):
-        control_policy.load_policy(run)
+        read_policy(run)
 
 
 def test_viewer_of_a_trusted_run_has_its_robot_and_executes_the_files_of_no_other_runs(tmp_path, monkeypatch):
@@ -243,7 +244,7 @@ def test_version_with_which_the_policy_would_read_other_values_is_refused(observ
     with pytest.raises(QuadrupedError, match=message):
         load_policy(observed, file)
     with pytest.raises(QuadrupedError, match=message):
-        control_policy.load_policy(observed, control_policy.load_terms(file))
+        read_policy(observed, load_terms(file))
 
 
 def test_version_with_the_same_observation_is_used(observed, tmp_path):

@@ -12,7 +12,7 @@ from comparisons import random_policy
 import suite_references
 from benchmarks import shipping
 from quadruped_env import QuadrupedError
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.suite.measured_controller import Contender
 from quadruped_env.evaluation.suite.references import read_references

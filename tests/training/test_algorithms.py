@@ -1,6 +1,7 @@
 """Other algorithms through the same program: their actors as policies, their settings, their runs."""
 
 import csv
+import dataclasses
 import json
 
 import numpy as np
@@ -14,13 +15,15 @@ from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import policy_graph
-from quadruped_env.policies import load_policy
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
-from quadruped_env.training import TrainConfig, sb3_models
+from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS, check_used
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE
-from quadruped_env.training.sb3_models import export_policy, linear_layers, make_model, native
+from quadruped_env.training.sb3_models import algorithm_class, go_on_from, make_model
+from quadruped_env.training.schedules import Scheduled
 
 WIDTH = 34
 OFF_POLICY = [name for name, entry in ALGORITHMS.items() if not entry.on_policy]
@@ -43,11 +46,11 @@ def config_of(name, **changes):
     return TrainConfig(algo=name, **{**TINY, **changes})
 
 
-def model_of(name, **changes):
+def model_of(name, robot=MINI_QUADRUPED, **changes):
     """A model with random parameters, also those of its batch renormalization, and its env."""
     config = config_of(name, **changes)
     torch.manual_seed(0)
-    env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic)
+    env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic, robot=robot)
     model = make_model(config, env)
     perturb(model)
     with torch.no_grad():
@@ -79,7 +82,7 @@ def test_training_has_the_same_bits_whatever_the_number_of_threads():
 @pytest.mark.parametrize("name", ALGORITHMS)
 def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tmp_path):
     model, env = model_of(name, symmetric=symmetric, activation=activation)
-    export_policy(model, env.task.config, activation, {}).save(tmp_path)
+    Policy.from_sb3(model, {}).save(tmp_path)
     policy = load_policy(tmp_path)
     assert policy.output == ("clip" if ALGORITHMS[name].on_policy else "tanh")
     seen = observations(WIDTH)
@@ -92,11 +95,23 @@ def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tm
     assert np.abs(policy.predict(50.0 * seen)).max() <= 1.0
 
 
+@pytest.mark.parametrize("name", ["ppo", "sac", "td3"])
+def test_symmetric_actor_of_a_robot_whose_joints_turn_the_other_way_on_the_other_side(name):
+    """Half of the joints."""
+    robot = dataclasses.replace(MINI_QUADRUPED, mirror_signs=(-1, 1) * 4)
+    model, env = model_of(name, robot=robot, activation="tanh")
+    mirror, seen = MirrorMap.of(env.task.control.layout), observations(WIDTH)
+    assert mirror.action_sign.tolist() == [-1.0, 1.0] * 4
+    actions, mirrored = (model.predict(one, deterministic=True)[0] for one in (seen, mirror.observation(seen)))
+    np.testing.assert_allclose(mirrored, mirror.action(actions), atol=1e-4)
+    assert np.abs(actions).min(axis=0).max() > 0.0
+
+
 @pytest.mark.parametrize("name", [name for name, entry in ALGORITHMS.items() if entry.on_policy])
 def test_gradient_steps_keep_a_symmetric_network_symmetric_to_the_last_bit(name):
     model, _ = model_of(name)
     before = [parameter.detach().clone() for parameter in model.policy.parameters()]
-    model.learn(3 * model.n_steps * model.n_envs)
+    model.learn(3 * model.n_steps * model.n_envs, Scheduled(config_of(name)))
     after = [parameter.detach().clone() for parameter in model.policy.parameters()]
     assert any(not torch.equal(one, two) for one, two in zip(before, after, strict=True))
     model.policy.project()
@@ -107,8 +122,8 @@ def test_gradient_steps_keep_a_symmetric_network_symmetric_to_the_last_bit(name)
 @pytest.mark.parametrize("name", ["sac", "td3"])
 def test_exported_graph_squashes_as_the_policy_does(name):
     pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
-    model, env = model_of(name)
-    interface = PolicyInterface(export_policy(model, env.task.config, "elu", {}))
+    model, _ = model_of(name)
+    interface = PolicyInterface(Policy.from_sb3(model, {}))
     assert runtime.largest_difference(interface, policy_graph(interface, name), 2000) < 1e-5
 
 
@@ -118,7 +133,7 @@ def test_actor_of_an_asymmetric_training_does_not_see_the_privileged_readings(na
     model, env = model_of(name, asymmetric_critic=True, symmetric=symmetric)
     width = env.observation_space.shape[0]
     assert width > WIDTH
-    policy = export_policy(model, env.task.config, "elu", {})
+    policy = Policy.from_sb3(model, {})
     assert policy.weights[0].shape[0] == WIDTH
     seen = torch.as_tensor(observations(width)).requires_grad_()
     model.policy.set_training_mode(False)
@@ -141,40 +156,6 @@ def values_of(model, seen):
     return torch.cat(found, dim=-1) if isinstance(found, tuple) else found
 
 
-def test_batch_renormalization_is_folded_into_the_layer_behind_it():
-    """By hand: y = W (s x + t) + b with s = scale / sqrt(var + eps) and t = bias - mean s."""
-    renorm = type("BatchRenorm1d", (torch.nn.Module,), {})()
-    renorm.scale, renorm.bias = torch.tensor([2.0, 3.0]), torch.tensor([0.5, -1.0])
-    renorm.ra_mean, renorm.ra_var, renorm.eps = torch.tensor([1.0, 2.0]), torch.tensor([3.0, 0.0]), 1.0
-    linear = torch.nn.Linear(2, 1)
-    linear.weight.data, linear.bias.data = torch.tensor([[10.0, 100.0]]), torch.tensor([7.0])
-    ((weight, bias),) = linear_layers([renorm, linear], "elu")
-    # s = (1, 3), t = (-0.5, -7)
-    np.testing.assert_allclose(weight, [[10.0], [300.0]])
-    np.testing.assert_allclose(bias, [7.0 - 5.0 - 700.0])
-
-
-@pytest.mark.parametrize(
-    ("modules", "found"),
-    [
-        ([torch.nn.Linear(3, 4), torch.nn.Dropout(), torch.nn.Linear(4, 2)], "Dropout"),
-        ([torch.nn.Linear(3, 4), torch.nn.ReLU(), torch.nn.Linear(4, 2)], "ReLU"),
-        ([torch.nn.Linear(3, 4), torch.nn.Linear(4, 2)], "Linear"),
-        ([torch.nn.LayerNorm(3), torch.nn.Linear(3, 2)], "LayerNorm"),
-    ],
-)
-def test_actor_that_a_policy_cannot_express_is_refused(modules, found):
-    with pytest.raises(QuadrupedError, match=rf"actor has the module {found}, which a policy's file .*--algo"):
-        linear_layers(modules, "elu")
-
-
-def test_actor_that_is_no_perceptron_is_refused():
-    model, env = model_of("td3")
-    model.policy.actor.mu = torch.nn.Linear(WIDTH, 8)
-    with pytest.raises(QuadrupedError, match=r"the actor of SquashedPolicy is not a multilayer perceptron.*--algo"):
-        export_policy(model, env.task.config, "elu", {})
-
-
 # --- settings ---
 
 
@@ -186,9 +167,9 @@ def test_settings_of_each_algorithm_are_arguments_of_its_class():
             model, _ = model_of(name, **values)
         except pytest.skip.Exception:
             continue
-        assert isinstance(model, native(name))
+        assert type(model) is algorithm_class(name)
         assert model.gamma == 0.9
-        assert model.learning_rate(1.0) == pytest.approx(5e-4)
+        assert model.learning_rate() == pytest.approx(5e-4)
         if entry.on_policy:
             assert model.n_steps == 6
         else:
@@ -258,9 +239,8 @@ def test_algorithm_without_its_library_names_the_extra(monkeypatch):
 
     monkeypatch.setitem(sys.modules, "sb3_contrib", None)
     monkeypatch.setitem(sys.modules, "sb3_contrib.tqc", None)
-    sb3_models.native.cache_clear()
     with pytest.raises(MissingExtraError, match=r"--algo tqc needs the 'contrib' extra"):
-        native("tqc")
+        algorithm_class("tqc")
 
 
 # --- runs ---
@@ -299,7 +279,7 @@ def test_training_leaves_a_complete_run_that_can_be_resumed_and_walks_in_its_env
 def test_off_policy_training_has_the_steps_and_schedules_of_its_budget(tmp_path):
     """The learning rate falls linearly to a tenth with the budget, as PPO's does."""
     rates = []
-    cls = native("sac")
+    cls = algorithm_class("sac")
     update = cls.train
 
     def watched(self, *args, **kwargs):
@@ -323,9 +303,9 @@ def test_resumed_training_takes_over_the_weight_of_the_entropy(tmp_path):
     parent = Parent.load(run)
     model, _ = model_of("sac", learning_rate=1e-2)
     assert model.log_ent_coef.item() == 0.0
-    model.go_on_from(parent)
+    go_on_from(model, parent)
     assert model.log_ent_coef.item() < -0.02, "Adam moved it by the learning rate in each of 16 gradient steps"
     assert model.num_timesteps == 320
-    exported = export_policy(model, TaskConfig.from_dict(parent.config.task), "elu", {})
+    exported = Policy.from_sb3(model, {})
     for one, other in zip(exported.weights, load_policy(run).weights, strict=True):
         np.testing.assert_array_equal(one, other)

@@ -14,13 +14,13 @@ from trainings import SMALL, STEPS, assert_complete, learn
 from quadruped_env import QuadrupedError
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.policies import load_policy
+from quadruped_env.policies import Policy, load_policy
 from quadruped_env.task import load_task_file, preset_values
 from quadruped_env.task.privileged import PRIVILEGED
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE
-from quadruped_env.training.sb3_models import export_policy, make_model
+from quadruped_env.training.sb3_models import make_model
 
 WIDTH = 34
 NAMES = [field.name for field in PRIVILEGED]
@@ -168,7 +168,7 @@ def test_symmetric_policy_has_a_symmetric_asymmetric_critic():
 
 def test_exported_policy_takes_the_observation_alone():
     model, env = model_of(asymmetric_critic=True)
-    policy = export_policy(model, env.task.config, "elu", {})
+    policy = Policy.from_sb3(model, {})
     assert policy.weights[0].shape[0] == WIDTH
     seen = np.random.default_rng(0).uniform(-1, 1, (10, env.observation_space.shape[0])).astype(np.float32)
     with torch.no_grad():

@@ -128,7 +128,7 @@ def test_a_policy_with_a_candidates_layer_does_what_the_candidate_did(small):
     found.take(candidate)
     assert changed_parts(before, model) == {"action_net"}
     with torch.inference_mode():
-        actions = model.mean_action(torch.from_numpy(observations)).numpy()
+        actions = model.policy.mean_action(torch.from_numpy(observations)).numpy()
     np.testing.assert_allclose(actions, inputs @ layer[:-1] + layer[-1], atol=1e-5)
     assert_symmetric(model)
 

@@ -148,8 +148,8 @@ def test_a_robot_that_sits_down_is_worth_less_than_one_that_walks_on(small, monk
 
 def test_network_acts_itself_in_the_second_half_of_its_lesson(small, monkeypatch):
     model = walking(**PUSHED)
-    usual, calls = model.mean_action, []
-    monkeypatch.setattr(model, "mean_action", lambda seen: calls.append(1) or usual(seen))
+    usual, calls = model.policy.mean_action, []
+    monkeypatch.setattr(model.policy, "mean_action", lambda seen: calls.append(1) or usual(seen))
     add_reflex(model, 1)
     assert len(calls) == 120 + (4 * 40 + 120) + 60 // 2
 
@@ -245,7 +245,7 @@ def falls_and_tilt(model, steps=400):
     observations, number, tilted = env.reset(), 0, []
     for _ in range(steps):
         with torch.inference_mode():
-            actions = model.mean_action(torch.from_numpy(observations)).numpy()
+            actions = model.policy.mean_action(torch.from_numpy(observations)).numpy()
         observations, _, ended, infos = env.step(np.clip(actions, -1.0, 1.0))
         number += sum(not infos[env_id]["TimeLimit.truncated"] for env_id in np.flatnonzero(ended))
         tilted.append(np.hypot(*own._tilt_and_rate(env.task)[0]) > math.sin(0.3))

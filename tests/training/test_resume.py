@@ -12,13 +12,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
+from stable_baselines3 import PPO
 from trainings import ENDLESS, STEPS, TINY, assert_complete, command, learn, progress, running, scalars, train
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.policy import CARD_FILE, CHECKPOINTS, TENSORS_FILE
+from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.policies import load_policy
+from quadruped_env.policies import Policy, load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent, _difference
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
@@ -153,13 +155,9 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
 
 
 def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
-    from quadruped_env.training.fast_ppo import FastPPO
-    from quadruped_env.training.sb3_models import native
-
-    ppo = native("ppo")
 
     seen = []
-    collect, update = FastPPO.collect_rollouts, ppo.train
+    collect, update = PPO.collect_rollouts, PPO.train
 
     def watched_collect(self, *args, **kwargs):
         seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
@@ -169,8 +167,8 @@ def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_pare
         update(self)
         seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
 
-    monkeypatch.setattr(FastPPO, "collect_rollouts", watched_collect)
-    monkeypatch.setattr(ppo, "train", watched_update)
+    monkeypatch.setattr(PPO, "collect_rollouts", watched_collect)
+    monkeypatch.setattr(PPO, "train", watched_update)
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
     directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
@@ -218,13 +216,13 @@ def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
 
 def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.sb3_models import export_policy, make_model
+    from quadruped_env.training.sb3_models import go_on_from, make_model
 
     parent = Parent.load(run)
     env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
     model = make_model(parent.config, env)
-    model.go_on_from(parent)
-    exported = export_policy(model, env.task.config, "elu", {})
+    go_on_from(model, parent)
+    exported = Policy.from_sb3(model, {})
     for one, other in zip(exported.weights, load_policy(run).weights, strict=True):
         np.testing.assert_array_equal(one, other)
     assert model.policy.optimizer.state_dict()["state"], "Adam's moments"
@@ -331,8 +329,8 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
         (
             CONFIG_FILE,
             "training",
-            {"activation": "gelu"},
-            r"training.activation: expected one of tanh, elu, relu; found",
+            {"activation": "step"},
+            r"training.activation: expected one of tanh, elu, relu.*; found",
         ),
         (CONFIG_FILE, "training", {"symmetric": 1}, r"training.symmetric: expected true or false; found 1"),
         (CONFIG_FILE, "training", {"num_envs": "4"}, r"training.num_envs: expected a whole number, .*; found '4'"),

@@ -12,11 +12,12 @@ import types
 import gymnasium
 import numpy as np
 import pytest
+from stable_baselines3 import PPO
 from trainings import progress
 
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.policies import load_policy
-from quadruped_env.training import TrainConfig, sb3_models, train, training_recorder
+from quadruped_env.training import TrainConfig, sb3_models, schedules, train, training_recorder
 from quadruped_env.training.resume import Parent
 
 ENVS, N_STEPS, ROLLOUTS = 8, 8, 12
@@ -56,12 +57,12 @@ class Watched:
         self.actions, self.rewards, self.falls, self.dones, self.episodes = [], [], [], [], []
         self.exploration, self.learning_rates = [], []
         self.model, self.closed = None, 0
-        for module in (sb3_models, training_recorder):
+        for module in (schedules, training_recorder):
             monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=lambda: self.clock))
         monkeypatch.setattr(train, "make_sb3_vec_env", self._make_env)
         monkeypatch.setattr(train, "make_model", self._make_model(sb3_models.make_model))
         # On the class, because SB3 saves the attributes of an instance.
-        monkeypatch.setattr(sb3_models.native("ppo"), "train", self._update(sb3_models.native("ppo").train))
+        monkeypatch.setattr(PPO, "train", self._update(PPO.train))
 
     def train(self, runs, config, resume=None):
         self.directory, self.finished = train.train(config, runs, "a test", resume)
@@ -179,10 +180,9 @@ def test_schedules_follow_the_clock_with_a_budget_in_seconds(watched, tmp_path):
 
 def test_options_reach_the_algorithm(watched, tmp_path):
     options = {"gamma": 0.9, "gae_lambda": 0.8, "clip_range": 0.3, "ent_coef": 0.01, "max_grad_norm": 0.7}
-    options |= {"clock_noise": 0.5, "straight_steps": 99}
     model = watched().train(tmp_path, config(timesteps=SAMPLES, activation="relu", **options)).model
     assert model.clip_range(0.5) == options["clip_range"]
-    for name in ("gamma", "gae_lambda", "ent_coef", "max_grad_norm", "clock_noise", "straight_steps"):
+    for name in ("gamma", "gae_lambda", "ent_coef", "max_grad_norm"):
         assert getattr(model, name) == options[name], name
     assert (model.n_epochs, model.batch_size, model.n_steps, model.seed) == (3, 32, N_STEPS, SEED)
     assert model.policy.optimizer.state_dict()["state"][0]["step"] == 3 * SAMPLES / 32

@@ -10,7 +10,7 @@ import second_robot
 from viewing import DT, now, robot
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import COMMANDED
 from quadruped_env.policies import ControllerSpec, ZeroController

@@ -14,7 +14,7 @@ from policies import TASK, make_policy
 from waiting import output_of
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.control.policy import SHIPPED
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.viewer import open_show
@@ -70,7 +70,7 @@ def test_initial_command_out_of_range_is_refused_with_the_range(command, found):
 def test_command_range_is_the_widest_of_the_default_and_the_robots_tasks(control, tmp_path):
     policy = make_policy()
     config = TaskConfig.from_dict(TASK.to_dict() | {"command": {"forward_velocity": (-0.1, 0.9)}})
-    Policy(policy.weights, policy.biases, policy.activation, config, policy.card).save(tmp_path / "fast")
+    Policy.for_task(policy.weights, policy.biases, policy.activation, config, policy.card).save(tmp_path / "fast")
     fast = str(tmp_path / "fast")
     ranges = control(asked=[fast]).command_ranges
     assert (ranges.forward_velocity, ranges.yaw_rate) == ((-0.3, 0.9), (-0.8, 0.8))

@@ -7,7 +7,8 @@ import pytest
 from viewing import DT, joint_targets, now, robot
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.control.policy import CARD_FILE, SHIPPED
+from quadruped_env.control.policy import CARD_FILE
+from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import find_controllers, load_policy

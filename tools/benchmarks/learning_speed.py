@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from stable_baselines3.common.callbacks import BaseCallback
 
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Policy, PolicyController
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.sb3_models import export_policy, make_model
+from quadruped_env.training.sb3_models import make_model
+from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.train_config import TrainConfig, defaults
 
 COMMAND: Final = (0.5, 0.0)
@@ -82,7 +82,7 @@ def time_to_walk(
     config = TrainConfig(**{**defaults("ppo", action_mode), "action_mode": action_mode, "seed": seed, **training})
     env = make_sb3_vec_env(config.num_envs, seed=seed, action_mode=action_mode, config=config.task)
     model = make_model(config, env)
-    watch = _Watch(env.task.config, config.activation, limit, interval, say)
+    watch = _Watch(config, env.task.config, limit, interval, say)
     model.learn(config.timesteps, callback=watch)
     env.close()
     assert watch.last is not None
@@ -90,19 +90,20 @@ def time_to_walk(
     return Learned(action_mode, seed, watch.learning if walked else None, model.num_timesteps, watch.last)
 
 
-class _Watch(BaseCallback):
+class _Watch(Scheduled):
     """Callback that tests the policy at intervals and stops when it walks or the time limit is reached."""
 
     def __init__(
-        self, task: TaskConfig, activation: str, limit: float, interval: float, say: Callable[[str], None]
+        self, config: TrainConfig, task: TaskConfig, limit: float, interval: float, say: Callable[[str], None]
     ) -> None:
-        super().__init__()
-        self._task, self._activation = task, activation
+        super().__init__(config)
+        self._task, self._activation = task, config.activation
         self._limit, self._interval, self._say = limit, interval, say
         self.learning = 0.0
         self.last: WalkTest | None = None
 
     def _on_training_start(self) -> None:
+        super()._on_training_start()
         self._resumed = time.perf_counter()
         self._next = self._interval
 
@@ -110,12 +111,13 @@ class _Watch(BaseCallback):
         return not (self.last is not None and (self.last.walks or self.learning >= self._limit))
 
     def _on_rollout_start(self) -> None:
+        super()._on_rollout_start()
         now = self.learning + time.perf_counter() - self._resumed
         if now < self._next:
             return
         self.learning = now
         self._next = now + self._interval
-        self.last = walk_test(export_policy(self.model, self._task, self._activation, {}))
+        self.last = walk_test(Policy.from_sb3(self.model, {}))
         self._say(
             f"  {self.learning:5.1f} s, {self.num_timesteps:>9,} steps: {self.last.speed:+.3f} m/s, "
             f"yaw {self.last.yaw_rate:.3f} rad/s, {self.last.falls} falls{', walks' if self.last.walks else ''}"

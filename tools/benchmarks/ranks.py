@@ -218,8 +218,8 @@ def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
 
 def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str, float | None]:
     from benchmarks.learning_speed import COMMAND, walk_test
+    from quadruped_env.policies import Policy
     from quadruped_env.training import train
-    from quadruped_env.training.sb3_models import export_policy
     from quadruped_env.training.step_statistics import StepStatistics
 
     config, model = _prepared(group, seed=seed, timesteps=timesteps, **_WALKING)
@@ -231,18 +231,19 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
             self._next, self._learned, self._resumed = every, 0.0, time.perf_counter()
 
         def _on_rollout_start(self) -> None:
+            super()._on_rollout_start()
             if group.rank or self.stopped or self.num_timesteps < self._next:
                 return
             self._next += every
             self._learned += time.perf_counter() - self._resumed
-            policy = export_policy(self.model, self._task.config, config.activation, {})
+            policy = Policy.from_sb3(self.model, {})
             test = walk_test(policy, episodes=_EPISODES)
             if test.falls == 0 and abs(test.speed - COMMAND[0]) <= _SPEED_TOLERANCE:
                 result.update(seconds=self._learned, timesteps=self.num_timesteps)
                 self.stopped = True
             self._resumed = time.perf_counter()
 
-    train.learn(config, model, Watch(group), fresh=True)
+    train.learn(config, model, Watch(config, group), fresh=True)
     return result
 
 

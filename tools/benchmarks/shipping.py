@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.control.policy import finished_directory, shipped_directory
+from quadruped_env.control.policy_files import finished_directory, shipped_directory
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out

@@ -16,13 +16,15 @@ def training_over_bare() -> list[Measure]:
     """PPO end to end over a bare `Batch.step` on all cores."""
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training.sb3_models import make_model
+    from quadruped_env.training.schedules import Scheduled
     from quadruped_env.training.train_config import TrainConfig, defaults
 
     config = TrainConfig(action_mode="position", **defaults("ppo", "position"))
     env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position")
     model = make_model(config, env)
     steps = config.n_steps * config.num_envs
-    model.learn(4 * steps)
+    callback = Scheduled(config)
+    model.learn(4 * steps, callback)
     simulation = env.task.simulation
     batch: Batch = simulation.batch  # type: ignore[attr-defined]
     bare = Batch(simulation.model, config.num_envs)
@@ -31,7 +33,7 @@ def training_over_bare() -> list[Measure]:
     ratios, rates = [], []
     for _ in range(CHUNKS):
         state = batch.state.copy()
-        seconds = seconds_of(lambda: model.learn(4 * steps, reset_num_timesteps=False))
+        seconds = seconds_of(lambda: model.learn(4 * steps, callback, reset_num_timesteps=False))
         bare.state[:] = state
         shape = 4 * config.n_steps, config.num_envs, ROBOT.num_joints
         controls = joint_targets(env.task, 0.3 * rng.uniform(-1.0, 1.0, shape))

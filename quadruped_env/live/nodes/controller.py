@@ -19,13 +19,13 @@ from typing import Any, Final
 
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy import LIVE_POLICY, SHIPPED, Terms, kept_file, load_policy, load_terms
+from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.command_messages import CommandWriter, positions_message
 from quadruped_env.live.messages.imu_messages import Imu, read_imu
-from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.joint_messages import JointReader, Joints, command_message, positions_message
 from quadruped_env.live.middleware.node import Subscription, message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.live.session import Session, add_realtime_argument
@@ -73,7 +73,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Control the robot until the session ends, then let it go limp."""
     terms = _terms(arguments)
-    load = functools.partial(load_policy, terms=terms)
+    load = functools.partial(read_policy, terms=terms)
     robot = terms.robot
     live_controller = LiveController(
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
@@ -111,7 +111,7 @@ def _terms(arguments: argparse.Namespace) -> Terms:
         return Terms() if arguments.task is None else load_terms(arguments.task)
     if arguments.task is not None:
         raise QuadrupedError(f"--trust-task: found next to --task {arguments.task}; give one of them")
-    kept = kept_file(arguments.policy)
+    kept = kept_file(policy_directory(arguments.policy))
     return Terms() if kept is None else load_terms(*kept)
 
 
@@ -168,7 +168,7 @@ class _Outbox:
     def __init__(self, session: Session, arrays: bool, robot: Robot) -> None:
         self._arrays = arrays
         self._commands = session.node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
-        self._write = CommandWriter(robot)
+        self._robot = robot
         self._stamp = 0
 
     def send(self, answer: JointCommand | None) -> None:
@@ -177,7 +177,7 @@ class _Outbox:
             return
         self._stamp = answer.stamp
         if not self._arrays:
-            self._commands.send_bytes(self._write(answer.stamp, answer.target))
+            self._commands.send_bytes(command_message(self._robot, answer.stamp, answer.target))
         elif answer.target is not LIMP:
             self._commands.send(positions_message(answer.target))
 

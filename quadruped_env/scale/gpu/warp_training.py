@@ -1,26 +1,25 @@
 """A training on a GPU: the task on MuJoCo Warp, PPO of rsl-rl, and the same run directory as on the CPU."""
 
-import copy
 import io
-import time
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 # First, because it sets a variable that torch reads when it is loaded.
-from quadruped_env.training.sb3_models import LinearSchedule, check_finite, linear_layers, resuming
+from quadruped_env.training.sb3_models import check_finite, resuming
 
 # isort: split
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.policies import Policy
+from quadruped_env.policies.sb3_policies import linear_layers, symmetrized
 from quadruped_env.scale.gpu.warp_statistics import WarpStatistics
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
-from quadruped_env.training.actor_critic import symmetrized
 from quadruped_env.training.group import ALONE, Group
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RSL_FILE, Run, check_latest
+from quadruped_env.training.schedules import Schedule
 from quadruped_env.training.step_statistics import StepStatistics
 from quadruped_env.training.train import stop_on_signal
 from quadruped_env.training.train_config import WARP_DEVICES, TrainConfig, on_gpu
@@ -31,28 +30,9 @@ try:
     import torch
 
     from quadruped_env.scale.gpu.warp_env import WarpVecEnv
-    from quadruped_env.scale.ranks.warp_rank_model import make_rank_ppo
+    from quadruped_env.scale.gpu.warp_ppo import make_ppo
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("--device cuda", "gpu") from error
-
-
-class Watcher(Protocol):
-    """Object that watches a training and may end it, such as a `Recorder`."""
-
-    ended: bool
-    """True if the training is to end after this rollout, without an update"""
-
-    def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
-        """Called before the first step."""
-        ...
-
-    def on_step(self) -> bool:
-        """Called after each control step of all envs; False ends the training."""
-        ...
-
-    def on_rollout_end(self) -> None:
-        """Called before each update."""
-        ...
 
 
 class WarpModel:
@@ -65,15 +45,10 @@ class WarpModel:
     """
 
     def __init__(self, config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> None:
-        self._config, self._env, self._group = config, env, group
-        self.ppo = make_rank_ppo(config, env, group)
-        self.num_timesteps = self._first = 0
-        self.budget_left_at_start = 1.0
-        self.agreed_budget_left: float | None = None
-        """The share that all ranks of a training use after a rollout, whatever their own clocks say; None: one rank"""
-        self._learning_rate = LinearSchedule(config.learning_rate)
-        self._log_std = (config.log_std_init, min(config.log_std_init, config.final_log_std))
-        self._started = time.perf_counter()
+        self.config, self._env, self._group = config, env, group
+        self.ppo = make_ppo(config, env, group)
+        self.num_timesteps = 0
+        self.learning_rate = Schedule(config)
         self.logger: Any = None
 
     def get_env(self) -> WarpVecEnv:
@@ -84,28 +59,19 @@ class WarpModel:
         """Set the logger of the progress, of Stable-Baselines3."""
         self.logger = logger
 
-    def budget_left(self) -> float:
-        """Share of the schedules that is left, from 1 at the start of a first training to 0."""
-        if self._config.seconds is not None:
-            used = (time.perf_counter() - self._started) / self._config.seconds
-        else:
-            used = (self.num_timesteps - self._first) / self._config.timesteps
-        return self.budget_left_at_start * max(0.0, 1.0 - used)
-
-    def learn(self, recorder: Watcher) -> None:
-        """Train until the budget is used, or the recorder stops it.
+    def learn(self, recorder: Any) -> None:
+        """Train until the budget is used, or the recorder, such as a `StepStatistics`, stops it.
 
         Raises:
             DifferentWeightsError: if the weights of the ranks differ after an update.
         """
-        ppo, env, config = self.ppo, self._env, self._config
-        self._first, self._started = self.num_timesteps, time.perf_counter()
+        ppo, env, config = self.ppo, self._env, self.config
+        first = self.num_timesteps
         recorder.on_training_start({}, {})
         observations = env.get_observations()
         ppo.train_mode()
-        left = self.budget_left_at_start
-        while config.seconds is not None or self.num_timesteps - self._first < config.timesteps:
-            self._follow_schedules(left)
+        while config.seconds is not None or self.num_timesteps - first < config.timesteps:
+            self._follow_schedules()
             with torch.no_grad():
                 for _ in range(config.n_steps):
                     observations, rewards, done, extras = env.step(ppo.act(observations))
@@ -119,18 +85,14 @@ class WarpModel:
                 return
             ppo.update()
             if self._group.ranks > 1:
-                weights = [*ppo.actor.parameters(), *ppo.critic.parameters()]
-                self._group.check_same(weights, f"after {self.num_timesteps:,} steps")
-            agreed = self.agreed_budget_left
-            left = self.budget_left() if agreed is None else agreed
+                self._group.check_same(ppo.parameters(), f"after {self.num_timesteps:,} steps")
 
-    def _follow_schedules(self, left: float) -> None:
-        """Set the bound of the exploration and the learning rate for this share of the budget."""
-        first, final = self._log_std
+    def _follow_schedules(self) -> None:
+        """Set the bound of the exploration and the learning rate for the share of the budget that is left."""
         actor: Any = self.ppo.actor
-        actor.distribution.log_std_param.data.clamp_(max=final + (first - final) * left)
+        actor.distribution.log_std_param.data.clamp_(max=self.learning_rate.log_std_bound)
         for group in self.ppo.optimizer.param_groups:
-            group["lr"] = self._learning_rate(left)
+            group["lr"] = self.learning_rate()
 
     def save(self, file: io.BytesIO) -> None:
         """Write the networks and the optimizer's state."""
@@ -148,18 +110,18 @@ class WarpModel:
             check_finite(state)
             self.ppo.load(state, None, strict=True)
         self.num_timesteps = parent.timesteps
-        self.budget_left_at_start = parent.budget_left
+        self.learning_rate.go_on(parent.timesteps, parent.budget_left)
 
     def policy(self, task: TaskConfig, card: dict[str, Any]) -> Policy:
         """The deterministic part of the policy as plain arrays."""
         actor: Any = self.ppo.actor
-        layers = linear_layers(copy.deepcopy(actor.mlp).cpu(), self._config.activation)
-        if self._config.symmetric:
+        layers, activation = linear_layers(actor.mlp)
+        if self.config.symmetric:
             layers = symmetrized(layers, MirrorMap.of(self._env.task.control.layout))
-        return Policy(
+        return Policy.for_task(
             weights=tuple(weight for weight, _ in layers),
             biases=tuple(bias for _, bias in layers),
-            activation=self._config.activation,
+            activation=activation,
             config=task,
             card=card,
         )
@@ -197,7 +159,7 @@ def train(
 def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
     """Train as a rank other than 0, which writes no files; see `train`."""
     _, _, _, model = prepare(config, resume, task_file, group)
-    learn(model, WarpStatistics(group))
+    learn(model, WarpStatistics(model.config, group))
 
 
 def prepare(

@@ -4,7 +4,6 @@ import hashlib
 import json
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from quadruped_env import QuadrupedError
@@ -13,7 +12,6 @@ from quadruped_env.evaluation.suite import suite_definition
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.simulation import TERRAINS
 from quadruped_env.task import PRESETS
-from quadruped_env.training.gait_tuning import search
 from quadruped_env.training.train import train
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.seeds import EVALUATION_SEEDS, check_training_seeds
@@ -106,9 +104,7 @@ def test_other_seeds_are_free(first, count):
     check_training_seeds("--seed", first, count)
 
 
-def test_neither_the_search_for_gaits_nor_the_ground_of_a_training_may_use_one(tmp_path):
-    with pytest.raises(QuadrupedError, match="seed: found 1500000; "):
-        search(0.3, 14.0, (0.0, 0.5, 0.5, 0.0), np.zeros(10), 0.1, 1, seed=1_500_000)
+def test_the_ground_of_a_training_may_use_none(tmp_path):
     settings = TrainConfig(num_envs=2, batch_size=2, task={"terrain": {"name": "rough", "seed": 1_500_000}})
     with pytest.raises(QuadrupedError, match=r"config\.terrain\.seed: found 1500000; "):
         train(settings, tmp_path, "")

@@ -26,14 +26,6 @@ HARD = TaskConfig.from_dict(
 )
 LARGEST = {"qpos": 1e-5, "qvel": 1e-3, "observation": 1e-4, "reward": 1e-4}
 """Largest difference after one control step from the same state, in m, rad, m/s, rad/s and 1."""
-TOUCH = 1e-6
-"""Distance of two geoms, m, at which the rounding of float32 decides whether they are in contact."""
-FORCE = 0.02
-"""Distance of a foot's force from the threshold of contact, N, at which that rounding decides whether it counts."""
-BREAK, SMALL = 1e-4, 50.0
-"""Depth of a contact, m, that ends in the next substep, where the solver may stop an iteration sooner or later; and the
-largest difference that this explains, in multiples of `LARGEST`."""
-SUBSTEPS = HARD.decimation
 
 
 def assert_same(found, expected):
@@ -79,45 +71,6 @@ def state(simulation):
     return np.concatenate([data.qpos.numpy(), data.qvel.numpy(), simulation.sensordata.numpy()], axis=1)
 
 
-def contacts(here, there, env_id):
-    """Pairs of geoms in contact in both simulations -> distance, m."""
-    data, warp = here.batch.get_data(env_id), there.data
-    own = {tuple(sorted(contact.geom)): contact.dist for contact in data.contact}
-    count = int(warp.nacon.numpy()[0])
-    of_env = np.flatnonzero(warp.contact.worldid.numpy()[:count] == env_id)
-    geoms, distances = warp.contact.geom.numpy()[of_env], warp.contact.dist.numpy()[of_env]
-    return own, {tuple(sorted(pair)): distance for pair, distance in zip(geoms.tolist(), distances, strict=True)}
-
-
-def touches_by_rounding(here, there, before, ctrl, env_id, small):
-    """True if a contact exists in only one simulation during a control step, and only by a hair's breadth.
-
-    Or if a shallow contact ends, which explains only a small difference.
-    """
-    here.set_state(env_id, before)
-    there.set_state(env_id, before)
-    last = {}
-    for _ in range(SUBSTEPS):
-        here.step(ctrl, 1)
-        there.step(np.asarray(ctrl, like=there.sensordata), 1)
-        own, other = contacts(here, there, env_id)
-        if set(own) != set(other):
-            return all(abs((own | other)[geoms]) < TOUCH for geoms in set(own) ^ set(other))
-        if small and any(abs(last[geoms]) < BREAK for geoms in set(last) - set(own)):
-            return True
-        last = own
-    return False
-
-
-def presses_by_rounding(here, there):
-    """True for envs (N,) with a foot on the ground in only one task, and only by a hair's breadth."""
-    threshold = float(here.context.contact_threshold)
-    own, other = here.simulation.readings.foot_force, there.simulation.readings.foot_force.numpy()
-    differ = (own > threshold) != (other > threshold)
-    near = np.abs(own - threshold) < FORCE
-    return differ.any(axis=1) & (near | ~differ).all(axis=1)
-
-
 def test_reward_of_a_single_env_is_the_sum_of_its_terms():
     for task in pair(TaskConfig(), 1):
         transition = task.step(np.zeros((1, 8)))
@@ -147,36 +100,15 @@ def test_steps_from_the_same_state_agree_with_mujoco():
             "observation": found.observation.numpy() - expected.observation,
             "reward": (found.reward.numpy() - expected.reward)[:, None],
         }
-        beyond = np.zeros(n, dtype=bool)
-        small = np.ones(n, dtype=bool)
+        beyond = found.terminated.numpy() != expected.terminated
         for name, difference in differences.items():
-            size = np.abs(difference).max(axis=1)
-            beyond |= size > LARGEST[name]
-            small &= size < SMALL * LARGEST[name]
+            beyond |= np.abs(difference).max(axis=1) > LARGEST[name]
         for name, difference in differences.items():
             largest[name] = max(largest[name], np.abs(difference[~beyond]).max())
-        ends = found.terminated.numpy() != expected.terminated
-        if (beyond | ends).any():
-            ctrl = own.bind("ctrl").copy()
-            after, pressing = (
-                [here.simulation.get_state(env_id) for env_id in range(n)],
-                presses_by_rounding(here, there),
-            )
-            for env_id in np.flatnonzero(beyond | ends):
-                by_rounding += 1
-                simulations = here.simulation, there.simulation
-                touching = touches_by_rounding(*simulations, before[env_id], ctrl, env_id, small[env_id])
-                assert pressing[env_id] or touching, (
-                    env_id,
-                    {name: np.abs(difference[env_id]).max() for name, difference in differences.items()},
-                )
-            for env_id in range(n):
-                here.simulation.set_state(env_id, after[env_id])
-            # Both went on from there, and the readings of the others would enter their delayed observations.
-            there.simulation.set_states(everywhere(there.simulation), after)
-            for env_id in np.flatnonzero(beyond | ends):
-                # Otherwise what the task remembers of this step would differ in the next ones, too.
-                there.set_state(env_id, here.get_state(env_id))
+        for env_id in np.flatnonzero(beyond):
+            # Otherwise what the task remembers of this step would differ in the next ones, too.
+            by_rounding += 1
+            there.set_state(env_id, here.get_state(env_id))
         np.testing.assert_array_equal(found.truncated.numpy(), expected.truncated)
         terminated += expected.terminated.sum()
         done = np.flatnonzero(here.finished)
@@ -185,10 +117,10 @@ def test_steps_from_the_same_state_agree_with_mujoco():
             there.reset(np.asarray(done, np.int64, like=there.simulation.sensordata))
             np.testing.assert_allclose(there.observe().numpy()[done], here.observe()[done], atol=LARGEST["observation"])
         observation = here.observe()
-    print(f"largest differences: {largest}; {by_rounding} env steps with another contact, {terminated} falls")
-    assert terminated >= 5
-    # Of 9600 steps with some ten thousand touchdowns.
-    assert by_rounding <= 10
+    print(f"largest differences: {largest}; {by_rounding} env steps beyond them, {terminated} falls")
+    assert terminated >= 20
+    # Where two geoms are within a micrometre of each other, the rounding of float32 decides whether they touch.
+    assert by_rounding <= 4
 
 
 def test_reset_of_some_worlds_leaves_others_bit_identical():
@@ -331,19 +263,13 @@ def test_pinned_model_keeps_the_cone():
     assert model.opt.iterations == 10  # the caller's model is unchanged
 
 
-def test_uneven_ground_is_refused():
+def test_what_warp_does_not_simulate_is_refused():
     config = TaskConfig.from_dict({"terrain": {"name": "rough"}})
     with pytest.raises(QuadrupedError, match=r"terrain: .*a height field, .*train on level ground, or with"):
         WarpSimulation(config.compiled_model(), 1, MINI_QUADRUPED, DEVICE)
-
-
-def test_field_that_is_the_same_in_all_worlds_is_refused():
-    with pytest.raises(QuadrupedError, match=r"'geom_condim' is the same in all envs .* --device cpu"):
-        standing(1).model_field("geom_condim")
-
-
-def test_step_of_some_worlds_is_refused():
     simulation = standing(2)
+    with pytest.raises(QuadrupedError, match=r"'geom_condim' is the same in all envs .* --device cpu"):
+        simulation.model_field("geom_condim")
     with pytest.raises(QuadrupedError, match="all envs advance together"):
         simulation.step(np.zeros((2, 8), like=simulation.sensordata), 4, everywhere(simulation)[:1])
 

@@ -1,0 +1,261 @@
+"""Models of Stable-Baselines3 and sb3-contrib as policies.
+
+Modules are recognized by the names of their classes, so that nothing here imports torch or Stable-Baselines3.
+"""
+
+import warnings
+from collections.abc import Iterable
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.observations import ObservationLayout
+from quadruped_env.control.policy import Policy
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning
+from quadruped_env.task import Task, TaskConfig
+
+Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
+"""Weights (in, out) and biases (out,)"""
+
+MODULES: Final = MappingProxyType(
+    {
+        "Tanh": "tanh",
+        "ELU": "elu",
+        "ReLU": "relu",
+        "LeakyReLU": "leaky_relu",
+        "SiLU": "silu",
+        "GELU": "gelu",
+        "Softplus": "softplus",
+        "SELU": "selu",
+        "Sigmoid": "sigmoid",
+        "Mish": "mish",
+    }
+)
+"""Class of torch's module -> activation function of a policy."""
+_ARGUMENTS: Final = MappingProxyType(
+    {"alpha": 1.0, "negative_slope": 0.01, "beta": 1.0, "threshold": 20.0, "approximate": "none"}
+)
+"""Arguments of these classes that a policy's file has no place for, with their defaults."""
+_TRANSPARENT: Final = frozenset({"Flatten", "Identity", "Dropout"})
+"""Modules that change nothing when a policy acts."""
+_WRAPPERS: Final = frozenset({"VecMonitor", "VecCheckNan", "VecNormalize", "VecVideoRecorder"})
+"""Wrappers of the env after which a policy still sees the env's observation, apart from its normalization."""
+_ENV_WRAPPERS: Final = frozenset({"ObservationWrapper", "ActionWrapper"})
+"""Base classes of Gymnasium's wrappers that change observations or actions."""
+_SAMPLES: Final = 64
+_TOLERANCE: Final = 1e-3
+"""Largest difference of an action from the model's; more is not rounding."""
+PROTOCOL: Final = (
+    "evaluate, compare, view and film it as it is with the protocol of two methods, reset and predict "
+    "(docs/your-own-algorithm.md)"
+)
+
+
+def refused(reason: str) -> QuadrupedError:
+    """The error for a model that a policy's file cannot hold."""
+    return QuadrupedError(
+        f"Policy.from_sb3: {reason}; a policy's file holds linear layers with one activation function between them "
+        f"({', '.join(MODULES)}, with their default arguments), for the export and for a robot's controller: {PROTOCOL}"
+    )
+
+
+def from_sb3(model: Any, card: dict[str, Any] | None = None) -> Policy:
+    """See `Policy.from_sb3`."""
+    venv = model.get_env()
+    if venv is None:
+        raise QuadrupedError(
+            f"Policy.from_sb3: this {type(model).__name__} has no env; load it with env=make_sb3_vec_env(1)"
+        )
+    config = _task_of(venv)
+    layers, activation, output = actor_layers(model.policy)
+    inputs = config.control.observation_history * ObservationLayout(config.robot, config.definition.observations).width
+    if len(layers[0][0]) != inputs:
+        raise refused(f"its actor sees {len(layers[0][0])} columns, and the env's observation has {inputs}")
+    facts = {"algo": type(model).__name__.lower(), "seed": model.seed, "timesteps": int(model.num_timesteps)}
+    normalization = _normalization(model)
+    if normalization is not None:
+        layers = [normalization.folded_into(layers[0]), *layers[1:]]
+    weights, biases = zip(*layers, strict=True)
+    policy = Policy.for_task(weights, biases, activation, config, facts if card is None else card, output)
+    _verify(policy, model, normalization)
+    if normalization is not None and np.isfinite(normalization.clip):
+        _check_clip(normalization, venv.observation_space)
+    return policy
+
+
+def _task_of(venv: Any) -> TaskConfig:
+    """Config of the task of SB3's vector env."""
+    inner = venv
+    while hasattr(inner, "venv"):
+        if type(inner).__name__ not in _WRAPPERS:
+            raise refused(f"its env has the wrapper {type(inner).__name__}, which changes observations or actions")
+        inner = inner.venv
+    env: Any = next(iter(getattr(inner, "envs", ())), None)
+    while hasattr(env, "env"):
+        if _ENV_WRAPPERS & {base.__name__ for base in type(env).__mro__}:
+            raise refused(f"its env has the wrapper {type(env).__name__}, which changes observations or actions")
+        env = env.env
+    task = getattr(inner, "task", None)
+    if task is None:
+        try:
+            task = inner.get_attr("task", 0)[0]
+        except AttributeError:
+            task = None
+    if not isinstance(task, Task):
+        raise QuadrupedError(
+            f"Policy.from_sb3: {type(inner).__name__} is not an env of this package; train in make_sb3_vec_env(...), "
+            f"or in SB3's vector env of gymnasium.make('MiniQuadruped-v0')"
+        )
+    return task.config
+
+
+def actor_layers(policy: Any) -> tuple[list[Layer], str, str]:
+    """Layers of an SB3 policy's actor, the activation function between them, and the function of the output.
+
+    Raises:
+        QuadrupedError: if a policy's file cannot hold it.
+    """
+    kind = type(policy).__name__
+    actor: Any = getattr(policy, "actor", None)
+    if hasattr(policy, "lstm_actor"):
+        raise refused(f"{kind} is recurrent")
+    source = policy if actor is None else actor
+    for name in ("features_extractor", "pi_features_extractor"):
+        extractor = type(getattr(source, name, None)).__name__
+        if extractor not in ("NoneType", "FlattenExtractor", "ObservationColumns"):
+            raise refused(f"{kind} has the features extractor {extractor}")
+    modules: Any = None
+    output = "tanh" if getattr(policy, "squash_output", False) else "clip"
+    if actor is None and hasattr(policy, "action_net"):
+        modules = [*getattr(getattr(policy, "mlp_extractor", None), "policy_net", ()), *_parts(policy.action_net)]
+    elif hasattr(actor, "latent_pi"):
+        modules, output = [*actor.latent_pi, *_parts(actor.mu)], "tanh"
+    elif hasattr(actor, "mu"):
+        modules, output = _parts(actor.mu), "clip"
+    if not modules:
+        raise refused(f"{kind} has no actor that is known here")
+    if type(modules[-1]).__name__ == "Tanh":
+        modules, output = modules[:-1], "tanh"
+    layers, activation = linear_layers(modules)
+    mirror = getattr(policy, "mirror", None)
+    return layers if actor is None or mirror is None else symmetrized(layers, mirror), activation, output
+
+
+def _parts(module: Any) -> list[Any]:
+    return list(module) if type(module).__name__ == "Sequential" else [module]
+
+
+def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
+    """Weights and biases of a perceptron's layers, and the activation function between them.
+
+    A batch renormalization before a layer, which in use is an affine function of its inputs, becomes a part of it.
+
+    Raises:
+        QuadrupedError: if there is any other module, or another activation function.
+    """
+    layers: list[Layer] = []
+    renorm: Layer | None = None
+    activation, activated = "", True
+    for module in modules:
+        kind = type(module).__name__
+        if kind in _TRANSPARENT:
+            continue
+        if kind == "Linear" and activated:
+            weight = _array(module.weight).T.copy()
+            bias = np.zeros(weight.shape[1], np.float32) if module.bias is None else _array(module.bias).copy()
+            if renorm is not None:
+                scale, shift = renorm
+                weight, bias = scale[:, None] * weight, bias + shift @ weight
+            layers.append((weight, bias))
+            renorm, activated = None, False
+        elif MODULES.get(kind, "") in {activation or MODULES.get(kind)} and not activated:
+            _check_arguments(module)
+            activation, activated = MODULES[kind], True
+        elif kind == "BatchRenorm1d" and activated and renorm is None:
+            factor = module.scale / (module.ra_var + module.eps).sqrt()
+            renorm = _array(factor), _array(module.bias - module.ra_mean * factor)
+        else:
+            raise refused(f"its actor has the module {kind}")
+    if not layers or activated:
+        raise refused("its actor does not end with a linear layer")
+    return layers, activation or "tanh"
+
+
+def _check_arguments(module: Any) -> None:
+    for name, default in _ARGUMENTS.items():
+        if name in vars(module) and vars(module)[name] != default:
+            raise refused(f"its actor has {type(module).__name__}({name}={vars(module)[name]})")
+
+
+def _array(tensor: Any) -> NDArray[np.float32]:
+    return tensor.detach().cpu().numpy()
+
+
+def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
+    """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
+    (first, first_bias), *inner, (last, last_bias) = layers
+    half = np.float32(0.5)
+    mirrored = (first * mirror.observation_sign[:, None])[np.argsort(mirror.observation_order)]
+    return [
+        (np.concatenate([first, mirrored], axis=1), np.tile(first_bias, 2)),
+        *((np.kron(np.eye(2, dtype=np.float32), weight), np.tile(bias, 2)) for weight, bias in inner),
+        (half * np.concatenate([last, mirror.action(last)]), half * (last_bias + mirror.action(last_bias))),
+    ]
+
+
+class _Normalization(NamedTuple):
+    """Normalization of observations: (x - mean) / deviation, clipped to +-clip."""
+
+    mean: NDArray[np.float64]
+    deviation: NDArray[np.float64]
+    clip: float
+
+    def folded_into(self, layer: Layer) -> Layer:
+        """The layer (in, out) for observations that are not normalized; without the clipping."""
+        weight, bias = (part.astype(np.float64) for part in layer)
+        weight = weight / self.deviation[:, None]
+        return weight.astype(np.float32), (bias - self.mean @ weight).astype(np.float32)
+
+
+def _normalization(model: Any) -> _Normalization | None:
+    """Normalization of observations by the model's `VecNormalize`; None without one."""
+    normalize = model.get_vec_normalize_env()
+    if normalize is None or not normalize.norm_obs:
+        return None
+    statistics = normalize.obs_rms
+    return _Normalization(statistics.mean, np.sqrt(statistics.var + normalize.epsilon), float(normalize.clip_obs))
+
+
+def _check_clip(normalization: _Normalization, space: Any) -> None:
+    """Warn if observations that the env can give are clipped by the normalization, which a policy's file cannot."""
+    mean, deviation, clip = normalization
+    reach = np.maximum(np.abs(space.low - mean), np.abs(space.high - mean)) / deviation
+    if (reach > clip).any():
+        worst = int(np.argmax(reach))
+        warnings.warn(
+            f"Policy.from_sb3: VecNormalize clips observations at {clip:g} standard deviations, which "
+            f"{int((reach > clip).sum())} columns can exceed (column {worst}: {reach[worst]:.0f}); the policy does not "
+            f"clip there. A larger clip_obs in training avoids the difference",
+            QuadrupedWarning,
+            stacklevel=4,
+        )
+
+
+def _verify(policy: Policy, model: Any, normalization: _Normalization | None) -> None:
+    """Refuse a policy whose actions differ from the model's, such as that of a subclass with its own `forward`."""
+    limit = 2.0 if normalization is None else min(2.0, normalization.clip)
+    seen = np.random.default_rng(0).uniform(-limit, limit, (_SAMPLES, len(policy.weights[0]))).astype(np.float32)
+    raw = seen if normalization is None else (seen * normalization.deviation + normalization.mean).astype(np.float32)
+    width = model.policy.observation_space.shape[0]
+    wide = np.zeros((_SAMPLES, width), np.float32)  # with the privileged readings, which the actor does not see
+    wide[:, : seen.shape[1]] = seen
+    expected, _ = model.predict(wide, deterministic=True)
+    difference = float(np.abs(policy.predict(raw) - expected).max())
+    if difference > _TOLERANCE:  # a training that diverged, with NaN, is found when its policy is saved
+        raise refused(
+            f"{type(model.policy).__name__} computes its action in a way of its own: it differs from that of its "
+            f"layers by up to {difference:.2g}"
+        )

@@ -1,0 +1,110 @@
+"""The share of a training's budget that is left, and all that follows it: learning rate, exploration, commands."""
+
+import time
+from typing import Any, Final
+
+from stable_baselines3.common.callbacks import BaseCallback
+
+from quadruped_env.training.actor_critic import ActorCritic
+from quadruped_env.training.exploration import ClockNoise
+from quadruped_env.training.train_config import STRAIGHT_LEARNING_RATE, TrainConfig
+
+_FINAL_LEARNING_RATE: Final = 0.1
+"""Share of the first learning rate that is left at the end."""
+
+
+class Schedule:
+    """Share of a training's budget that is left, and the learning rate, which falls with it linearly to a tenth.
+
+    Stable-Baselines3 calls it with a share of its own, which knows neither a budget in seconds nor a resumed run.
+
+    Args:
+        config: settings of the training.
+    """
+
+    def __init__(self, config: TrainConfig) -> None:
+        self._seconds, self._timesteps = config.seconds, config.timesteps
+        self._learning_rate, self._straight_steps = config.learning_rate, config.straight_steps
+        self._bounds = config.log_std_init, min(config.log_std_init, config.final_log_std)
+        self.straight = False
+        """True while the commands are straight ahead only, and the learning rate is higher"""
+        self.go_on(0, 1.0)
+
+    def go_on(self, timesteps: int, left: float) -> None:
+        """Take the place of a training that has used some time steps, with the share of its budget that is left."""
+        self.left = self._left_at_start = left
+        self.begin(timesteps)
+
+    def begin(self, timesteps: int) -> None:
+        """Begin to use the budget."""
+        self._first, self._began = timesteps, time.perf_counter()
+        self.straight = timesteps < self._straight_steps
+
+    def left_after(self, timesteps: int) -> float:
+        """Share of the budget that is left now, after a number of time steps."""
+        if self._seconds is not None:
+            used = (time.perf_counter() - self._began) / self._seconds
+        else:
+            used = (timesteps - self._first) / self._timesteps
+        return self._left_at_start * max(0.0, 1.0 - used)
+
+    @property
+    def log_std_bound(self) -> float:
+        """Upper bound of the logarithm of the exploration's standard deviation."""
+        first, final = self._bounds
+        return final + (first - final) * self.left
+
+    def __call__(self, progress_remaining: float = 0.0) -> float:
+        """The learning rate."""
+        rate = self._learning_rate * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * self.left)
+        return rate * STRAIGHT_LEARNING_RATE if self.straight else rate
+
+    def stage(self, timesteps: int, task: Any) -> None:
+        """Choose the commands and the learning rate by the number of time steps so far."""
+        self.straight = task.straight_only = timesteps < self._straight_steps
+
+
+class Scheduled(BaseCallback):
+    """Callback of every training of `make_model`: moves its schedule on, and applies it to policy and envs.
+
+    Args:
+        config: settings of the training.
+    """
+
+    def __init__(self, config: TrainConfig) -> None:
+        super().__init__()
+        self._clock_noise = config.clock_noise
+
+    @property
+    def schedule(self) -> Schedule:
+        """The model's schedule."""
+        return self.model.learning_rate
+
+    def _on_training_start(self) -> None:
+        self.schedule.begin(self.model.num_timesteps)
+        if self._clock_noise and isinstance(self.model.policy, ActorCritic):
+            self.model.policy.clock_noise = ClockNoise(self._clock_noise, self.training_env.task.control)
+
+    def _on_rollout_start(self) -> None:
+        policy = self.model.policy
+        self.schedule.stage(self.model.num_timesteps, self.training_env.task)
+        if hasattr(policy, "log_std"):
+            policy.log_std.data.clamp_(max=self.schedule.log_std_bound)
+        self._symmetrize()
+
+    def _on_step(self) -> bool:
+        return True
+
+    def _on_rollout_end(self) -> None:
+        self.schedule.left = self.schedule.left_after(self.model.num_timesteps)
+        policy = self.model.policy
+        if isinstance(policy, ActorCritic) and policy.clock_noise is not None:
+            policy.clock_noise.end_rollout(policy.log_std.detach().exp())
+
+    def _on_training_end(self) -> None:
+        self._symmetrize()
+
+    def _symmetrize(self) -> None:
+        if isinstance(self.model.policy, ActorCritic):
+            # Where the steps are not elementwise, rounding would add up to a difference between the sides.
+            self.model.policy.project()
