@@ -263,7 +263,7 @@ class Task:
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated
         limit = self.max_episode_steps
-        truncated = np.zeros_like(diverged) if limit is None else self.control.steps >= limit
+        truncated = np.zeros(self.num_envs, np.bool_, like=diverged) if limit is None else self.control.steps >= limit
         if self.tiles is not None:
             self.tiles.update(self.context, terminated, diverged, running)
         terms = self._rewards(self.context)
