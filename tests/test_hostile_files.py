@@ -226,7 +226,6 @@ READ_BY = {
     "trajectory/formats/recognition.py": ("recording",),
     "trajectory/formats/salvage/__init__.py": ("salvaged",),
     "trajectory/formats/salvage/mcap_scanner.py": ("storage",),
-    "trajectory/formats/salvage/ros1_scanner.py": "ROS 1 bags: tests/trajectory/test_formats_fuzz.py",
     "trajectory/formats/salvage/sqlite3_scanner.py": "sqlite3 bags: tests/trajectory/test_formats_fuzz.py",
     "trajectory/maps.py": ("columns", "joints"),
 }

@@ -26,7 +26,12 @@ from quadruped_env.utils.files import free_path
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policies and the options of a report."""
-    parser.add_argument("runs", nargs="+", metavar="RUN", help=f"two or more: a run's directory, or {SHIPPED_POLICIES}")
+    parser.add_argument(
+        "runs",
+        nargs="+",
+        metavar="RUN",
+        help=f"two or more: a run's directory, {SHIPPED_POLICIES}, or a Python file that defines a policy",
+    )
     add_evaluation_options(parser, f"results/comparison, {NEXT_FREE}")
     parser.add_argument(
         "--suite",

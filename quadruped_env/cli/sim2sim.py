@@ -62,6 +62,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.sim2sim.transfer import COMMANDS, run_transfer
 
     subject = find_subject(arguments.run, arguments.output, arguments.task, arguments.trust_task)
+    subject.policy.check_is_data("sim2sim")
     check_drake()
     commands = COMMANDS if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
     transfer = run_transfer(

@@ -7,6 +7,7 @@ mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
+mini-quadruped train --algo my_algorithm.py:MyPPO   with one of your own
 mini-quadruped train --ranks 2                share the envs and the updates between two processes
 mini-quadruped train --device cuda            on a GPU, thousands of robots at once; with --ranks 2, on two GPUs
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
@@ -41,9 +42,10 @@ from quadruped_env.scale.ranks.training_launch import LAUNCHERS, check_ranks, la
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import ALGORITHMS, check_used
+from quadruped_env.training.algorithms import ALGORITHMS, base_of, check_used
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
 from quadruped_env.training.train_config import GPU_DEFAULTS, defaults, on_gpu, possible_on
+from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.interpreter import module_command, program_command
 from quadruped_env.utils.program import shorten_help
@@ -152,7 +154,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         if here is None or here.rank == 0:
             print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
-            for difference in filter(None, (parent.task_changes, parent.reward_changes(config))):
+            for difference in filter(
+                None, (parent.task_changes, parent.reward_changes(config), parent.code_changes(config))
+            ):
                 print(f"note: {difference}", flush=True)
     check_used(config.algo, typed)
     # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
@@ -165,7 +169,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     directory, finished = result
     card = read_json(directory / CARD_FILE)["card"]
     steps = card["timesteps"]
-    advice = shortness(config.action_mode, steps) if config.algo == TrainConfig.algo else ""
+    advice = shortness(config.action_mode, steps) if base_of(config.algo) == TrainConfig.algo else ""
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
@@ -268,9 +272,18 @@ def default_settings(typed: Mapping[str, Any]) -> dict[str, Any]:
     """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe, algorithm, mode and device."""
     name, algo, action_mode, device = (typed.get(option, getattr(TrainConfig, option)) for option in _CHOICES)
     entry = recipe(name)
-    of_recipe = {**entry.training, **(possible_on(device, entry.ppo) if algo == TrainConfig.algo else {})}
+    of_recipe = dict(entry.training)
+    if base_of(algo) == TrainConfig.algo:
+        of_recipe |= possible_on(device, entry.ppo)
+    if typed.get("policy"):
+        of_recipe["asymmetric_critic"] = False  # a plain policy class would let the actor see its columns
     on_device = GPU_DEFAULTS if on_gpu(device) else {}
-    return {"name": algo, **defaults(algo, action_mode, device), **of_recipe, **on_device}
+    return {
+        "name": recorded_name(algo).rpartition(":")[2].lower(),
+        **defaults(algo, action_mode, device),
+        **of_recipe,
+        **on_device,
+    }
 
 
 def _defaults_in_words(name: str, left_out: Iterable[str]) -> str:

@@ -30,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "sources",
         nargs="*",
         metavar="SOURCE",
-        help=f"a run, {SHIPPED_POLICIES}, a gait's name, or a recording of joint states",
+        help=f"a run, {SHIPPED_POLICIES}, a Python file of a policy, a gait's name, or a recording of joint states",
     )
     parser.add_argument(
         "--command",

@@ -8,7 +8,7 @@ from typing import Final
 from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.policy import CARD_FILE, Policy
-from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, read_policy, training_advice
+from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, is_code, read_policy, training_advice
 from quadruped_env.control.recording_loop import LoopController
 from quadruped_env.errors import QuadrupedError, did_you_mean
 from quadruped_env.gait import PRESETS
@@ -57,7 +57,8 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     """The controller that a user names.
 
     Args:
-        text: a shipped policy, a scripted gait, a run's directory, or a recording of joint states (a file or a bag).
+        text: a shipped policy, a scripted gait, a run's directory, a Python file that defines a policy, or a recording
+            of joint states (a file or a bag).
         load: reads policies.
         robot: robot that is controlled.
 
@@ -69,6 +70,8 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     if text in PRESETS:
         return _gait(text, robot)
     path = Path(text)
+    if is_code(text):
+        return _policy(f"policy {path.name}", text, load)
     if not path.suffix and not path.is_dir():
         raise QuadrupedError(
             f"{text!r} is neither a shipped policy ({', '.join(SHIPPED)}), nor a scripted gait ({', '.join(PRESETS)}), "
@@ -80,13 +83,16 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
 
 
 def find_controllers(
-    names: Sequence[str] = (), runs: Path = RUNS, load: Load = read_policy, robot: Robot = MINI_QUADRUPED
+    names: Sequence[str | ControllerSpec] = (),
+    runs: Path = RUNS,
+    load: Load = read_policy,
+    robot: Robot = MINI_QUADRUPED,
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
     """All available controllers by name, and the names of those to start with.
 
     Args:
-        names: controllers to start with, each as in `find_controller`; if empty, the latest run that fits this robot,
-            or else the shipped `LIVE_POLICY`.
+        names: controllers to start with, each as in `find_controller` or given itself; if empty, the latest run that
+            fits this robot, or else the shipped `LIVE_POLICY`.
         runs: directory of the training runs.
         load: reads policies.
         robot: robot that is controlled.
@@ -108,11 +114,11 @@ def find_controllers(
     return specs, tuple(spec.name for spec in wanted or [_first_that_fits(offered)])
 
 
-def _distinct(texts: Sequence[str], load: Load, robot: Robot) -> list[ControllerSpec]:
+def _distinct(texts: Sequence[str | ControllerSpec], load: Load, robot: Robot) -> list[ControllerSpec]:
     """Controllers whose names differ where the texts differ."""
-    by_text: dict[str, ControllerSpec] = {}
+    by_text: dict[str | ControllerSpec, ControllerSpec] = {}
     for text in texts:
-        spec = find_controller(text, load, robot)
+        spec = text if isinstance(text, ControllerSpec) else find_controller(text, load, robot)
         taken = {other.name for name, other in by_text.items() if name != text}
         names = (spec.name, *(f"{spec.name} ({number})" for number in range(2, len(texts) + 1)))
         by_text[text] = replace(spec, name=next(name for name in names if name not in taken))

@@ -147,4 +147,6 @@ class PolicyController:
             self.policy.check_control(control.config)
             self.policy.check_observations(control.layout)
             self._checked = control.config
+        if self.policy.agent is not None and (begun := control.steps == 1).any():
+            self.policy.agent.reset(begun)
         return control.joint_target(self.policy.predict(observation))

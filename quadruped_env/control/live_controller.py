@@ -132,6 +132,7 @@ class LiveController:
         if robot is None:
             robot = MINI_QUADRUPED if policy is None else policy.robot
         if policy is not None:
+            policy.check_is_data("live controller")
             check_same_robot(policy.robot.identity, robot)
         if config is None:
             config = ControlConfig() if policy is None else policy.control

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,9 +33,31 @@ TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
 
 
+class Agent(Protocol):
+    """A policy that is code: recurrent, convolutional, of another library, or written by hand.
+
+    An agent may also have the attribute `env_kwargs`: arguments of `gymnasium.make` (action_mode, config, task_file,
+    robot, terrain) for the env that it was made for, in place of the default one.
+    """
+
+    def reset(self, begun: NDArray[np.bool_]) -> None:
+        """Forget the envs in which an episode begins, before `predict` is called with their first observations.
+
+        Args:
+            begun: mask (N,) of these envs. N changes only when all begin.
+        """
+        ...
+
+    def predict(self, observation: NDArray[np.float32]) -> NDArray[np.floating[Any]]:
+        """Actions (N, J) for the observations (N, width) of one control step; they are clipped to [-1, 1]."""
+        ...
+
+
 @dataclass(frozen=True)
 class Policy:
     """A deterministic policy: a small multilayer perceptron with the meaning of its observations and actions.
+
+    A policy that is code has an `Agent` in place of weights. It can be evaluated, viewed and filmed, but has no file.
 
     Args:
         weights: one matrix per layer (in, out), float32.
@@ -50,6 +72,7 @@ class Policy:
         source: name of the policy's file in error messages.
         task_config: the config of that task with the terms that are known here; None: with the built-in ones, when it
             is needed. A robot's controller never needs it.
+        agent: object that acts in place of the weights, of which there are none then.
     """
 
     weights: tuple[NDArray[np.float32], ...]
@@ -63,6 +86,7 @@ class Policy:
     output: str = "clip"
     source: str = CARD_FILE
     task_config: "TaskConfig | None" = field(default=None, repr=False, compare=False)
+    agent: Agent | None = None
 
     @classmethod
     def for_task(
@@ -73,6 +97,7 @@ class Policy:
         config: "TaskConfig",
         card: dict[str, Any],
         output: str = "clip",
+        agent: Agent | None = None,
     ) -> Self:
         """A policy of a task, from the task's config; the other arguments are those of the class."""
         return cls(
@@ -86,6 +111,7 @@ class Policy:
             config.robot,
             output,
             task_config=config,
+            agent=agent,
         )
 
     @classmethod
@@ -161,6 +187,8 @@ class Policy:
             QuadrupedError: if the last axis has another length than an observation.
         """
         x = np.asarray(observation, dtype=np.float32)
+        if self.agent is not None:
+            return self._ask(self.agent, x)
         if x.shape[-1:] != self.weights[0].shape[:1]:
             raise QuadrupedError(
                 f"policy: expected observations of shape (..., {self.weights[0].shape[0]}); found {x.shape}"
@@ -169,6 +197,29 @@ class Policy:
         for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
             x = activate(x @ weight + bias)
         return OUTPUTS[self.output](x @ self.weights[-1] + self.biases[-1])
+
+    def _ask(self, agent: Agent, observation: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Actions of an agent, clipped."""
+        actions = np.asarray(agent.predict(observation))
+        expected = (*observation.shape[:-1], self.robot.num_joints)
+        if actions.shape != expected or not np.issubdtype(actions.dtype, np.floating):
+            raise QuadrupedError(
+                f"{self.source}: predict: expected an array of numbers of shape {expected}; found {actions.dtype} of "
+                f"shape {actions.shape}"
+            )
+        return np.clip(actions, -1.0, 1.0).astype(np.float32)
+
+    def check_is_data(self, use: str) -> None:
+        """Check that a policy has weights, for a use that needs its file.
+
+        Raises:
+            QuadrupedError: if it is code.
+        """
+        if self.agent is not None:
+            raise QuadrupedError(
+                f"{use}: {self.source} is a policy of Python code, and this takes policies of files: the directory of "
+                f"a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
+            )
 
     def check_control(self, control: ControlConfig) -> None:
         """Check that actions have the same meaning in a task as in training.
@@ -260,8 +311,9 @@ class Policy:
         """Contents of the files that `save` writes, by name; the card is last.
 
         Raises:
-            QuadrupedError: if a weight is not finite.
+            QuadrupedError: if a weight is not finite, or the policy is code.
         """
+        self.check_is_data("save")
         tensors = {}
         for i, (weight, bias) in enumerate(zip(self.weights, self.biases, strict=True)):
             if not (np.isfinite(weight).all() and np.isfinite(bias).all()):

@@ -45,11 +45,18 @@ from quadruped_env.utils.provenance import TaskFile
 CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
 SHIPPED: Final = ("flat", "robust", "rough")
-"""Names of the policies that the package has; the first is the default."""
+"""Names of the policies that the package has."""
+DEFAULT: Final = SHIPPED[0]
+"""The one that programs take."""
 LIVE_POLICY: Final = "robust"
 """The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
 
 _SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
+
+
+def is_code(source: str | Path) -> bool:
+    """True for the name of a Python file, which defines a policy as code."""
+    return str(source).endswith(".py")
 
 
 def training_advice() -> str:
@@ -129,6 +136,11 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> Policy:
     Warns:
         QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used.
     """
+    if is_code(source):
+        raise QuadrupedError(
+            f"{source}: is Python code, and a robot's controller runs policies of files: the directory of a run, or of "
+            f"Policy.from_sb3(model).save(DIR)"
+        )
     directory = policy_directory(source)
     tensors_path, card_path = directory / TENSORS_FILE, directory / CARD_FILE
     document = read_json(card_path, "the file is damaged, train again")

@@ -17,12 +17,14 @@ from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
+    Agent,
     CommandedGaitController,
     Controller,
     GaitController,
     Policy,
     PolicyController,
     ZeroController,
+    as_policy,
 )
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
@@ -163,7 +165,7 @@ def _plain(estimate: Estimate) -> dict[str, float | int | None]:
 
 
 def compare(
-    policy: Policy,
+    policy: Policy | Agent,
     num_seeds: int = NUM_SEEDS,
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
@@ -177,7 +179,7 @@ def compare(
     included: by default, only the start of an episode is random. Commands may lie outside the training ranges.
 
     Args:
-        policy: the trained policy.
+        policy: the trained policy, or an object with the two methods of `Agent`.
         num_seeds: episodes per command.
         seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s.
@@ -192,7 +194,7 @@ def compare(
 
 
 def compare_policies(
-    policies: Mapping[str, Policy],
+    policies: Mapping[str, Policy | Agent],
     num_seeds: int = NUM_SEEDS,
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
@@ -209,7 +211,8 @@ def compare_policies(
         QuadrupedError: as `compare`, or if a policy has the name of a scripted controller, or two policies are for
             different robots.
     """
-    taken = sorted(set(policies) & (set(CONTROLLERS) - {"policy"}))
+    known = {name: as_policy(policy, name) for name, policy in policies.items()}
+    taken = sorted(set(known) & (set(CONTROLLERS) - {"policy"}))
     if taken:
         raise QuadrupedError(f"{taken[0]!r} is the name of a scripted controller; rename the policy's directory")
     if num_seeds < 1:
@@ -223,10 +226,10 @@ def compare_policies(
         name: evaluation_task(
             policy.config if terrain is None else policy.config.on_terrain(terrain), commands, randomization
         )
-        for name, policy in policies.items()
+        for name, policy in known.items()
     }
     config = next(iter(configs.values()))
-    for name, policy in policies.items():
+    for name, policy in known.items():
         if policy.config.robot != config.robot:
             raise QuadrupedError(
                 f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
@@ -236,7 +239,7 @@ def compare_policies(
     # With a clock of its own frequency the tuned gait is in phase, so that the reward's terms of the clock judge it.
     configs["tuned"] = dataclasses.replace(config, clock_frequency=tuned.angular_frequency / math.tau)
     controllers: tuple[Controller, ...] = (
-        *(PolicyController(policy, name) for name, policy in policies.items()),
+        *(PolicyController(policy, name) for name, policy in known.items()),
         CommandedGaitController(tuned),
         GaitController(SinusoidalGait.preset("article", config.robot), "article"),
         ZeroController(),

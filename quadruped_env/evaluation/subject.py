@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.kept_task_file import kept_content
-from quadruped_env.control.policy_files import SHIPPED, finished_directory, shipped_directory
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED, finished_directory, is_code, shipped_directory
 from quadruped_env.policies import Policy, load_policy, trained_with
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json
@@ -25,19 +25,22 @@ class Subject:
     """Name of the run or of the shipped policy"""
     policy: Policy
     directory: Path
-    """Directory of the training run, or of the shipped policy in the package"""
+    """Directory of the training run, or of the shipped policy in the package; the Python file of one that is code"""
     output: Path
     """Directory of the results"""
 
     @property
     def source(self) -> str:
         """Name of the policy on the command line; contains no path of this machine."""
+        if self.policy.agent is not None:
+            return self.directory.name
         return self.name if self.name in SHIPPED else f"runs/{self.name}"
 
     @property
     def evaluation(self) -> Path:
         """Default directory of the results."""
-        return Path("results", self.name) if self.name in SHIPPED else self.directory / "evaluation"
+        own = self.name not in SHIPPED and self.policy.agent is None
+        return self.directory / "evaluation" if own else Path("results", self.name)
 
     @property
     def recipe(self) -> str:
@@ -72,7 +75,8 @@ def find_subject(
     """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
     Args:
-        run: directory of a run or name of a shipped policy; None takes the latest run, or else the shipped policy.
+        run: directory of a run, name of a shipped policy, or Python file of a policy that is code; None takes the
+            latest run, or else the shipped policy.
         output: directory of the results; None takes `evaluation` in the run's directory, or `results/<name>`.
         task_file: the user's Python file of task terms that the run was trained with, or another version of it; it is
             executed.
@@ -85,9 +89,13 @@ def find_subject(
         QuadrupedWarning: if a run is given and its policy is a checkpoint.
     """
     if run is None:
-        run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]
+        run = str(LATEST_RUN) if LATEST_RUN.exists() else DEFAULT
     if run in SHIPPED:
         return Subject(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
+    if is_code(run):
+        path = Path(run)
+        policy = load_policy(path, task_file, trust_task=trust_task)
+        return Subject(path.stem, policy, path, output or Path("results", path.stem))
     directory = finished_directory(Path(run))
     # Its errors are this package's, also for names that no file can have.
     policy = load_policy(directory, task_file, trust_task=trust_task)

@@ -65,6 +65,7 @@ def export_policy(
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
         QuadrupedError: if the folder exists, the policy cannot be exported, or a file cannot be written.
     """
+    subject.policy.check_is_data("export")
     check_output(output, overwrite)
     policy, interface = subject.policy, PolicyInterface(subject.policy)
     graph = policy_graph(interface, policy.robot.name)

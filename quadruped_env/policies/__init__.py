@@ -9,7 +9,9 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.control.policy import Policy
+from quadruped_env.control.policy import Agent, Policy
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED
+from quadruped_env.policies.code_policies import as_policy
 from quadruped_env.policies.policy_loading import (
     find_controller,
     find_controllers,
@@ -22,6 +24,9 @@ from quadruped_env.policies.policy_loading import (
 from quadruped_env.policies.policy_task import with_task
 
 __all__ = [
+    "DEFAULT",
+    "SHIPPED",
+    "Agent",
     "CommandedGaitController",
     "Controller",
     "ControllerSpec",
@@ -30,6 +35,7 @@ __all__ = [
     "PolicyController",
     "TrajectoryController",
     "ZeroController",
+    "as_policy",
     "find_controller",
     "find_controllers",
     "kept_definition",

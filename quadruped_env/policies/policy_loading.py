@@ -9,10 +9,11 @@ from quadruped_env.control import by_name
 from quadruped_env.control.by_name import ControllerSpec
 from quadruped_env.control.controllers import Controller, PolicyController
 from quadruped_env.control.kept_task_file import code_changes, kept_file
-from quadruped_env.control.policy import Policy
-from quadruped_env.control.policy_files import Terms, policy_directory, read_policy
+from quadruped_env.control.policy import Agent, Policy
+from quadruped_env.control.policy_files import Terms, is_code, policy_directory, read_policy
 from quadruped_env.control.task_file import TASK_FILE, recorded_file
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
+from quadruped_env.policies.code_policies import as_policy, load_agent, own_copy
 from quadruped_env.policies.policy_task import with_task
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition, load_task_file
@@ -25,6 +26,8 @@ def load_policy(
     source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None, trust_task: bool = False
 ) -> Policy:
     """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
+
+    The name of a Python file means the policy that it defines as code; see `load_agent`. The file is executed.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed.
@@ -48,6 +51,10 @@ def load_policy(
     """
     if trust_task and task_file is not None:
         raise QuadrupedError("load_policy: found task_file and trust_task; give one of them")
+    if is_code(source):
+        if trust_task:
+            raise QuadrupedError(f"{source}: is code, with which no task file is kept; leave trust_task out")
+        return load_agent(source, **{"task_file": task_file, "robot": robot})
     source = policy_directory(source)
     definition = kept_definition(source) if trust_task else BUILT_IN if task_file is None else load_task_file(task_file)
     if robot is not None:
@@ -101,13 +108,13 @@ def find_controller(text: str, task_file: str | Path | None = None) -> Controlle
 
 
 def find_controllers(
-    names: Sequence[str] = (),
+    names: Sequence[str | Agent] = (),
     runs: Path = by_name.RUNS,
     task_file: str | Path | None = None,
     trust_task: bool = False,
     robot: Robot | None = None,
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
-    """As `quadruped_env.control.by_name.find_controllers`, for policies with their task.
+    """As `quadruped_env.control.by_name.find_controllers`, for policies with their task, and for agents.
 
     `trust_task` executes the files of the named runs only, not of those that are offered besides.
     """
@@ -115,7 +122,14 @@ def find_controllers(
     def load(source: str | Path) -> Policy:
         return load_policy(source, task_file, trust_task=trust_task and str(source) in names)
 
-    return by_name.find_controllers(names, runs, load, robot or _robot(task_file))
+    named = [name if isinstance(name, str) else controller_of(name) for name in names]
+    return by_name.find_controllers(named, runs, load, robot or _robot(task_file))
+
+
+def controller_of(agent: Agent) -> ControllerSpec:
+    """An agent as a controller by its class's name; each robot gets a copy."""
+    name = f"policy {type(agent).__name__}"
+    return ControllerSpec(name, lambda: PolicyController(as_policy(own_copy(agent, name), name), name))
 
 
 def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> TaskConfig:

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.training.user_classes import is_user_class, load_class
 
 _ON_POLICY: Final = frozenset(
     {"n_steps", "learning_rate", "gamma", "gae_lambda", "log_std_init", "final_log_std", "symmetric"}
@@ -101,14 +102,41 @@ SETTINGS: Final[frozenset[str]] = frozenset(name for entry in ALGORITHMS.values(
 
 
 def algorithm(name: str) -> Algorithm:
-    """An algorithm by its name.
+    """An algorithm by its name, or that from which a user's class is derived; the class's file is executed.
 
     Raises:
         QuadrupedError: if there is none; the message names those that there are.
     """
-    if name not in ALGORITHMS:
-        raise QuadrupedError(f"--algo: {short(name)} is unknown; valid algorithms are {', '.join(ALGORITHMS)}")
-    return ALGORITHMS[name]
+    base = base_of(name)
+    if base not in ALGORITHMS:
+        raise QuadrupedError(
+            f"--algo: {short(name)} is unknown; valid algorithms are {', '.join(ALGORITHMS)}, or FILE.py:CLASS"
+        )
+    return ALGORITHMS[base]
+
+
+def base_of(name: str) -> str:
+    """The name of the algorithm from which a user's class is derived; any other name as it is.
+
+    Raises:
+        QuadrupedError: if the class is derived from none.
+    """
+    if not is_user_class(name):
+        return name
+    _, kind = load_class("algo", name)
+    names = {entry.class_name: known for known, entry in ALGORITHMS.items()} | dict(_ANY_ALGORITHM)
+    for base in kind.__mro__:
+        if base.__name__ in names and base.__module__.startswith(("stable_baselines3", "sb3_contrib")):
+            return names[base.__name__]
+    raise QuadrupedError(
+        f"--algo: {kind.__name__} is not derived from an algorithm of Stable-Baselines3 or sb3-contrib "
+        f"({', '.join(entry.class_name for entry in ALGORITHMS.values())}); train it in a script of your own "
+        f"(docs/your-own-algorithm.md)"
+    )
+
+
+_ANY_ALGORITHM: Final[Mapping[str, str]] = MappingProxyType({"OnPolicyAlgorithm": "a2c", "OffPolicyAlgorithm": "sac"})
+"""Base class of other algorithms -> algorithm whose settings and defaults theirs have."""
 
 
 def check_used(name: str, typed: Iterable[str]) -> None:

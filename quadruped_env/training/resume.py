@@ -20,6 +20,7 @@ from quadruped_env.policies import Policy, load_policy, task_differences
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.task.task_config import flat
+from quadruped_env.training import user_classes
 from quadruped_env.training.run_directory import (
     CONFIG_FILE,
     PROGRESS_COLUMNS,
@@ -31,6 +32,7 @@ from quadruped_env.training.run_directory import (
     run_name,
 )
 from quadruped_env.training.train_config import TrainConfig, field_rule
+from quadruped_env.training.user_classes import OPTIONS, RECORDED, is_user_class, recorded_name
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.plain import plain
 from quadruped_env.utils.provenance import TERRAIN_FILE
@@ -39,6 +41,7 @@ NO_SECTIONS: Final[Mapping[str, str]] = MappingProxyType({})
 KEPT: Final = (
     "recipe",
     "algo",
+    "policy",
     "action_mode",
     "hidden",
     "activation",
@@ -48,7 +51,9 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
-_ADDED: Final = frozenset({"ranks", "device", "clock_noise", "straight_steps", "polish_generations", "reflex_rounds"})
+_ADDED: Final = frozenset(
+    {"policy", "ranks", "device", "clock_noise", "straight_steps", "polish_generations", "reflex_rounds"}
+)
 """Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
 
 _MOST: Final = 1e15
@@ -74,6 +79,8 @@ class Parent:
     """Rows of progress.csv up to `timesteps`"""
     definition: TaskDefinition = BUILT_IN
     """Terms and robot of its task"""
+    user_code: Any = None
+    """Files of the user's own algorithm and policy class, as the run recorded them"""
     task_changes: str = ""
     """Differences of the task's terms from those that it was trained with, because its file changed; in words."""
 
@@ -120,6 +127,7 @@ class Parent:
             budget_left_at_start,
             _read_curve(directory / PROGRESS_FILE, int(timesteps)),
             definition,
+            card.get(RECORDED),
             differences,
         )
 
@@ -137,7 +145,9 @@ class Parent:
         """
         self.check(changes, whole)
         task = self.with_reward(changes.get("task", {}))
-        changes = {name: value for name, value in changes.items() if name not in KEPT} | {"task": task}
+        # Only the user knows where a file is, and whether to execute it.
+        own = {name: changes[name] for name in OPTIONS if is_user_class(getattr(self.config, name))}
+        changes = {name: value for name, value in changes.items() if name not in KEPT} | {"task": task} | own
         if "timesteps" in changes:
             changes = {"seconds": None, **changes}
         elif "seconds" not in changes and self.budget_left > 0.0:
@@ -175,9 +185,15 @@ class Parent:
                 f"another trainer wrote: leave the option out, or start a new training without --resume"
             )
         for name in KEPT:
+            kept = getattr(self.config, name)
+            if name in OPTIONS and is_user_class(kept) and name not in asked:
+                raise QuadrupedError(
+                    f"--{name}: {self.name} was trained with {short(kept)}, whose file is not executed automatically: "
+                    f"check the file, then name it with --{name} FILE.py:{kept.rpartition(':')[2]}"
+                )
             if name not in asked:
                 continue
-            value, kept = asked[name], getattr(self.config, name)
+            value: Any = recorded_name(asked[name]) if name in OPTIONS else asked[name]
             option = name.replace("_", "-")
             if name == "task":
                 difference = self._task_difference(value, whole)
@@ -209,6 +225,10 @@ class Parent:
                 field = field if option is None else field.removeprefix(f"{section}.")
                 return f"{option or 'task'}: {field}", value, own
         return None
+
+    def code_changes(self, config: TrainConfig) -> str:
+        """Differences of a resumed training's own classes from this one's, in a sentence; empty without differences."""
+        return user_classes.changes(self.user_code, vars(config))
 
     def facts(self) -> dict[str, Any]:
         """Facts about the parent in a resumed run's files."""

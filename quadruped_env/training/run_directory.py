@@ -15,6 +15,7 @@ from typing import Any, Final
 from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.training import user_classes
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.files import unwritable, write_whole
 from quadruped_env.utils.provenance import TaskFile, git_commit, machine, versions
@@ -80,7 +81,10 @@ class Run:
         self.facts = {"command": command, "git_commit": git_commit(), "versions": versions(), "machine": machine()}
         if resumed_from is not None:
             self.facts[RESUMED_FROM] = dict(resumed_from)
-        document = {"training": asdict(config), "task": task, **self.facts}
+        if code := user_classes.recorded(vars(config)):
+            self.facts[user_classes.RECORDED] = code
+        names = {option: user_classes.recorded_name(getattr(config, option)) for option in user_classes.OPTIONS}
+        document = {"training": asdict(config) | names, "task": task, **self.facts}
         # Terms that only the resumed run had keep their columns.
         columns = [*PROGRESS_COLUMNS, *(f"{TERM_COLUMN}{name}" for name in terms), *(curve[0] if curve else ())]
         self._columns = tuple(dict.fromkeys(columns))

@@ -6,6 +6,7 @@ https://arxiv.org/abs/2109.11978.
 
 import contextlib
 import importlib
+import inspect
 import os
 import zipfile
 from collections.abc import Callable, Iterator, Mapping
@@ -16,16 +17,19 @@ from typing import Any, Final
 os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.policies import Policy
 from quadruped_env.policies.sb3_policies import MODULES
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE
 from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.training.user_classes import is_user_class, load_class
 
 try:
     import numpy as np
     import torch
     from stable_baselines3.common.noise import NormalActionNoise
+    from stable_baselines3.common.policies import BasePolicy
     from stable_baselines3.common.save_util import load_from_zip_file
 
     from quadruped_env.training.actor_critic import ActorCritic, mirrors
@@ -52,6 +56,8 @@ _DIRECT: Final = frozenset(
     }
 )
 """Fields of `TrainConfig` that are arguments of the algorithms' classes."""
+_OF_OUR_POLICIES: Final = frozenset({"actor_width", "mirror", "critic_mirror"})
+"""Arguments of `ActorCritic` and `SquashedPolicy` that Stable-Baselines3's policies do not have."""
 
 
 def go_on_from(model: Any, parent: Parent) -> None:
@@ -109,11 +115,13 @@ def check_finite(value: Any, place: str = "") -> None:
 
 
 def algorithm_class(name: str) -> Any:
-    """Class of an algorithm.
+    """Class of an algorithm, or that of a user's file, which is executed.
 
     Raises:
         MissingExtraError: if it is in sb3-contrib, which is not installed.
     """
+    if is_user_class(name):
+        return load_class("algo", name)[1]
     return _member(name, algorithm(name).module, algorithm(name).class_name)
 
 
@@ -165,7 +173,33 @@ def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = 
         if "action_noise" in entry.settings:
             joints = env.action_space.shape[0]
             arguments["action_noise"] = NormalActionNoise(np.zeros(joints), np.full(joints, config.action_noise))
+    if config.policy:
+        policy, own = _own_policy(config.policy, own)
     arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
     arguments["learning_rate"] = schedule = Schedule(config)
     schedule.stage(0, env.task)
-    return (kind or algorithm_class(config.algo))(policy, env, **arguments | changes)
+    kind = kind or algorithm_class(config.algo)
+    if is_user_class(config.algo):
+        arguments = accepted(kind, arguments)
+    model = kind(policy, env, **arguments | changes)
+    if config.policy or is_user_class(config.algo):
+        Policy.from_sb3(model)  # which says why a policy could not be saved, before the training
+    return model
+
+
+def _own_policy(text: str, arguments: dict[str, Any]) -> tuple[type[Any], dict[str, Any]]:
+    """A user's policy class, and those of the arguments that it takes."""
+    _, kind = load_class("policy", text)
+    if not issubclass(kind, BasePolicy):
+        raise QuadrupedError(f"--policy: {kind.__name__} is not derived from a policy class of Stable-Baselines3")
+    if not issubclass(kind, ActorCritic):
+        arguments = {name: value for name, value in arguments.items() if name not in _OF_OUR_POLICIES}
+    return kind, accepted(kind, arguments)
+
+
+def accepted(kind: Callable[..., Any], arguments: dict[str, Any]) -> dict[str, Any]:
+    """Those of some keyword arguments that a class takes."""
+    taken = inspect.signature(kind).parameters
+    if any(parameter.kind is parameter.VAR_KEYWORD for parameter in taken.values()):
+        return arguments
+    return {name: value for name, value in arguments.items() if name in taken}

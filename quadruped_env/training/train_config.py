@@ -11,8 +11,9 @@ from typing import Any, Final, Literal
 from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.training.algorithms import algorithm
+from quadruped_env.training.algorithms import algorithm, base_of
 from quadruped_env.training.recipes import recipe
+from quadruped_env.training.user_classes import is_user_class
 from quadruped_env.utils.seeds import check_training_seeds
 
 STEPS_TO_WALK: Final = {"residual": 17_000, "position": 113_000}
@@ -100,8 +101,11 @@ class TrainConfig:
 
     recipe: Literal["flat", "robust", "rough", "fast"] = "flat"
     """Named settings of the training and its task, which other options change"""
-    algo: Literal["ppo", "a2c", "trpo", "sac", "td3", "ddpg", "tqc", "crossq"] = "ppo"
-    """Algorithm of Stable-Baselines3 or, for trpo, tqc and crossq, of sb3-contrib"""
+    algo: str = "ppo"
+    """Algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib; or FILE.py:CLASS
+    of your own, derived from one of them (docs/your-own-algorithm.md)"""
+    policy: str = ""
+    """Policy class FILE.py:CLASS of your own, derived from one of Stable-Baselines3's, in place of the symmetric one"""
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
     timesteps: int = 600_000
@@ -183,7 +187,10 @@ class TrainConfig:
                 f"--action-mode: {self.action_mode!r} is unknown; valid modes are {', '.join(ACTION_MODES)}"
             )
         recipe(self.recipe)
-        entry = algorithm(self.algo)
+        # A user's file is not executed because a config names it.
+        entry = None if is_user_class(self.algo) else algorithm(self.algo)
+        if self.policy and not is_user_class(self.policy):
+            raise QuadrupedError(f"--policy: expected FILE.py:CLASS; found {short(self.policy)}")
         if not _DEVICE.fullmatch(self.device):
             raise QuadrupedError(f"--device: {short(self.device)} is unknown; expected cpu, cuda, cuda:N or warp-cpu")
         if self.device != "cpu" and self.algo != "ppo":
@@ -192,7 +199,15 @@ class TrainConfig:
             )
         if self.device != "cpu":
             self._check_on_cpu_alone()
-        if self.symmetric and entry.on_policy and any(width % 2 for width in self.hidden):
+        if self.device != "cpu" and self.policy:
+            raise QuadrupedError(f"--policy: found {self.policy} with --device {self.device}; leave one of both out")
+        if (
+            self.symmetric
+            and entry is not None
+            and entry.on_policy
+            and not self.policy
+            and any(width % 2 for width in self.hidden)
+        ):
             raise QuadrupedError(
                 f"--hidden: expected even widths, or --no-symmetric: a symmetric network has pairs of units; found "
                 f"{short(self.hidden)}"
@@ -200,7 +215,7 @@ class TrainConfig:
         check_training_seeds("--seed", self.seed, self.num_envs)
         if "/" in self.name or self.name in {"", ".", ".."} or not self.name.isprintable():
             raise QuadrupedError(f"--name: {short(self.name)} cannot be part of a directory's name")
-        minibatches = entry.on_policy and "batch_size" in entry.settings
+        minibatches = entry is not None and entry.on_policy and "batch_size" in entry.settings
         if minibatches and self.num_envs * self.n_steps < self.batch_size:
             raise QuadrupedError(
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
@@ -307,7 +322,7 @@ def defaults(algo: str, action_mode: str, device: str = "cpu") -> dict[str, Any]
     Raises:
         QuadrupedError: if there is no such algorithm.
     """
-    own = _FROM_SCRATCH if algo == TrainConfig.algo and action_mode == "position" else algorithm(algo).defaults
+    own = _FROM_SCRATCH if base_of(algo) == TrainConfig.algo and action_mode == "position" else algorithm(algo).defaults
     return possible_on(device, own)
 
 

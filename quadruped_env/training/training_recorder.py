@@ -29,6 +29,7 @@ from quadruped_env.training.reflex import ReflexRound, reflex_steps
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.step_statistics import StepStatistics
 from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.files import unwritable, whole, write_whole
 
 try:
@@ -257,7 +258,7 @@ class Recorder(StepStatistics):
         return {
             **self._run.facts,
             "recipe": self._config.recipe,
-            "algo": self._config.algo,
+            "algo": recorded_name(self._config.algo),
             "seed": self._config.seed,
             "timesteps": int(self.model.num_timesteps),
             "seconds": round(self.seconds, 1),

@@ -12,7 +12,7 @@ from quadruped_env.control.by_name import RUNS
 from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.policies import find_controllers, kept_definition
+from quadruped_env.policies import Agent, find_controllers, kept_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.training.run_directory import CONFIG_FILE, LATEST
@@ -147,7 +147,7 @@ class Show:
 
 
 def open_show(
-    asked: Sequence[str] = (),
+    asked: Sequence[str | Agent] = (),
     command: Command = (0.0, 0.0),
     host: str = LOOPBACK,
     port: int = PORT,
@@ -160,8 +160,9 @@ def open_show(
     """Open a show of the requested sources, ready to run.
 
     Args:
-        asked: up to three of: a run's directory, a shipped policy, a scripted gait, a file of joint states. By
-            default the latest run, or else the shipped policy.
+        asked: up to three of: a run's directory, a shipped policy, a scripted gait, a Python file of a policy, a file
+            of joint states, or an object with the two methods of `Agent`. By default the latest run, or else the
+            shipped policy.
         command: initial forward velocity in m/s and yaw rate in rad/s.
         host: the address to listen on.
         port: the first port to try; 0 takes any free port.
@@ -179,7 +180,7 @@ def open_show(
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
     if trust_task:
         asked = asked or [str(RUNS / LATEST)]
-        run = next((source for source in asked if os.path.exists(Path(source, CONFIG_FILE))), None)
+        run = next((source for source in map(str, asked) if os.path.exists(Path(source, CONFIG_FILE))), None)
         definition = BUILT_IN if run is None else kept_definition(run)
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
     sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task, robot=definition.robot)

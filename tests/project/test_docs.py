@@ -16,6 +16,9 @@ from quadruped_env.cli.invocation import SUMMARIES as COMMANDS
 from quadruped_env.cli.main import make_parser
 from quadruped_env.live.__main__ import make_parser as make_node_parser
 from quadruped_env.live.nodes import SUMMARIES
+from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.train import train
 
 SCRIPT = re.compile(r"^(?:\S*/)?python3? (?=\w+/\S+\.py)")
 PLACEHOLDER = re.compile(r"\b[A-Z]+$|[A-Z]{2,}|\.\.\.|[<>]")
@@ -133,6 +136,29 @@ def test_the_exercise_of_the_tutorials_page_runs(capsys):
     assert "[]" in capsys.readouterr().out
     expected = SinusoidalGait.preset("article").positions(1.0)[1::2]
     np.testing.assert_allclose(names["faster"].positions(0.5)[1::2], expected)
+
+
+def test_the_code_of_the_page_about_other_algorithms_runs(tmp_path, monkeypatch, capsys):
+    contrib = pytest.importorskip("sb3_contrib", reason="sb3-contrib is not installed: pip install -e '.[contrib]'")
+    monkeypatch.chdir(tmp_path)
+    script, agent, classes = snippets(ROOT / "docs" / "your-own-algorithm.md")
+    assert len(script.splitlines()) <= 20
+    exec(script.replace("200_000", "4_096"), names := {})  # noqa: S102
+    assert "Estimate(mean=" in capsys.readouterr().out
+    loaded = load_policy("runs/mine")
+    assert (loaded.activation, loaded.card["timesteps"]) == ("tanh", 4096)
+
+    env = names["make_sb3_vec_env"](2, action_mode="residual")
+    contrib.RecurrentPPO("MlpLstmPolicy", env, n_steps=8, device="cpu").save("recurrent")
+    (tmp_path / "my_policy.py").write_text(agent)
+    found = names["compare"](load_policy("my_policy.py"), 1, 3.0, [(0.3, 0.0)])
+    assert found.rollouts["policy"].controller == "policy"
+
+    (tmp_path / "my_algorithm.py").write_text(classes)
+    chosen = {"algo": "my_algorithm.py:MyPPO", "policy": "my_algorithm.py:MyPolicy"}
+    run, finished = train(TrainConfig(timesteps=512, num_envs=8, n_steps=16, batch_size=64, **chosen), tmp_path, "test")
+    assert finished
+    assert load_policy(run).activation == "elu"
 
 
 @pytest.mark.slow

@@ -16,12 +16,14 @@ from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
 from quadruped_env.evaluation.suite.suite_definition import Command
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import (
+    Agent,
     CommandedGaitController,
     Controller,
     GaitController,
     Policy,
     PolicyController,
     ZeroController,
+    as_policy,
 )
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
@@ -40,8 +42,9 @@ class Contender:
     config: TaskConfig
 
     @classmethod
-    def of_policy(cls, policy: Policy, name: str) -> "Contender":
-        """A trained policy in its own task."""
+    def of_policy(cls, policy: Policy | Agent, name: str) -> "Contender":
+        """A trained policy, or one that is code, in its own task."""
+        policy = as_policy(policy, name)
         return cls(name, PolicyController(policy, name), policy.config)
 
     def task(

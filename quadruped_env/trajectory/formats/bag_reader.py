@@ -18,6 +18,7 @@ from quadruped_env.trajectory.formats.echo_text import yaml_module
 from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.formats.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
+from quadruped_env.trajectory.formats.salvage.sqlite3_scanner import unapplied
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import MAX_DEPTH
 
@@ -64,7 +65,7 @@ def _messages(
     """Number in the bag, and message."""
     reading.row_name = "message"
     number = 0
-    payloads = salvage.messages if reading.options.salvage else _indexed
+    payloads = salvage.messages if reading.options.salvage and storage != ROS1 else _indexed
     for found in payloads(reading, storage):
         try:
             state = decode(_plain(found.data))
@@ -112,12 +113,14 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
     # On damaged bytes rosbags raises errors of many types, which are not documented.
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
-        place = "" if found is not None else salvage.first_damage(reading, storage)
-        reason = f"{reason} ({place})" if place else reason
+        if storage == ROS1:
+            fix = f"repair it with ROS 1 (rosbag reindex {reading.name}), and read it again"
+        else:
+            fix = "keep what can be read (--salvage)"
+            place = "" if found is not None else salvage.first_damage(reading, storage)
+            reason = f"{reason} ({place})" if place else reason
         raise reading.error(
-            found,
-            f"the bag is damaged, cut off, or was not closed: {reason}; keep what can be read (--salvage), or record "
-            f"again",
+            found, f"the bag is damaged, cut off, or was not closed: {reason}; {fix}, or record again"
         ) from error
 
 
@@ -131,6 +134,9 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
     # By the content of the file; rosbags goes by its name.
     if storage == DIRECTORY:
         _check_metadata(path / METADATA_FILE)
+    for file in salvage.storage_files(path) if storage == DIRECTORY else [path]:
+        if rest := unapplied(file):
+            raise ValueError(f"{rest.name} holds changes that are not in {file.name} yet")
     reader = Reader1(path) if storage == ROS1 else Reader2.STORAGE_PLUGINS[storage](path)
     reader.open()
     stack.callback(reader.close)

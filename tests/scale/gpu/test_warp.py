@@ -37,7 +37,7 @@ def assert_same(found, expected):
 
 
 def everywhere(simulation):
-    return simulation.xp.arange(simulation.num_envs)
+    return np.arange(simulation.num_envs, like=simulation.sensordata)
 
 
 def pair(config, n, **options):
@@ -62,9 +62,8 @@ def standing(n, model=None, **options):
 
 
 def reset(simulation, env_ids, qpos, qvel=None):
-    xp = simulation.xp
     velocity = np.zeros((len(qpos), simulation.model.nv)) if qvel is None else qvel
-    simulation.reset(xp.asarray(env_ids, np.int64), xp.asarray(qpos), xp.asarray(velocity))
+    simulation.reset(*(np.asarray(values, like=simulation.sensordata) for values in (env_ids, qpos, velocity)))
 
 
 def state(simulation):
@@ -115,7 +114,7 @@ def test_steps_from_the_same_state_agree_with_mujoco():
         done = np.flatnonzero(here.finished)
         if len(done):
             here.reset(done)
-            there.reset(there.simulation.xp.asarray(done, np.int64))
+            there.reset(np.asarray(done, np.int64, like=there.simulation.sensordata))
             np.testing.assert_allclose(there.observe().numpy()[done], here.observe()[done], atol=LARGEST["observation"])
         observation = here.observe()
     print(f"largest differences: {largest}; {by_rounding} env steps beyond them, {terminated} falls")
@@ -133,7 +132,7 @@ def test_reset_of_some_worlds_leaves_others_bit_identical():
     fields = ("geom_friction", "body_mass", "body_invweight0", "dof_invweight0", "body_subtreemass")
     before = state(simulation)
     model_before = [getattr(simulation.warp_model, name).numpy().copy() for name in fields]
-    task.reset(simulation.xp.asarray([1, 4], np.int64))
+    task.reset(np.asarray([1, 4], np.int64, like=simulation.sensordata))
     after = state(simulation)
     np.testing.assert_array_equal(after[kept], before[kept])
     assert (after[[1, 4]] != before[[1, 4]]).any(axis=1).all()
@@ -152,7 +151,7 @@ def test_reset_of_some_worlds_does_not_change_the_steps_of_others():
         for step, action in enumerate(actions):
             task.step(action)
             if resets and step == 15:
-                task.reset(task.simulation.xp.asarray([1, 4], np.int64))
+                task.reset(np.asarray([1, 4], np.int64, like=task.simulation.sensordata))
         results.append(state(task.simulation)[[0, 2, 3, 5]])
     assert_same(*results)
 
@@ -183,9 +182,9 @@ def test_friction_and_mass_of_each_world_equal_separately_compiled_models():
             np.testing.assert_allclose(own, getattr(simulation.model, name), rtol=1e-4, atol=1e-9, err_msg=name)
     for _ in range(25):
         target = np.tile(MINI_QUADRUPED.stance, (3, 1))
-        together.step(together.xp.asarray(target), 4)
+        together.step(np.asarray(target, like=together.sensordata), 4)
         for simulation in apart:
-            simulation.step(simulation.xp.asarray(target[:1]), 4)
+            simulation.step(np.asarray(target[:1], like=simulation.sensordata), 4)
     np.testing.assert_allclose(state(together), np.concatenate([state(s) for s in apart]), rtol=2e-3, atol=2e-3)
     moved = together.data.qpos.numpy()[:, 0]
     assert moved[0] > moved[1] > moved[2]  # less friction, longer way
@@ -194,7 +193,7 @@ def test_friction_and_mass_of_each_world_equal_separately_compiled_models():
 def test_world_that_diverges_is_marked_and_restarts():
     simulation = standing(3)
     qpos, qvel = simulation.data.qpos.numpy()[1:2], np.full((1, simulation.model.nv), 1e9)
-    target = simulation.xp.asarray(np.tile(MINI_QUADRUPED.stance, (3, 1)))
+    target = np.asarray(np.tile(MINI_QUADRUPED.stance, (3, 1)), like=simulation.sensordata)
     alone = standing(3)
     reset(simulation, [1], qpos, qvel)
     for s in (simulation, alone):
@@ -213,7 +212,7 @@ def test_world_that_diverges_is_marked_and_restarts():
 )
 def test_overflow_is_an_error_that_names_the_fix(reserved, message):
     simulation = standing(2, **reserved)
-    target = simulation.xp.asarray(np.tile(MINI_QUADRUPED.stance, (2, 1)))
+    target = np.asarray(np.tile(MINI_QUADRUPED.stance, (2, 1)), like=simulation.sensordata)
     with pytest.raises(QuadrupedError, match=message):
         simulation.step(target, 40)
 
@@ -244,14 +243,14 @@ def test_state_can_be_restored_here_and_in_the_other_driver():
     for _ in range(2):
         there.simulation.set_states(everywhere(there.simulation), saved)
         for _ in range(3):
-            there.simulation.step(there.simulation.xp.asarray(target), 4)
+            there.simulation.step(np.asarray(target, like=there.simulation.sensordata), 4)
         ends.append(state(there.simulation))
     assert_same(*ends)
     for env_id in range(3):
         here.simulation.set_state(env_id, saved[env_id])
     here.simulation.step(target, 4)
     there.simulation.set_states(everywhere(there.simulation), saved)
-    there.simulation.step(there.simulation.xp.asarray(target), 4)
+    there.simulation.step(np.asarray(target, like=there.simulation.sensordata), 4)
     np.testing.assert_allclose(there.simulation.data.qpos.numpy(), here.simulation.batch.bind("qpos"), atol=1e-4)
 
 
@@ -272,7 +271,7 @@ def test_what_warp_does_not_simulate_is_refused():
     with pytest.raises(QuadrupedError, match=r"'geom_condim' is the same in all envs .* --device cpu"):
         simulation.model_field("geom_condim")
     with pytest.raises(QuadrupedError, match="all envs advance together"):
-        simulation.step(simulation.xp.zeros((2, 8)), 4, simulation.xp.asarray([1], np.int64))
+        simulation.step(np.zeros((2, 8), like=simulation.sensordata), 4, everywhere(simulation)[:1])
 
 
 @pytest.mark.parametrize(

@@ -222,10 +222,9 @@ def watch_steps(env, lock):
     def watched(actions):
         with lock:
             found = step(actions)
-        xp = env.task.simulation.xp
         falls = (found[2] & ~found[3][TIME_OUTS]).sum()
-        squares = xp.numpy(env.task.tracking_error) ** 2
-        steps.append(np.concatenate([squares.mean(0), xp.numpy(env.last_terms).mean(0), [float(falls)]]))
+        squares = env.task.tracking_error.numpy() ** 2
+        steps.append(np.concatenate([squares.mean(0), env.last_terms.numpy().mean(0), [float(falls)]]))
         return found
 
     env.step = watched

@@ -128,12 +128,13 @@ def test_uneven_ground_is_refused_before_a_run_is_left(tmp_path):
 
 
 @needs_warp
-@pytest.mark.parametrize("symmetric", [True, False])
-def test_policy_file_has_the_networks_mean_actions(tmp_path, symmetric):
+@pytest.mark.parametrize(("symmetric", "activation"), [(True, "elu"), (True, "leaky_relu"), (False, "silu")])
+def test_policy_file_has_the_networks_mean_actions(symmetric, activation):
     from quadruped_env.scale.gpu.warp_env import OBSERVATION, WarpVecEnv
     from quadruped_env.scale.gpu.warp_training import WarpModel
 
-    config = TrainConfig(**{**TINY, "hidden": (16, 8)}, symmetric=symmetric, asymmetric_critic=True)
+    network = {"hidden": (16, 8), "activation": activation}
+    config = TrainConfig(**{**TINY, **network}, symmetric=symmetric, asymmetric_critic=True)
     env = WarpVecEnv(TaskConfig(), 4, DEVICE, 0, True)
     model = WarpModel(config, env)
     with torch.no_grad():
@@ -176,12 +177,11 @@ def test_time_limit_adds_the_value_of_the_last_observation():
 
 def forward_velocity(task, policy):
     """Mean forward velocity over the envs and the last 4 of 6 s, m/s."""
-    xp = task.simulation.xp
-    env_ids = xp.arange(task.num_envs)
+    env_ids = np.arange(task.num_envs, like=task.simulation.sensordata)
     task.reset(env_ids, list(range(10_000, 10_000 + task.num_envs)), COMMAND)
     observation, velocities = task.observe(), []
     for step in range(300):
-        observation = task.step(policy.predict(xp.numpy(observation))).observation
+        observation = task.step(policy.predict(np.array(observation.tolist()))).observation
         assert not task.finished.any()
         if step >= 100:
             velocities.append(float(task.simulation.readings.linear_velocity_b[:, 0].mean()))
