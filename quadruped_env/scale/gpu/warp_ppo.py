@@ -24,7 +24,7 @@ _VALUE_LOSS = 0.5
 """Weight of the value function's loss, that of Stable-Baselines3."""
 _ADAM_EPS = 1e-5
 _ACTIVATIONS = {"leaky_relu": "lrelu", "silu": "swish"}
-"""rsl-rl's names of activation functions, where they differ."""
+"""Names of activation functions in rsl-rl, where they differ."""
 
 
 class Network(MLPModel):
