@@ -203,11 +203,7 @@ class BatchSimulation:
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._make(state["model"], state["num_envs"], state["num_threads"], state["robot"])
         self._restore(
-            np.arange(self.num_envs),
-            state["integration"],
-            state["readings"],
-            state["diverged"],
-            state["model_fields"],
+            np.arange(self.num_envs), state["integration"], state["readings"], state["diverged"], state["model_fields"]
         )
 
     def copy_data(self, env_id: int) -> mujoco.MjData:

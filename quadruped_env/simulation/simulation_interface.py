@@ -108,3 +108,10 @@ class Simulation(Protocol):
     def set_state(self, env_id: int, state: SimulationState) -> None:
         """Restore a state from `get_state`, of this or of another simulation of the same model."""
         ...
+
+
+def highest_ground(simulation: Simulation, positions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Height (...,) of the highest ground below a simulation's robot at positions (..., 2 or 3), m."""
+    if simulation.height_field is None:
+        return np.zeros_like(positions[..., 0])
+    return simulation.height_field.highest(positions, simulation.robot.footprint)

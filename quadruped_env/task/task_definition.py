@@ -15,8 +15,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.built_in_terrains import TERRAINS
-from quadruped_env.simulation.terrain import Terrain
-from quadruped_env.simulation.tiles import Tiles
+from quadruped_env.simulation.terrain import Terrain, Tiles
 from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
 from quadruped_env.task.randomization.randomization import Randomization

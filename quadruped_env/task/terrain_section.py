@@ -8,8 +8,7 @@ from quadruped_env.control.control_config import check
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.built_in_terrains import find_terrain
-from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain
-from quadruped_env.simulation.tiles import Tiles
+from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain, Tiles
 from quadruped_env.task.config_sections import Entry, Schema, Section, number, parameter_entry, seed_entry
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
 from quadruped_env.utils.parameters import Parameter

@@ -288,7 +288,7 @@ def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
 
 def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
-    from quadruped_env.control import PolicyController
+    from quadruped_env.control.controllers import PolicyController
     from quadruped_env.control.live_controller import LiveController
     from quadruped_env.training import TrainConfig
     from quadruped_env.training.train import train

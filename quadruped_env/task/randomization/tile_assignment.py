@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.simulation.tiles import TILE, Tiles
+from quadruped_env.simulation.terrain import TILE, Tiles
 from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes

@@ -11,7 +11,7 @@ from pathlib import Path, PurePath
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.joint_state_bytes import Decoder, RawJointState, decode_ros1
+from quadruped_env.ros.robot_messages import RawJointState, read_joint_state, read_ros1_joint_state
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import salvage
 from quadruped_env.trajectory.formats.echo_text import yaml_module
@@ -37,22 +37,22 @@ def read_rosbag2(reading: Reading) -> Iterator[Rows]:
         QuadrupedError: if the bag is damaged.
         MissingExtraError: if rosbags is not installed.
     """
-    return _rows(reading, DIRECTORY, Decoder())
+    return _rows(reading, DIRECTORY, read_joint_state)
 
 
 def read_mcap(reading: Reading) -> Iterator[Rows]:
     """The joint states of a bare MCAP file; see `read_rosbag2`."""
-    return _rows(reading, MCAP, Decoder())
+    return _rows(reading, MCAP, read_joint_state)
 
 
 def read_sqlite3(reading: Reading) -> Iterator[Rows]:
     """The joint states of a bare sqlite3 file; see `read_rosbag2`."""
-    return _rows(reading, SQLITE3, Decoder())
+    return _rows(reading, SQLITE3, read_joint_state)
 
 
 def read_ros1(reading: Reading) -> Iterator[Rows]:
     """The joint states of a ROS 1 bag; see `read_rosbag2`."""
-    return _rows(reading, ROS1, decode_ros1)
+    return _rows(reading, ROS1, read_ros1_joint_state)
 
 
 def _rows(reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]) -> Iterator[Rows]:
@@ -97,7 +97,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
             connections = [connection for connection in reader.connections if connection.topic == topic]
             for connection in connections:
                 _check_connection(connection, reading)
-            total = reading.expected_rows = sum(connection.msgcount for connection in connections)
+            total = sum(connection.msgcount for connection in connections)
             found = 0
             for _, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):

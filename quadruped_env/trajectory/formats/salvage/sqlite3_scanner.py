@@ -21,7 +21,6 @@ from quadruped_env.trajectory.formats.salvage.records import Message, Topic
 _SIDECARS: Final = ("-wal", "-journal")
 _LEAF: Final = b"\x0d"
 """First byte of a page with rows of a table, https://www.sqlite.org/fileformat2.html."""
-_ROWS_PER_UPDATE: Final = 1000
 
 _Row = tuple[Any, ...]
 
@@ -45,9 +44,7 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
         if name.startswith("/"):
             yield Topic(key, name, message_type)
     columns = {"topic_id": int, "timestamp": int, "data": bytes}
-    for i, (_, topic, time, data) in enumerate(_rows(path, "messages", columns, page_size, reading)):
-        if i % _ROWS_PER_UPDATE == 0:
-            reading.report_progress(i / max(reading.expected_rows, i, 1))
+    for _, topic, time, data in _rows(path, "messages", columns, page_size, reading):
         yield Message(topic, time, data)
 
 
