@@ -216,7 +216,6 @@ READ_BY = {
     "scale/sweep/sweep_definition.py": ("terms",),
     "scale/sweep/sweep_records.py": ("sweep", "trial", "result", "scores"),
     "scale/sweep/search_space.py": ("space", "space as JSON"),
-    "scale/ranks/job.py": "a file of its own process",
     "scale/ranks/processes.py": "a file of its own process",
     "training/sb3_models.py": "the network of a run: tests/training/test_resume.py",
     "training/resume.py": ("config", "curve"),

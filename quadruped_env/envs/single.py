@@ -169,7 +169,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.task.reset(_ENV_IDS, command=command)
         if self.render_mode == "human":
             self.render()
-        return self.task.observe()[0], self._readings()
+        return self.task.observe()[0], self._info.readings(0)
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step."""
@@ -179,7 +179,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
                 f"action: expected shape {self.action_space.shape}, one value per joint; found {action.shape}"
             )
         transition = self.task.step(action[None])
-        info: dict[str, Any] = self._readings()
+        info: dict[str, Any] = self._info.readings(0)
         # A 0-d array: from a NumPy bool, Gymnasium's vector environments would create an array of objects.
         info["diverged"] = transition.diverged.reshape(())
         info.update(zip(self.task.reward_keys, transition.terms[0], strict=True))
@@ -187,9 +187,6 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
             self.render()
         terminated = bool(transition.terminated[0])
         return transition.observation[0], float(transition.reward[0]), terminated, False, info
-
-    def _readings(self) -> dict[str, NDArray[Any]]:
-        return self._info.readings({name: values[0].copy() for name, values in self._info.state().items()})
 
     def render(self) -> NDArray[np.uint8] | None:
         """Image (height, width, 3) in `rgb_array` mode; updates the window in `human` mode."""

@@ -91,28 +91,28 @@ class Info:
         self._columns = {entry: task.simulation.sensor_columns[field] for entry, field in _READINGS.items()}
         self._width = max(columns.stop for columns in self._columns.values())
 
-    def state(self) -> dict[str, NDArray[Any]]:
-        """The live arrays (N, ...) that `readings` describes."""
-        task = self._task
-        tiles = task.tiles
-        return {
-            **({} if tiles is None else {"terrain_kind": tiles.kind, "terrain_level": tiles.level}),
-            "command": task.command,
-            "sensordata": task.simulation.sensordata[:, : self._width],
-        }
-
-    def readings(self, state: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-        """Entries that describe the state of the robots, as views where possible.
+    def readings(
+        self, env: int | slice = slice(None), only: NDArray[np.bool_] | None = None
+    ) -> dict[str, NDArray[Any]]:
+        """Entries that describe the state of one env, or with entries (N, ...) of all, as views of copies.
 
         Args:
-            state: copies of the arrays of `state()`, of all envs, with entries (N, ...), or of one.
+            env: index of the env, or the slice of all.
+            only: mask (N,) of the envs to describe; the entries of the others are zero. None: all.
         """
+        task, tiles = self._task, self._task.tiles
         # One copy, with a view per reading, is cheaper than a copy per reading.
-        values = state.pop("sensordata")
-        for entry, columns in self._columns.items():
-            state[entry] = values[..., columns]
-        state["foot_contact"] = state["foot_force"] > self._task.context.contact_threshold
-        return state
+        values = task.simulation.sensordata[env, : self._width].copy()
+        info: dict[str, NDArray[Any]] = {"command": task.control.command[env].copy()}
+        if tiles is not None:
+            info |= {"terrain_kind": tiles.kind[env].copy(), "terrain_level": tiles.level[env].copy()}
+        if only is not None:
+            for entry in (values, *info.values()):
+                entry[~only] = 0
+        for name, columns in self._columns.items():
+            info[name] = values[..., columns]
+        info["foot_contact"] = info["foot_force"] > task.context.contact_threshold
+        return info
 
     def step_results(self, diverged: NDArray[np.bool_], terms: NDArray[np.float64]) -> dict[str, NDArray[Any]]:
         """Entries that only a step has, (N,) each: `diverged`, and the weighted reward terms (N, T)."""

@@ -109,8 +109,7 @@ class MiniQuadrupedVectorEnv(
             mask = np.ones(self.num_envs, dtype=np.bool_)
         env_ids = np.flatnonzero(mask)
         self.task.reset(env_ids, [seeds[env_id] for env_id in env_ids], command)
-        state = {name: _only(values, env_ids) for name, values in self._info.state().items()}
-        return self.task.observe(), _with_mask(self._info.readings(state), mask)
+        return self.task.observe(), _with_mask(self._info.readings(only=mask), mask)
 
     def step(
         self, actions: NDArray[np.float32]
@@ -137,7 +136,7 @@ class MiniQuadrupedVectorEnv(
 
     def _step_info(self, transition: Transition, moved: NDArray[np.bool_]) -> dict[str, Any]:
         """Info after a step: the readings of all envs, and the results of those that moved (N,), not of those reset."""
-        readings = self._info.readings({name: values.copy() for name, values in self._info.state().items()})
+        readings = self._info.readings()
         results = self._info.step_results(transition.diverged, transition.terms)
         if moved.all():
             return _with_mask(readings | results, moved)
@@ -153,7 +152,7 @@ class MiniQuadrupedVectorEnv(
             final_obs[env_id] = transition.observation[env_id]
         # Masked as whole arrays, before they are divided into entries: masking every entry takes several times longer.
         diverged, terms = transition.diverged, transition.terms
-        final = self._info.readings({name: _only(values, env_ids) for name, values in self._info.state().items()})
+        final = self._info.readings(only=done)
         final |= self._info.step_results(_only(diverged, env_ids), _only(terms, env_ids))
         task.reset(env_ids)
         # The info of a finished env is that of its reset, as in SyncVectorEnv.

@@ -224,7 +224,7 @@ def test_a_file_that_does_not_work_is_refused_with_its_line(text, message, tmp_p
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ("return 1.0", r"reward mine: expected an array of shape \(1,\).*found \(\)"),
+        ("return 1.0", r"reward mine: expected an array of shape \(1,\).*found float"),
         ("return context.joint_offset", r"reward mine: expected an array of shape \(1,\).*found \(1, 8\)"),
         ("return context.nothing", r"reward mine: AttributeError: .*nothing"),
     ],

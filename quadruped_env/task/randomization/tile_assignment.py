@@ -4,7 +4,7 @@ The curriculum follows Rudin et al. 2021, "Learning to Walk in Minutes Using Mas
 Learning", https://arxiv.org/abs/2109.11978, section 2.3. It depends only on an env's own seed and history.
 """
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -120,7 +120,7 @@ class TileAssignment:
         running: EnvIds | None,
     ) -> None:
         """Account for a control step, in all envs or some (R,), before their commands change."""
-        env_ids: Any = slice(None) if running is None else running
+        env_ids = slice(None) if running is None else running
         valid = ~diverged[env_ids]
         command = context.command[env_ids, 0]
         # A simulation that diverged was reset, or holds NaN.
@@ -158,6 +158,6 @@ class TileAssignment:
         demoted = ~promoted & counts & (walked < self._section.demote_share * commanded)
         return promoted.astype(np.int64) - demoted.astype(np.int64)
 
-    def _centre_of(self, env_ids: Any) -> Floats:
+    def _centre_of(self, env_ids: EnvIds | slice) -> Floats:
         # Before the first episode the level is 0.
         return self._centres[self.kind[env_ids], np.maximum(self.level[env_ids] - 1, 0)]
