@@ -105,7 +105,7 @@ def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles()
     policy = load_policy("flat")
     on_tiles = policy.config.on_terrain("tiles")
     curriculum = dataclasses.replace(on_tiles, terrain=on_tiles.terrain.replace(curriculum=True, levels=3))
-    trained = type(policy)(policy.weights, policy.biases, policy.activation, curriculum, policy.card)
+    trained = type(policy).for_task(policy.weights, policy.biases, policy.activation, curriculum, policy.card)
     comparison = compare(trained, 6, 2.0, [(0.4, 0.0)])
     assert comparison.config.terrain.to_dict() == curriculum.terrain.to_dict() | {"curriculum": False}
     starts = {name: rollout.base_position[0, :, :2] for name, rollout in comparison.rollouts.items()}
